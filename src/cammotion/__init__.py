@@ -1,0 +1,1 @@
+"""Cam motion and machine timing."""
