@@ -1,1 +1,10 @@
-"""Cam motion and machine timing."""
+"""Cam motion and machine timing: the helper package of the workbook.
+
+Every public name is listed once, in ``__init__.pyi``, and its module is loaded when the name is
+first used. So ``import cammotion`` costs next to nothing, and a lesson pays for SymPy, Matplotlib
+or ipywidgets only when it draws or derives something.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,139 @@
+"""What a quantity may be, and the sentence that says so when it is not."""
+
+import math
+import numbers
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+
+
+class InputError(ValueError):
+    """A value that makes no sense here; the message names it, what is allowed, and the fix."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A physical quantity with its unit and the range in which it makes sense.
+
+    `low` itself is allowed only where `low_included` is set; `high` always is.
+
+    >>> Quantity("indexing angle", "deg", example=55, high=360).array([27.5, 55])
+    array([27.5, 55. ])
+    """
+
+    name: str
+    unit: str
+    example: float
+    low: float = 0.0
+    high: float = math.inf
+    low_included: bool = False
+
+    def array(self, value: ArrayLike) -> Floats:
+        """Return `value` as an array of floats of the same shape, each of them in range.
+
+        Raises InputError for anything that is not a real number, is not finite, is out of range,
+        or is empty.
+        """
+        array = self._as_floats(value)
+        if array.size == 0:
+            raise InputError(f"The {self.name} is empty: give {self._example}.")
+        inside = self._inside(array)
+        if not inside.all():
+            raise InputError(self._out_of_range(array, inside))
+        return array
+
+    def number(self, value: Any) -> float:
+        """Return `value`, a single number, as a float; raises InputError like `array`."""
+        array = self.array(value)
+        if array.ndim:
+            raise InputError(
+                f"The {self.name} has to be a single number here, not {_shorten(value)}: "
+                f"give {self._example}."
+            )
+        return float(array)
+
+    @property
+    def allowed(self) -> str:
+        """The range in words: 'above 0 and at most 360 deg'.
+
+        >>> Quantity("stroke", "mm", example=50).allowed
+        'above 0 mm'
+        """
+        low = f"{'at least' if self.low_included else 'above'} {self.low:g}"
+        high = "" if math.isinf(self.high) else f" and at most {self.high:g}"
+        return f"{low}{high}{self._unit}"
+
+    @property
+    def _unit(self) -> str:
+        return f" {self.unit}" if self.unit else ""
+
+    @property
+    def _example(self) -> str:
+        return f"for example {self.example:g}{self._unit}"
+
+    def _as_floats(self, value: ArrayLike) -> Floats:
+        try:
+            array = np.asarray(value)
+        except ValueError:  # a ragged list
+            array = np.asarray(None)
+        if array.dtype.kind in "iuf":
+            return array.astype(np.float64, copy=False)
+        if array.size == 0:
+            return np.empty(0)
+        if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
+            return array.astype(np.float64)
+        raise InputError(
+            f"The {self.name} has to be a number{' in ' + self.unit if self.unit else ''}, "
+            f"not {_shorten(value)}: give {self._example}."
+        )
+
+    def _inside(self, array: Floats) -> NDArray[np.bool_]:
+        above = array >= self.low if self.low_included else array > self.low
+        return above & (array <= self.high) & np.isfinite(array)
+
+    def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:
+        position = tuple(int(i) for i in np.argwhere(~inside)[0])
+        where = f" (at position {', '.join(map(str, position))})" if position else ""
+        return (
+            f"The {self.name} is {array[position]:g}{self._unit}{where}; it has to be a finite "
+            f"number {self.allowed}: give {self._example}."
+        )
+
+
+def one_of(what: str, name: Any, known: Iterable[str]) -> str:
+    """Return `name` if it is one of the `known` names; otherwise raise InputError listing them.
+
+    >>> one_of("motion law", "cycloidal", ["cycloidal", "cubic"])
+    'cycloidal'
+    """
+    names = list(known)
+    if isinstance(name, str) and name in names:
+        return name
+    listed = ", ".join(f"'{known_name}'" for known_name in names)
+    raise InputError(f"There is no {what} {_shorten(name)}: use one of {listed}.")
+
+
+def broadcast(**arrays: Floats) -> None:
+    """Raise InputError unless the arrays can be combined element by element."""
+    try:
+        np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} has {array.shape}" for name, array in arrays.items())
+        raise InputError(
+            f"The arrays cannot be combined element by element, their shapes differ ({shapes}): "
+            "give single numbers or arrays of one shape."
+        ) from None
+
+
+def _is_real(item: object) -> bool:
+    return isinstance(item, numbers.Real) and not isinstance(item, (bool, np.bool_))
+
+
+def _shorten(value: object, length: int = 60) -> str:
+    text = repr(value)
+    return text if len(text) <= length else text[: length - 3] + "..."

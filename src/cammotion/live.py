@@ -1,0 +1,264 @@
+"""Live figures and explorers: what follows the learner's hand.
+
+A live figure is drawn once. While a slider moves, only its moving artists are drawn again over the
+stored background (blitting), which is fast enough to follow the hand. Its picture and its text are
+kept beside the widget, so that a reader without a running kernel sees them too.
+"""
+
+import base64
+import io
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import ipywidgets
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from PIL import Image
+
+from cammotion.checks import InputError
+from cammotion.kinematics import Move
+from cammotion.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
+
+STANDARD_GRAVITY = 9.80665  # m/s2, by definition
+
+
+class LiveFigure(ipywidgets.Image):  # type: ignore[misc]
+    """A figure of which only the `moving` artists are drawn again at each `refresh`.
+
+    A change of axis limits is noticed and costs one full drawing. Call `redraw` after any other
+    change of what does not move.
+    """
+
+    def __init__(self, figure: Figure, moving: Sequence[Artist], **layout: Any) -> None:
+        super().__init__(format="png", **layout)
+        self._figure, self._moving = figure, list(moving)
+        self._canvas = FigureCanvasAgg(figure)
+        self._limits: list[tuple[float, ...]] = []
+        self._background: Any = None
+        for artist in self._moving:
+            artist.set_animated(True)
+        self.refresh()
+
+    def redraw(self) -> None:
+        """Draw the whole figure."""
+        self._limits = self._current_limits()
+        self._canvas.draw()  # type: ignore[no-untyped-call]
+        self._background = self._canvas.copy_from_bbox(self._figure.bbox)  # type: ignore[no-untyped-call]
+        self._draw_moving()
+
+    def refresh(self) -> None:
+        """Draw the moving artists, and the rest only if an axis has changed its limits."""
+        if self._limits != self._current_limits():
+            self.redraw()
+        else:
+            self._canvas.restore_region(self._background)  # type: ignore[no-untyped-call]
+            self._draw_moving()
+
+    def _current_limits(self) -> list[tuple[float, ...]]:
+        return [(*ax.get_xlim(), *ax.get_ylim()) for ax in self._figure.axes]
+
+    def _draw_moving(self) -> None:
+        for artist in self._moving:
+            self._figure.draw_artist(artist)
+        size = self._canvas.get_width_height(physical=True)
+        pixels = self._canvas.buffer_rgba()  # type: ignore[no-untyped-call]
+        picture = Image.frombuffer("RGBA", size, pixels, "raw", "RGBA", 0, 1)
+        png = io.BytesIO()
+        picture.convert("RGB").save(png, "png", compress_level=1)  # 1: speed before size
+        self.value = png.getvalue()
+
+
+class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
+    """A slider and a number field that hold the same `value`.
+
+    The field takes any value of the range, also between the slider's steps, and gives the pair
+    the name that a screen reader reads.
+    """
+
+    def __init__(self, name: str, value: float, low: float, high: float, step: float) -> None:
+        span = {"value": value, "min": min(low, value), "max": max(high, value)}
+        self.field = ipywidgets.BoundedFloatText(
+            **span,
+            description=name,
+            style={"description_width": "11.5em"},
+            layout={"width": "19em"},
+        )
+        self.slider = ipywidgets.FloatSlider(
+            **span, step=step, readout=False, layout={"width": "22em"}
+        )
+        ipywidgets.link((self.slider, "value"), (self.field, "value"))
+        super().__init__([self.field, self.slider], layout={"flex_flow": "row wrap"})
+
+    @property
+    def value(self) -> float:
+        """The value that slider and field show."""
+        return float(self.slider.value)
+
+    @value.setter
+    def value(self, value: float) -> None:
+        self.slider.value = value
+
+    def on_change(self, callback: Callable[[], None]) -> None:
+        """Call `callback` whenever the value has changed."""
+        self.slider.observe(lambda _: callback(), "value")
+
+
+class Explorer(ipywidgets.VBox):  # type: ignore[misc]
+    """Controls, a live figure and a text, shown as one; subclasses say what follows what.
+
+    A subclass makes its controls and its figure, calls this constructor, and overrides `follow`,
+    which moves the artists and returns the text.
+    """
+
+    def __init__(
+        self, controls: Sequence[NumberControl], buttons: Sequence[Any], live: LiveFigure
+    ) -> None:
+        self.controls, self.live = list(controls), live
+        self.text = ""
+        self._shown_text = ipywidgets.HTML()
+        for control in controls:
+            control.on_change(self.update)
+        super().__init__([*controls, *buttons, self._shown_text, live])
+        self.update()
+
+    def follow(self) -> str:
+        """Move the artists to the controls' values and return what there is to say, one a line."""
+        raise NotImplementedError
+
+    def update(self) -> None:
+        """Bring figure and text in line with the controls."""
+        self.text = self.follow()
+        self.live.refresh()
+        lines = "".join(f"<div>{line}</div>" for line in self.text.splitlines())
+        self._shown_text.value = f'<div role="status" style="line-height: 1.5">{lines}</div>'
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
+        """Show picture and text beside the widget, for a reader without a kernel."""
+        bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)
+        picture = base64.b64encode(self.live.value).decode("ascii")
+        return bundle | {"image/png": picture, "text/plain": self.text}
+
+
+class MoveExplorer(Explorer):
+    """A move to be changed, over a pinned reference; made by `explore_move`."""
+
+    def __init__(self, reference: Move) -> None:
+        self.reference = reference
+        self.rate = NumberControl("rate N, pieces/h", reference.rate_per_hour, 500, 5000, 50)
+        self.angle = NumberControl("angle Bm, deg", reference.angle_deg, 20, 220, 1)
+        self.stroke = NumberControl("stroke hm, mm", reference.stroke_mm, 5, 100, 1)
+        pin = ipywidgets.Button(
+            description="Pin this design as the reference", layout={"width": "19em"}
+        )
+        pin.on_click(lambda _: self.pin())
+        figure = Figure(figsize=(8.2, 5.6), dpi=100, facecolor="white", layout="constrained")
+        self._axes = self._draw_axes(figure)
+        self._chosen = [style_line(ax.plot([], [])[0], 0) for ax in self._axes]
+        self._pinned = [ax.plot([], [], **REFERENCE_STYLE)[0] for ax in self._axes]
+        self._axes[0].legend(
+            [self._chosen[0], self._pinned[0]],
+            ["your design", "reference"],
+            loc="lower right",
+            fontsize=10,
+        )
+        self._show(self._pinned, reference)
+        live = LiveFigure(figure, self._chosen, layout={"max_width": "100%", "width": "820px"})
+        super().__init__([self.rate, self.angle, self.stroke], [pin], live)
+
+    @property
+    def move(self) -> Move:
+        """The move that the controls show."""
+        return Move(
+            stroke_mm=self.stroke.value,
+            angle_deg=self.angle.value,
+            rate_per_hour=self.rate.value,
+            law=self.reference.law,
+        )
+
+    def pin(self) -> None:
+        """Make the present design the reference."""
+        self.reference = self.move
+        self._show(self._pinned, self.reference)
+        self.live.redraw()
+        self.update()
+
+    def follow(self) -> str:
+        """Draw the chosen move; return its peak and how it compares with the reference."""
+        move = self.move
+        self._show(self._chosen, move)
+        self._fit(move)
+        return compare(move, self.reference)
+
+    def _draw_axes(self, figure: Figure) -> list[Axes]:
+        axes: list[Axes] = list(figure.subplots(3, 1, sharex=True))
+        for ax, curve in zip(axes, self._curves, strict=True):
+            style_axes(ax, "", CURVES[curve].replace(" in ", "\nin "))
+        last = axes[-1]
+        last.set_xlabel("cam angle from the start of the move in deg", fontsize=11)
+        last.set_xlim(0, self.angle.slider.max)
+        last.set_xticks(np.arange(0, self.angle.slider.max + 1, 20))
+        return axes
+
+    _curves = ("displacement", "velocity", "acceleration")
+
+    def _show(self, lines: Sequence[Line2D], move: Move) -> None:
+        for line, curve in zip(lines, self._curves, strict=True):
+            time, values = sample_curve(move, curve)
+            line.set_data(time * (move.angle_deg / move.time_s), values)
+
+    def _fit(self, move: Move) -> None:
+        """Widen the axes to hold both designs, in coarse steps, since each costs a drawing."""
+        displacement, velocity, acceleration = self._axes
+        displacement.set_ylim(0, 1.05 * self.stroke.slider.max)
+        velocity.set_ylim(0, _round_up(max(move.peak_velocity, self.reference.peak_velocity)))
+        top = _round_up(max(move.peak_acceleration, self.reference.peak_acceleration))
+        acceleration.set_ylim(-top, top)
+
+
+def explore_move(reference: Move) -> MoveExplorer:
+    """Return an explorer of rate, angle and stroke, drawn over the `reference` move.
+
+    It shows displacement, velocity and acceleration over the cam angle, the peak acceleration and
+    its ratio to the reference's. `explorer.move` is the move the learner has set.
+
+    >>> explorer = explore_move(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000))
+    >>> explorer.angle.value = 110
+    >>> print(explorer.text.splitlines()[-1])
+    ratio of the peaks: 0.25 = 1 (rate, squared) x 0.25 (angle, squared) x 1 (stroke)
+    """
+    if not isinstance(reference, Move):
+        raise InputError(
+            f"The reference is {reference!r}; it has to be a Move, for example "
+            "Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)."
+        )
+    return MoveExplorer(reference)
+
+
+def compare(move: Move, reference: Move) -> str:
+    """Return three lines: the peak of the move, that of the reference, and what their ratio is."""
+    rate = (move.rate_per_hour / reference.rate_per_hour) ** 2
+    angle = (reference.angle_deg / move.angle_deg) ** 2
+    stroke = move.stroke_mm / reference.stroke_mm
+    ratio = move.peak_acceleration / reference.peak_acceleration
+    return (
+        f"{_describe('your design', move)}\n{_describe('reference', reference)}\n"
+        f"ratio of the peaks: {ratio:.4g} = {rate:.4g} (rate, squared) x {angle:.4g} "
+        f"(angle, squared) x {stroke:.4g} (stroke)"
+    )
+
+
+def _describe(name: str, move: Move) -> str:
+    a_max = move.peak_acceleration
+    in_g = a_max / STANDARD_GRAVITY
+    return f"{name}: tm = {move.time_s:.4g} s, a_max = {a_max:.4g} m/s² = {in_g:.3g} g"
+
+
+def _round_up(value: float) -> float:
+    """Return the next of ... 1, 1.5, 2, 3, 5, 7, 10, 15 ... above a value, with a little room."""
+    value *= 1.05
+    decade = 10.0 ** np.floor(np.log10(value))
+    return float(next(s * decade for s in (1, 1.5, 2, 3, 5, 7, 10) if s * decade >= value))
