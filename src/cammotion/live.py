@@ -228,7 +228,7 @@ def explore_move(reference: Move) -> MoveExplorer:
     >>> explorer = explore_move(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000))
     >>> explorer.angle.value = 110
     >>> print(explorer.text.splitlines()[-1])
-    ratio of the peaks: 0.25 = 1 (rate, squared) x 0.25 (angle, squared) x 1 (stroke)
+    ratio of the peaks: 0.25 = 1 (rate, squared) × 0.25 (angle, squared) × 1 (stroke)
     """
     if not isinstance(reference, Move):
         raise InputError(
@@ -246,8 +246,8 @@ def compare(move: Move, reference: Move) -> str:
     ratio = move.peak_acceleration / reference.peak_acceleration
     return (
         f"{_describe('your design', move)}\n{_describe('reference', reference)}\n"
-        f"ratio of the peaks: {ratio:.4g} = {rate:.4g} (rate, squared) x {angle:.4g} "
-        f"(angle, squared) x {stroke:.4g} (stroke)"
+        f"ratio of the peaks: {ratio:.4g} = {rate:.4g} (rate, squared) × {angle:.4g} "
+        f"(angle, squared) × {stroke:.4g} (stroke)"
     )
 
 

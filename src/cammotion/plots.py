@@ -60,7 +60,7 @@ def plot_curves(
     """Draw one curve of each move against time and return the Axes.
 
     `curve` is one of "displacement", "velocity", "acceleration" and "jerk"; `labels`, one for each
-    move, stand at the highest point of its curve and are the indexing angles unless given.
+    move, stand at the end of its curve and are the indexing angles unless given.
 
     >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     >>> plot_curves(die, curve="velocity").get_ylabel()
@@ -73,8 +73,7 @@ def plot_curves(
         time, values = sample_curve(move, curve)
         style = {"color": _cycle(COLOURS, number), "linestyle": _cycle(LINE_STYLES, number)}
         ax.plot(time, values, linewidth=2, label=label, **style)
-        top = int(values.argmax())
-        _write(ax, label, (time[top], values[top]), color=style["color"])
+        _write(ax, label, (time[-1], values[-1]), color=style["color"])
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0.08, y=0.12)
     return ax
@@ -90,7 +89,7 @@ def plot_peaks(
     moves, labels = _labelled(moves, labels)
     ax = _styled(ax, "indexing angle Bm", "peak acceleration a_max in m/s²")
     bars = ax.bar(labels, [move.peak_acceleration for move in moves], color=COLOURS[0], width=0.6)
-    ax.bar_label(bars, fmt="%.3g", padding=3, fontsize=11)
+    ax.bar_label(bars, fmt="%#.3g", padding=3, fontsize=11)
     ax.margins(y=0.12)
     ax.grid(visible=False, axis="x")
     return ax
@@ -118,7 +117,7 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     peaks = [move.peak_acceleration for move in moves]
     ax.loglog(angles, peaks, "o", color=COLOURS[0], markersize=9)
     for angle, peak in zip(angles, peaks, strict=True):
-        _write(ax, f"{angle:g}°: {peak:.3g}", (angle, peak), offset=(8, 4))
+        _write(ax, f"{angle:g}°: {peak:#.3g}", (angle, peak), offset=(8, 4))
     middle = np.sqrt(line.prod())
     _write(
         ax, r"slope $-2$", (middle, law[0] * (line[0] / middle) ** 2), COLOURS[1], offset=(-70, -24)
@@ -187,7 +186,7 @@ def _write(
     text: str,
     at: tuple[float, float],
     color: str = "#000000",
-    offset: tuple[float, float] = (0, 5),
+    offset: tuple[float, float] = (0, 6),
 ) -> None:
     ax.annotate(
         text,
@@ -197,6 +196,7 @@ def _write(
         color=color,
         fontsize=11,
         ha="left" if offset[0] else "center",
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},  # readable over curves
     )
 
 
