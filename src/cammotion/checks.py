@@ -4,12 +4,15 @@ import math
 import numbers
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+
+Numbers: TypeAlias = Any
+"""A float where every argument is a single number, else an array (as NumPy types its functions)."""
 
 
 class InputError(ValueError):

@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.checks import Floats, Quantity, broadcast
+from cammotion.checks import Numbers, Quantity, broadcast
 from cammotion.laws import MotionLaw, as_law
 
 STROKE = Quantity("stroke", "mm", example=50)
@@ -23,7 +23,7 @@ DEG_PER_TURN = 360
 MM_PER_M = 1000
 
 
-def cycle_time(rate_per_hour: ArrayLike) -> float | Floats:
+def cycle_time(rate_per_hour: ArrayLike) -> Numbers:
     """Return the time of one turn, T = 3600/N.
 
     `rate_per_hour` is the machine rate N in pieces/h, a number or an array; the result in s has
@@ -35,7 +35,7 @@ def cycle_time(rate_per_hour: ArrayLike) -> float | Floats:
     return _plain(SECONDS_PER_HOUR / RATE.array(rate_per_hour))
 
 
-def indexing_time(angle_deg: ArrayLike, rate_per_hour: ArrayLike) -> float | Floats:
+def indexing_time(angle_deg: ArrayLike, rate_per_hour: ArrayLike) -> Numbers:
     """Return the time of one move, tm = Bm/360 * 3600/N.
 
     `angle_deg` is the indexing angle Bm in deg, above 0 and at most 360; `rate_per_hour` the
@@ -55,7 +55,7 @@ def peak_velocity(
     angle_deg: ArrayLike,
     rate_per_hour: ArrayLike,
     law: str | MotionLaw = "cycloidal",
-) -> float | Floats:
+) -> Numbers:
     """Return the peak velocity of a move, v_max = Cv hm/tm, in m/s.
 
     Parameters, shapes and errors are those of `peak_acceleration`.
@@ -71,7 +71,7 @@ def peak_acceleration(
     angle_deg: ArrayLike,
     rate_per_hour: ArrayLike,
     law: str | MotionLaw = "cycloidal",
-) -> float | Floats:
+) -> Numbers:
     """Return the peak acceleration of a move, a_max = Ca hm/tm^2, in m/s2.
 
     `stroke_mm` is the stroke hm in mm, `angle_deg` the indexing angle Bm in deg (above 0, at most
@@ -92,7 +92,7 @@ def peak_jerk(
     angle_deg: ArrayLike,
     rate_per_hour: ArrayLike,
     law: str | MotionLaw = "cycloidal",
-) -> float | Floats:
+) -> Numbers:
     """Return the peak jerk of a move, j_max = Cj hm/tm^3, in m/s3.
 
     Parameters, shapes and errors are those of `peak_acceleration`.
@@ -147,36 +147,36 @@ class Move:
         """The peak jerk in m/s3."""
         return float(peak_jerk(*self._numbers, self.law))
 
-    def displacement_mm(self, time_s: ArrayLike) -> float | Floats:
+    def displacement_mm(self, time_s: ArrayLike) -> Numbers:
         """Return the displacement h in mm at `time_s`, 0 to tm, a number or an array."""
-        return _plain(self._curve(0, time_s) * MM_PER_M)
+        return self._curve(0, time_s) * MM_PER_M
 
-    def velocity(self, time_s: ArrayLike) -> float | Floats:
+    def velocity(self, time_s: ArrayLike) -> Numbers:
         """Return the velocity v in m/s at `time_s`, 0 to tm, a number or an array."""
-        return _plain(self._curve(1, time_s))
+        return self._curve(1, time_s)
 
-    def acceleration(self, time_s: ArrayLike) -> float | Floats:
+    def acceleration(self, time_s: ArrayLike) -> Numbers:
         """Return the acceleration a in m/s2 at `time_s`, 0 to tm, a number or an array.
 
         >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
         >>> print(f"{die.acceleration(die.time_s / 4):.3f} m/s2")
         4.154 m/s2
         """
-        return _plain(self._curve(2, time_s))
+        return self._curve(2, time_s)
 
-    def jerk(self, time_s: ArrayLike) -> float | Floats:
+    def jerk(self, time_s: ArrayLike) -> Numbers:
         """Return the jerk j in m/s3 at `time_s`, 0 to tm, a number or an array."""
-        return _plain(self._curve(3, time_s))
+        return self._curve(3, time_s)
 
     @property
     def _numbers(self) -> tuple[float, float, float]:
         return self.stroke_mm, self.angle_deg, self.rate_per_hour
 
-    def _curve(self, derivative: int, time_s: ArrayLike) -> Floats:
+    def _curve(self, derivative: int, time_s: ArrayLike) -> Numbers:
         tm = self.time_s
         time = Quantity("time", "s", example=tm / 2, high=tm, low_included=True).array(time_s)
         factor = as_law(self.law)(time / tm, derivative)
-        return np.asarray(_scale(derivative, factor, self.stroke_mm, tm))
+        return _scale(derivative, factor, self.stroke_mm, tm)
 
 
 def _peak(
@@ -185,19 +185,17 @@ def _peak(
     stroke_mm: ArrayLike,
     angle_deg: ArrayLike,
     rate_per_hour: ArrayLike,
-) -> float | Floats:
+) -> Numbers:
     stroke, time = STROKE.array(stroke_mm), np.asarray(indexing_time(angle_deg, rate_per_hour))
     broadcast(stroke_mm=stroke, time_s=time)
     return _plain(_scale(derivative, factor, stroke, time))
 
 
-def _scale(
-    derivative: int, factor: float | Floats, stroke_mm: float | Floats, time_s: float | Floats
-) -> float | Floats:
+def _scale(derivative: int, factor: Numbers, stroke_mm: Numbers, time_s: Numbers) -> Numbers:
     """Return factor * hm/tm^derivative, in m and s."""
     return factor * stroke_mm / MM_PER_M / time_s**derivative
 
 
-def _plain(values: float | Floats) -> float | Floats:
+def _plain(values: Numbers) -> Numbers:
     """Return a float for a single number, the array for an array."""
     return values if np.ndim(values) else float(values)

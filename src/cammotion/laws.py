@@ -18,7 +18,7 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from cammotion.checks import Floats, InputError, Quantity, one_of
+from cammotion.checks import Floats, InputError, Numbers, Quantity, one_of
 
 x = sympy.Symbol("x")
 """The dimensionless time t/tm, the variable of every law."""
@@ -48,6 +48,16 @@ class MotionLaw:
     s: sympy.Expr
     also_called: tuple[str, ...] = ()
 
+    def __post_init__(self) -> None:
+        expression = isinstance(self.s, sympy.Expr)
+        others = sorted(map(str, self.s.free_symbols - {x})) if expression else []
+        if not expression or others:
+            said = f"has the symbol {', '.join(others)}" if others else f"is {self.s!r}"
+            raise InputError(
+                f"The expression of the law {self.name!r} {said}; it has to be a SymPy expression "
+                "in cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
+            )
+
     @cached_property
     def v(self) -> sympy.Expr:
         """The dimensionless velocity V = dS/dx."""
@@ -63,7 +73,7 @@ class MotionLaw:
         """The dimensionless jerk J = dA/dx."""
         return sympy.diff(self.a, x)
 
-    def __call__(self, x: ArrayLike, derivative: int = 0) -> float | Floats:
+    def __call__(self, x: ArrayLike, derivative: int = 0) -> Numbers:
         """Return S (or V, A, J for derivative 1, 2, 3) at `x`.
 
         `x` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape
@@ -106,13 +116,20 @@ class MotionLaw:
     def _functions(self) -> tuple[Callable[[Floats], Floats], ...]:
         """S, V, A, J and the slope of J, compiled for arrays."""
         expressions = (self.s, self.v, self.a, self.j, sympy.diff(self.j, x))
-        return tuple(sympy.lambdify(x, expression, "numpy") for expression in expressions)
+        return tuple(_compile(expression) for expression in expressions)
 
     def _peak(self, derivative: int) -> float:
         """Solve for the largest magnitude: it lies at an end or where the slope is zero."""
         curve, slope = self._functions[derivative], self._functions[derivative + 1]
         places = np.concatenate([[0.0, 1.0], _roots(slope)])
         return float(np.abs(curve(places)).max())
+
+
+def _compile(expression: sympy.Expr) -> Callable[[Floats], Floats]:
+    if not expression.free_symbols:  # lambdify would return one number, whatever the shape
+        return lambda places: np.full(np.shape(places), float(expression))
+    function: Callable[[Floats], Floats] = sympy.lambdify(x, expression, "numpy")
+    return function
 
 
 def _roots(function: Callable[[Floats], Floats]) -> Floats:

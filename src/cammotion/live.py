@@ -80,6 +80,7 @@ class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
     """
 
     def __init__(self, name: str, value: float, low: float, high: float, step: float) -> None:
+        self.default = value
         span = {"value": value, "min": min(low, value), "max": max(high, value)}
         self.field = ipywidgets.BoundedFloatText(
             **span,

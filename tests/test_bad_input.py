@@ -1,0 +1,162 @@
+"""The bad-input table: each public function, each of its quantities, each kind of nonsense.
+
+A refusal is an InputError whose sentence names the quantity, the value and what to give instead.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+
+import cammotion as cm
+
+DIE = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+
+NOT_FINITE = [(math.nan, "is nan"), (math.inf, "is inf"), (-math.inf, "is -inf")]
+NOT_POSITIVE = [(0, "is 0"), (-5, "is -5"), ([30, -5.0], r"is -5 .*\(at position 1\)")]
+NOT_A_NUMBER = [
+    ("55", "not '55'"),
+    (None, "not None"),
+    (True, "not True"),
+    (1j, "not 1j"),
+    ([[1], [2, 3]], r"not \[\[1\], \[2, 3\]\]"),
+    (sympy.Symbol("B"), "not B"),
+    ([1.0, None], r"not \[1.0, None\]"),
+]
+EMPTY = [([], "is empty"), (np.array([]), "is empty")]
+ANYWHERE = NOT_FINITE + NOT_A_NUMBER + EMPTY
+POSITIVE = ANYWHERE + NOT_POSITIVE
+ONE_POSITIVE = [
+    (value, said) for value, said in POSITIVE if not isinstance(value, list | np.ndarray)
+]
+
+Call = Callable[[Any], object]
+RATE = ("machine rate", "for example 2000 pieces/h")
+ANGLE = ("indexing angle", "for example 55 deg")
+STROKE = ("stroke", "for example 50 mm")
+TIME = ("time", "for example 0.1375 s")
+PLACE = ("dimensionless time x = t/tm", "for example 0.5")
+
+QUANTITIES: list[tuple[str, Call, tuple[str, str], list[tuple[Any, str]]]] = [
+    ("cycle_time", cm.cycle_time, RATE, POSITIVE),
+    ("indexing_time", lambda v: cm.indexing_time(v, 2000), ANGLE, [*POSITIVE, (361, "is 361 deg")]),
+    ("indexing_time", lambda v: cm.indexing_time(55, v), RATE, POSITIVE),
+    *[
+        row
+        for peak in (cm.peak_velocity, cm.peak_acceleration, cm.peak_jerk)
+        for row in (
+            (peak.__name__, lambda v, f=peak: f(v, 55, 2000), STROKE, POSITIVE),
+            (peak.__name__, lambda v, f=peak: f(50, v, 2000), ANGLE, POSITIVE),
+            (peak.__name__, lambda v, f=peak: f(50, 55, v), RATE, POSITIVE),
+        )
+    ],
+    (
+        "Move",
+        lambda v: cm.Move(stroke_mm=v, angle_deg=55, rate_per_hour=2000),
+        STROKE,
+        ONE_POSITIVE,
+    ),
+    (
+        "Move",
+        lambda v: cm.Move(stroke_mm=50, angle_deg=v, rate_per_hour=2000),
+        ANGLE,
+        ONE_POSITIVE,
+    ),
+    (
+        "Move",
+        lambda v: cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=v),
+        RATE,
+        ONE_POSITIVE,
+    ),
+    *[
+        (f"Move.{method.__name__}", method, TIME, [*ANYWHERE, (-0.1, "is -0.1 s"), (1, "is 1 s")])
+        for method in (DIE.displacement_mm, DIE.velocity, DIE.acceleration, DIE.jerk)
+    ],
+    (
+        "MotionLaw()",
+        cm.LAWS["cycloidal"],
+        PLACE,
+        [*ANYWHERE, (-1e-9, "is -1e-09"), (1.5, "is 1.5;")],
+    ),
+]
+CASES = [
+    pytest.param(call, quantity, value, said, id=f"{name}-{quantity[0].split()[0]}-{value!r:.20}")
+    for name, call, quantity, values in QUANTITIES
+    for value, said in values
+]
+
+
+@pytest.mark.parametrize(("call", "quantity", "value", "said"), CASES)
+def test_nonsense_is_refused_in_words(
+    call: Call, quantity: tuple[str, str], value: object, said: str
+) -> None:
+    name, fix = quantity
+    with pytest.raises(cm.InputError, match=rf"^The {name} .*{said}.*: give {fix}\.$"):
+        call(value)
+
+
+LAW_USERS: list[Call] = [
+    cm.as_law,
+    lambda law: cm.peak_velocity(50, 55, 2000, law),
+    lambda law: cm.peak_acceleration(50, 55, 2000, law),
+    lambda law: cm.peak_jerk(50, 55, 2000, law),
+    lambda law: cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000, law=law),
+]
+
+
+@pytest.mark.parametrize("law", ["cyclodial", "", None, 3, math.nan, [], ["cycloidal"]])
+@pytest.mark.parametrize("call", LAW_USERS)
+def test_an_unknown_law_is_refused_with_the_known_ones(call: Call, law: object) -> None:
+    with pytest.raises(cm.InputError, match=r"^There is no motion law .*: use one of 'cycloidal'"):
+        call(law)
+
+
+@pytest.mark.parametrize("law", [None, "cycloid", math.nan])
+def test_a_law_needs_an_expression_in_x_alone(law: object) -> None:
+    with pytest.raises(cm.InputError, match=r"^The expression of the law 'own' is .*: give"):
+        cm.MotionLaw("own", law)
+
+
+def test_a_law_with_another_symbol_is_refused() -> None:
+    t = sympy.Symbol("t")
+    with pytest.raises(cm.InputError, match=r"has the symbol t; .* in cammotion\.x alone"):
+        cm.MotionLaw("own", t**2)
+
+
+MOVE_LISTS: list[Any] = [None, [], 3, "die", [DIE, None], [55]]
+
+
+@pytest.mark.parametrize("moves", MOVE_LISTS, ids=repr)
+@pytest.mark.parametrize("plot", [cm.plot_curves, cm.plot_peaks, cm.plot_inverse_square])
+def test_a_plot_of_nothing_is_refused(plot: Call, moves: object) -> None:
+    with pytest.raises(cm.InputError, match="There is nothing to draw: give one Move"):
+        plot(moves)
+
+
+def test_plots_refuse_what_does_not_fit() -> None:
+    with pytest.raises(cm.InputError, match="There is no curve 'speed': use one of 'displacement'"):
+        cm.plot_curves(DIE, curve="speed")
+    with pytest.raises(cm.InputError, match="1 moves but 2 labels"):
+        cm.plot_peaks([DIE], labels=["a", "b"])
+    slower = cm.Move(stroke_mm=50, angle_deg=110, rate_per_hour=1000)
+    with pytest.raises(cm.InputError, match="differ in more than their angle"):
+        cm.plot_inverse_square([DIE, slower])
+
+
+@pytest.mark.parametrize("reference", [None, 55, "die", [DIE]])
+def test_an_explorer_needs_a_move(reference: object) -> None:
+    with pytest.raises(cm.InputError, match="it has to be a Move, for example"):
+        cm.explore_move(reference)  # type: ignore[arg-type]
+
+
+def test_a_long_value_is_cut_in_the_sentence() -> None:
+    with pytest.raises(cm.InputError) as refusal:
+        cm.cycle_time(["x" * 10_000])
+    assert len(str(refusal.value)) < 200
+
+
+def test_refusals_are_value_errors() -> None:
+    assert issubclass(cm.InputError, ValueError)

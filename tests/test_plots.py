@@ -1,0 +1,76 @@
+"""The pictures show the numbers they claim to show, and touch nothing else."""
+
+from collections.abc import Iterator
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+
+import cammotion as cm
+from cammotion.plots import CURVES
+
+mpl.use("agg")
+
+ANGLES = [27.5, 55, 110, 165, 220]
+MOVES = [cm.Move(stroke_mm=50, angle_deg=angle, rate_per_hour=2000) for angle in ANGLES]
+
+
+@pytest.fixture(autouse=True)
+def _no_trace() -> Iterator[None]:
+    settings = mpl.rcParams.copy()
+    yield
+    plt.close("all")
+    assert mpl.rcParams == settings
+
+
+@pytest.mark.parametrize("curve", CURVES)
+def test_a_curve_reaches_the_peak_of_its_move(curve: str) -> None:
+    ax = cm.plot_curves(MOVES[1], curve=curve)
+    drawn = ax.lines[0].get_ydata()
+    peak = {
+        "displacement": 50,
+        "velocity": MOVES[1].peak_velocity,
+        "acceleration": MOVES[1].peak_acceleration,
+        "jerk": MOVES[1].peak_jerk,
+    }[curve]
+    assert np.max(np.abs(drawn)) == pytest.approx(peak)
+    assert ax.get_xlabel() == "time t in s"
+    assert ax.get_ylabel() == CURVES[curve]
+
+
+def test_curves_differ_in_colour_and_in_line_style() -> None:
+    ax = cm.plot_curves(MOVES)
+    curves = ax.lines[: len(MOVES)]
+    assert len({line.get_color() for line in curves}) == len(MOVES)
+    assert len({str(line.get_linestyle()) for line in curves}) >= 4
+    assert [text.get_text() for text in ax.texts] == ["27.5°", "55°", "110°", "165°", "220°"]
+
+
+def test_bars_are_as_high_as_the_peaks() -> None:
+    ax = cm.plot_peaks(MOVES, labels=list("abcde"))
+    (bars,) = ax.containers
+    assert bars.datavalues == pytest.approx([move.peak_acceleration for move in MOVES])
+    assert [text.get_text() for text in ax.get_xticklabels()] == list("abcde")
+
+
+def test_the_inverse_square_line_goes_through_every_point() -> None:
+    ax = cm.plot_inverse_square(MOVES)
+    line, points = ax.lines
+    slope, intercept = np.polyfit(np.log(line.get_xdata()), np.log(line.get_ydata()), 1)
+    assert slope == pytest.approx(-2, abs=1e-12)
+    law = np.exp(intercept) * np.array(points.get_xdata()) ** slope
+    assert points.get_ydata() == pytest.approx(law)
+
+
+def test_plots_draw_into_the_axes_they_are_given() -> None:
+    _, axes = plt.subplots(1, 3)
+    assert cm.plot_curves(MOVES, ax=axes[0]) is axes[0]
+    assert cm.plot_peaks(MOVES, ax=axes[1]) is axes[1]
+    assert cm.plot_inverse_square(MOVES, ax=axes[2]) is axes[2]
+    assert len(plt.get_fignums()) == 1
+
+
+def test_an_unknown_keyword_is_an_error() -> None:
+    with pytest.raises(TypeError, match="colour"):
+        cm.plot_curves(MOVES, colour="red")  # type: ignore[call-arg]
