@@ -6,6 +6,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from matplotlib.container import BarContainer
 
 import cammotion as cm
 from cammotion.plots import CURVES
@@ -50,6 +51,7 @@ def test_curves_differ_in_colour_and_in_line_style() -> None:
 def test_bars_are_as_high_as_the_peaks() -> None:
     ax = cm.plot_peaks(MOVES, labels=list("abcde"))
     (bars,) = ax.containers
+    assert isinstance(bars, BarContainer)
     assert bars.datavalues == pytest.approx([move.peak_acceleration for move in MOVES])
     assert [text.get_text() for text in ax.get_xticklabels()] == list("abcde")
 
