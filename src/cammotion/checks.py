@@ -18,6 +18,8 @@ Numbers: TypeAlias = Any
 class InputError(ValueError):
     """A value that makes no sense here; the message names it, what is allowed, and the fix."""
 
+    __module__ = "cammotion"  # the name under which its reader can catch it
+
 
 @dataclass(frozen=True)
 class Quantity:

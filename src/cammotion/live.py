@@ -91,6 +91,7 @@ class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
         self.slider = ipywidgets.FloatSlider(
             **span, step=step, readout=False, layout={"width": "22em"}
         )
+        self._name = name
         ipywidgets.link((self.slider, "value"), (self.field, "value"))
         super().__init__([self.field, self.slider], layout={"flex_flow": "row wrap"})
 
@@ -106,6 +107,10 @@ class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
     def on_change(self, callback: Callable[[], None]) -> None:
         """Call `callback` whenever the value has changed."""
         self.slider.observe(lambda _: callback(), "value")
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
+        bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)
+        return bundle | {"text/plain": f"{self._name}: {self.value:g}"}
 
 
 class Explorer(ipywidgets.VBox):  # type: ignore[misc]

@@ -1,0 +1,167 @@
+"""A real JupyterLab, started as the README says, in a real Chromium.
+
+Shared by the browser test and the benchmarks.
+"""
+
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from playwright.sync_api import Browser, Locator, Page, sync_playwright
+
+ROOT = Path(__file__).parent.parent
+START_SECONDS = 60
+CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
+CHROMIUM_FLAGS = [
+    "--no-sandbox",  # it is not available to root; all pages are our own
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+SETTINGS = {
+    "notebook-extension/tracker": {"windowingMode": "none"},  # keep every output in the page
+    "apputils-extension/notification": {"fetchNews": "false", "checkForUpdates": False},
+}
+# The toolbar says "idle" before the session is ready, and what is asked for then is lost.
+READY = """async name => {
+  const notebook = () => window.jupyterapp?.shell.currentWidget?.context;
+  while (!notebook()?.path.endsWith(name)) await new Promise(r => setTimeout(r, 50));
+  await notebook().ready;
+  await notebook().sessionContext.ready;
+  await notebook().sessionContext.session.kernel.info;
+}"""
+RUN_COMMAND = "async name => { await jupyterapp.commands.execute(name) }"
+TROUBLE = (
+    "[data-mime-type='application/vnd.jupyter.error'], "
+    "[data-mime-type='application/vnd.jupyter.stderr'], "
+    ":text-matches('Error displaying widget|Loading widget')"
+)
+
+
+def find_chromium() -> str | None:
+    """Return the path of a Chromium or Chrome, if there is one."""
+    return next(filter(None, map(shutil.which, CHROMIUM)), None)
+
+
+@contextmanager
+def running_lab(home: Path, work: str) -> Iterator[str]:
+    """Start the workbook's JupyterLab and give the address that it prints.
+
+    JupyterLab keeps its own files in `home`, the learner's copies are in the folder `work`.
+    """
+    port = free_port()
+    command = [sys.executable, str(ROOT / "workbook.py"), "--no-browser", "--port", str(port)]
+    command += ["--work", work, "--", "--LabApp.expose_app_in_browser=True"]
+    log = home / f"lab-{port}.log"
+    with log.open("w") as output:
+        lab = subprocess.Popen(
+            command,
+            env=os.environ | own_folders(home),
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        )
+    try:
+        yield wait_for_address(lab, log)
+    finally:
+        lab.terminate()
+        lab.wait(START_SECONDS)
+
+
+def free_port() -> int:
+    """Return a port that nobody uses."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def own_folders(home: Path) -> dict[str, str]:
+    """Return the environment that keeps JupyterLab's files, and our settings, in `home`."""
+    for plugin, values in SETTINGS.items():
+        file = home / "settings" / "@jupyterlab" / f"{plugin}.jupyterlab-settings"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps(values))
+    return {
+        "JUPYTER_CONFIG_DIR": str(home / "config"),
+        "JUPYTER_DATA_DIR": str(home / "data"),
+        "JUPYTER_RUNTIME_DIR": str(home / "runtime"),
+        "JUPYTERLAB_SETTINGS_DIR": str(home / "settings"),
+        "JUPYTERLAB_WORKSPACES_DIR": str(home / "workspaces"),
+    }
+
+
+def wait_for_address(lab: "subprocess.Popen[bytes]", log: Path) -> str:
+    """Return the address, with its token, that the starter prints when JupyterLab is ready."""
+    end = time.monotonic() + START_SECONDS
+    while time.monotonic() < end and lab.poll() is None:
+        if found := re.search(r"JupyterLab is ready: (\S+)", log.read_text()):
+            return found[1]
+        time.sleep(0.1)
+    raise RuntimeError(f"JupyterLab did not start:\n{log.read_text()}")
+
+
+@contextmanager
+def running_browser() -> Iterator[Browser]:
+    """Start Chromium."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=find_chromium(), args=CHROMIUM_FLAGS, timeout=START_SECONDS * 1000
+        )
+        yield browser
+        browser.close()
+
+
+class LabPage:
+    """JupyterLab in a page of its own; what goes wrong there is collected in `complaints`."""
+
+    def __init__(self, browser: Browser, address: str) -> None:
+        self.address = address
+        self.complaints: list[str] = []
+        self.page: Page = browser.new_context(viewport={"width": 1366, "height": 768}).new_page()
+        self.page.set_default_timeout(START_SECONDS * 1000)
+        self.page.on("console", lambda said: self._note(said.text, said.type == "error"))
+        self.page.on("pageerror", lambda error: self._note(str(error)))
+        self.page.on("request", lambda asked: self._note(asked.url, not self._is_local(asked.url)))
+        self.page.goto(address, wait_until="domcontentloaded")
+
+    def _note(self, text: str, matters: bool = True) -> None:
+        if matters:
+            self.complaints.append(text)
+
+    def _is_local(self, url: str) -> bool:
+        own = urlsplit(self.address)
+        return url.startswith((f"{own.scheme}://{own.netloc}/", "data:", "blob:"))
+
+    def wait_for(self, notebook: str) -> None:
+        """Wait until this notebook is in front and its kernel ready."""
+        self.page.evaluate(READY, notebook)
+
+    def command(self, name: str) -> None:
+        """Run a command of JupyterLab to its end."""
+        self.page.evaluate(RUN_COMMAND, name)
+
+    def troubles(self) -> list[str]:
+        """Return what a learner would see of errors in the outputs."""
+        return [text.strip() for text in self.notebook.locator(TROUBLE).all_inner_texts()]
+
+    @property
+    def notebook(self) -> Locator:
+        """The notebook in front."""
+        return self.page.locator(".jp-NotebookPanel:not(.lm-mod-hidden)")
+
+    def output_of(self, source: str) -> Locator:
+        """Return the output area of the cell whose source contains `source`."""
+        cell = self.notebook.locator(".jp-CodeCell", has_text=source)
+        return cell.locator(".jp-Cell-outputArea")
