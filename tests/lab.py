@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 from playwright.sync_api import Browser, Locator, Page, sync_playwright
 
 ROOT = Path(__file__).parent.parent
-START_SECONDS = 60
+PATIENCE_SECONDS = 60
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 CHROMIUM_FLAGS = [
     "--no-sandbox",  # it is not available to root; all pages are our own
@@ -42,11 +42,15 @@ READY = """async name => {
   await notebook().sessionContext.ready;
   await notebook().sessionContext.session.kernel.info;
 }"""
-RUN_COMMAND = "async name => { await jupyterapp.commands.execute(name) }"
+COMMAND = "async name => { await jupyterapp.commands.execute(name); }"
+IN_TIME = """name => Promise.race([
+  (%s)(name),
+  new Promise((_, fail) => setTimeout(() => fail(`no end of ${name} in %d s`), %d * 1000))
+])"""
 TROUBLE = (
     "[data-mime-type='application/vnd.jupyter.error'], "
     "[data-mime-type='application/vnd.jupyter.stderr'], "
-    ":text-matches('Error displaying widget|Loading widget')"
+    ".jp-OutputArea-output:text-matches('Error displaying widget|Loading widget')"
 )
 
 
@@ -77,7 +81,7 @@ def running_lab(home: Path, work: str) -> Iterator[str]:
         yield wait_for_address(lab, log)
     finally:
         lab.terminate()
-        lab.wait(START_SECONDS)
+        lab.wait(PATIENCE_SECONDS)
 
 
 def free_port() -> int:
@@ -104,7 +108,7 @@ def own_folders(home: Path) -> dict[str, str]:
 
 def wait_for_address(lab: "subprocess.Popen[bytes]", log: Path) -> str:
     """Return the address, with its token, that the starter prints when JupyterLab is ready."""
-    end = time.monotonic() + START_SECONDS
+    end = time.monotonic() + PATIENCE_SECONDS
     while time.monotonic() < end and lab.poll() is None:
         if found := re.search(r"JupyterLab is ready: (\S+)", log.read_text()):
             return found[1]
@@ -117,7 +121,7 @@ def running_browser() -> Iterator[Browser]:
     """Start Chromium."""
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
-            executable_path=find_chromium(), args=CHROMIUM_FLAGS, timeout=START_SECONDS * 1000
+            executable_path=find_chromium(), args=CHROMIUM_FLAGS, timeout=PATIENCE_SECONDS * 1000
         )
         yield browser
         browser.close()
@@ -130,7 +134,7 @@ class LabPage:
         self.address = address
         self.complaints: list[str] = []
         self.page: Page = browser.new_context(viewport={"width": 1366, "height": 768}).new_page()
-        self.page.set_default_timeout(START_SECONDS * 1000)
+        self.page.set_default_timeout(PATIENCE_SECONDS * 1000)
         self.page.on("console", lambda said: self._note(said.text, said.type == "error"))
         self.page.on("pageerror", lambda error: self._note(str(error)))
         self.page.on("request", lambda asked: self._note(asked.url, not self._is_local(asked.url)))
@@ -144,13 +148,25 @@ class LabPage:
         own = urlsplit(self.address)
         return url.startswith((f"{own.scheme}://{own.netloc}/", "data:", "blob:"))
 
+    def _await(self, script: str, name: str) -> None:
+        self.page.evaluate(IN_TIME % (script, PATIENCE_SECONDS, PATIENCE_SECONDS), name)
+
     def wait_for(self, notebook: str) -> None:
         """Wait until this notebook is in front and its kernel ready."""
-        self.page.evaluate(READY, notebook)
+        self._await(READY, notebook)
 
     def command(self, name: str) -> None:
         """Run a command of JupyterLab to its end."""
-        self.page.evaluate(RUN_COMMAND, name)
+        self._await(COMMAND, name)
+
+    def reload(self, notebook: str) -> None:
+        """Load the page anew, with this notebook in front."""
+        self.page.reload(wait_until="domcontentloaded")
+        self.wait_for(notebook)
+
+    def settle(self) -> None:
+        """Give the page and the kernel time for what they have to say to each other."""
+        self.page.wait_for_timeout(500)
 
     def troubles(self) -> list[str]:
         """Return what a learner would see of errors in the outputs."""

@@ -21,7 +21,7 @@ FLOORS = [
     {"laws"},
     {"kinematics"},
     {"plots", "setup_check"},
-    {"live"},
+    {"live", "server"},
 ]
 VIEWS = {"plots", "live"}
 VIEW_LIBRARIES = {"matplotlib", "ipywidgets", "PIL", "IPython"}

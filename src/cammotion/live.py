@@ -29,8 +29,8 @@ STANDARD_GRAVITY = 9.80665  # m/s2, by definition
 class LiveFigure(ipywidgets.Image):  # type: ignore[misc]
     """A figure of which only the `moving` artists are drawn again at each `refresh`.
 
-    A change of axis limits is noticed and costs one full drawing. Call `redraw` after any other
-    change of what does not move.
+    The first `refresh` draws it whole. A change of axis limits is noticed and costs one full
+    drawing. Call `redraw` after any other change of what does not move.
     """
 
     def __init__(self, figure: Figure, moving: Sequence[Artist], **layout: Any) -> None:
@@ -41,7 +41,6 @@ class LiveFigure(ipywidgets.Image):  # type: ignore[misc]
         self._background: Any = None
         for artist in self._moving:
             artist.set_animated(True)
-        self.refresh()
 
     def redraw(self) -> None:
         """Draw the whole figure."""
@@ -73,10 +72,10 @@ class LiveFigure(ipywidgets.Image):  # type: ignore[misc]
 
 
 class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
-    """A slider and a number field that hold the same `value`.
+    """A slider and a number field for one `value`.
 
-    The field takes any value of the range, also between the slider's steps, and gives the pair
-    the name that a screen reader reads.
+    The field holds the value: any of the range, also between the slider's steps. The slider stands
+    at the nearest step. The field also gives the pair the name that a screen reader reads.
     """
 
     def __init__(self, name: str, value: float, low: float, high: float, step: float) -> None:
@@ -92,21 +91,37 @@ class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
             **span, step=step, readout=False, layout={"width": "22em"}
         )
         self._name = name
-        ipywidgets.link((self.slider, "value"), (self.field, "value"))
+        self._follow_field()
+        self.field.observe(lambda _: self._follow_field(), "value")
+        self.slider.observe(lambda _: self._follow_slider(), "value")
         super().__init__([self.field, self.slider], layout={"flex_flow": "row wrap"})
 
     @property
     def value(self) -> float:
-        """The value that slider and field show."""
-        return float(self.slider.value)
+        """The value that the field shows."""
+        return float(self.field.value)
 
     @value.setter
     def value(self, value: float) -> None:
-        self.slider.value = value
+        self.field.value = value
 
     def on_change(self, callback: Callable[[], None]) -> None:
         """Call `callback` whenever the value has changed."""
-        self.slider.observe(lambda _: callback(), "value")
+        self.field.observe(lambda _: callback(), "value")
+
+    def _nearest_step(self) -> float:
+        """Return where the slider stands for the field's value."""
+        slider = self.slider
+        steps = np.floor((self.value - slider.min) / slider.step + 0.5)
+        return float(min(slider.min + steps * slider.step, slider.max))
+
+    def _follow_field(self) -> None:
+        self.slider.value = self._nearest_step()
+
+    def _follow_slider(self) -> None:
+        """Take the slider's value, unless it only stands at the step nearest to the field's."""
+        if not np.isclose(self.slider.value, self._nearest_step()):
+            self.field.value = self.slider.value
 
     def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
         bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)
@@ -264,7 +279,7 @@ def _describe(name: str, move: Move) -> str:
 
 
 def _round_up(value: float) -> float:
-    """Return the next of ... 1, 1.5, 2, 3, 5, 7, 10, 15 ... above a value, with a little room."""
+    """Return the next of ... 1, 2, 5, 10, 20 ... above a value, with a little room."""
     value *= 1.05
     decade = 10.0 ** np.floor(np.log10(value))
-    return float(next(s * decade for s in (1, 1.5, 2, 3, 5, 7, 10) if s * decade >= value))
+    return float(next(s * decade for s in (1, 2, 5, 10) if s * decade >= value))

@@ -1,0 +1,74 @@
+"""How long a tick of a slider takes in the kernel."""
+
+import ast
+import json
+import time
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from execution import QUIET
+from findings import Finding, judge_ticks
+from jupyter_client.manager import start_new_kernel
+
+SWEEPS = {"angle": range(20, 221), "rate": range(500, 5001, 50), "stroke": range(5, 101)}
+ROUNDS = 4
+THIN = 16  # interact is slow: in each round it makes every 16th tick of a sweep, and other ones
+SETUP = f"""
+%matplotlib inline
+import sys
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+from kernel import time_ticks_as_json
+"""
+
+
+def measure_ticks() -> list[Finding]:
+    """Time the explorer's ticks and those of `interact`, by turns in one kernel."""
+    times = json.loads(run_in_kernel(SETUP, "time_ticks_as_json()"))
+    return judge_ticks("slider tick in the kernel", times["own"], times["rival"], 33, 10)
+
+
+def run_in_kernel(code: str, expression: str) -> str:
+    """Run code in a fresh kernel and return the text that an expression gives there."""
+    manager, client = start_new_kernel(extra_arguments=[QUIET])
+    try:
+        reply = client.execute_interactive(
+            code, user_expressions={"value": expression}, output_hook=lambda _: None
+        )["content"]
+    finally:
+        client.stop_channels()
+        manager.shutdown_kernel()
+    answer = reply.get("user_expressions", {}).get("value", reply)
+    if answer["status"] != "ok":
+        raise RuntimeError("\n".join(answer["traceback"]))
+    return str(ast.literal_eval(answer["data"]["text/plain"]))
+
+
+def time_ticks_as_json() -> str:
+    """Move the sliders of both figures over their ranges, as a hand would; runs in the kernel."""
+    from rival import interact_with
+
+    from cammotion.kinematics import Move
+    from cammotion.live import explore_move
+
+    die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    explorer = explore_move(die)
+    *sliders, _ = interact_with(die).widget.children
+    rivals = {slider.description: slider for slider in sliders}
+    times: dict[str, list[float]] = {"own": [], "rival": []}
+    for number in range(ROUNDS):
+        for name, values in SWEEPS.items():
+            times["own"] += sweep(getattr(explorer, name), values)
+            times["rival"] += sweep(rivals[name], values[number * THIN // ROUNDS :: THIN])
+    return json.dumps(times)
+
+
+def sweep(control: Any, values: Iterable[float]) -> list[float]:
+    """Set one value after the other and return the time of each in ms; then set things back."""
+    default, times = control.value, []
+    for value in values:
+        started = time.perf_counter()
+        control.value = value
+        times.append((time.perf_counter() - started) * 1000)
+    control.value = default
+    return times

@@ -1,0 +1,73 @@
+"""Measure what the README promises: ``python benchmarks/measure.py --help`` says how.
+
+Run it with the workbook's own Python, the one in .venv. Ratios are of two things measured by
+turns within one run, so that they mean the same on any machine.
+"""
+
+import argparse
+import sys
+from collections.abc import Callable
+
+from browser import measure_redraws
+from findings import Finding
+from kernel import measure_ticks
+from package import measure_import, measure_law, measure_lesson, measure_setup, measure_test
+
+MEASURES: dict[str, Callable[[], list[Finding]]] = {
+    "tick": measure_ticks,
+    "browser": measure_redraws,
+    "import": measure_import,
+    "law": measure_law,
+    "lesson": measure_lesson,
+    "setup": measure_setup,
+    "test": measure_test,
+}
+ROW = "{:<72} {:>10} {:>16}  {}"
+
+
+def describe_measures() -> str:
+    """Return a line for each measure."""
+    lines = (f"  {name:<9}{measure.__doc__}" for name, measure in MEASURES.items())
+    return "\n".join(["measures:", *lines])
+
+
+def parse_arguments() -> argparse.Namespace:
+    """Read the command line."""
+    parser = argparse.ArgumentParser(
+        description="Measure what the README promises.",
+        epilog=describe_measures(),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("names", nargs="*", metavar="measure", help="which to take (all)")
+    parser.add_argument("--check", action="store_true", help="exit with 1 if a limit is passed")
+    options = parser.parse_args()
+    options.names = options.names or [*MEASURES]
+    if unknown := [name for name in options.names if name not in MEASURES]:
+        parser.error(f"there is no measure {', '.join(unknown)}: choose from {', '.join(MEASURES)}")
+    return options
+
+
+def print_row(finding: Finding) -> None:
+    """Print a finding as a row of the table."""
+    bound = "at least" if finding.at_least else "at most"
+    value, limit = (f"{number:.3g} {finding.unit}" for number in (finding.value, finding.limit))
+    print(ROW.format(finding.what, value, f"{bound} {limit}", "ok" if finding.ok else "over"))
+
+
+def main() -> int:
+    """Take the measures and print the table, row by row as they come."""
+    options = parse_arguments()
+    print(ROW.format("measure", "value", "limit", "verdict"), flush=True)
+    all_ok = True
+    for name in options.names:
+        print(f"measuring {name}", file=sys.stderr, flush=True)
+        findings = MEASURES[name]()
+        for finding in findings:
+            print_row(finding)
+        sys.stdout.flush()
+        all_ok &= all(finding.ok for finding in findings)
+    return 1 if options.check and not all_ok else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,181 @@
+"""The command line; every foreseen failure ends in a sentence."""
+
+import argparse
+import io
+import secrets
+import signal
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from starter import (
+    browser,
+    copies,
+    environment,
+    errors,
+    lab,
+    maintain,
+    notebooks,
+    processes,
+    refresh,
+)
+from starter.paths import ROOT, START
+
+
+def main(arguments: list[str]) -> int:
+    """Do what the command line asks for, in text that any terminal can show."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace", line_buffering=True)
+    signal.signal(signal.SIGTERM, end_on_sigterm)
+    return run(arguments)
+
+
+def end_on_sigterm(_signal: int, _frame: object) -> None:
+    """End our children and clean up, as after Ctrl-C."""
+    raise SystemExit(128 + signal.SIGTERM)
+
+
+def run(arguments: list[str]) -> int:
+    """Do what the command line asks for; every foreseen failure ends in a sentence."""
+    options = parse(arguments)
+    act, _ = COMMANDS[options.command]
+    try:
+        return act(options)
+    except errors.WorkbookError as error:
+        print(error, file=sys.stderr)
+    except OSError as error:
+        print(errors.explain_os_error(error), file=sys.stderr)
+    except KeyboardInterrupt:
+        print("\nStopped. Nothing half-made stays: start again when you like.", file=sys.stderr)
+        return 128 + signal.SIGINT
+    return 1
+
+
+def parse(arguments: list[str]) -> argparse.Namespace:
+    """Read the command line; `passed_on` is for pytest or JupyterLab."""
+    asks_help = arguments[-1:] in (["-h"], ["--help"])
+    if not arguments or (arguments[0].startswith("-") and not asks_help):
+        arguments = ["lab", *arguments]
+    end = len(arguments)
+    if arguments[0] == "test" and not asks_help:
+        end = 1
+    elif "--" in arguments:
+        end = arguments.index("--")
+    own, passed_on = arguments[:end], arguments[end:]
+    parser = make_parser()
+    options = parser.parse_args(own)
+    if passed_on and options.command not in ("lab", "test"):
+        parser.error(f"{options.command} passes nothing on: leave out --")
+    options.passed_on = passed_on[1:] if passed_on[:1] == ["--"] else passed_on
+    return options
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """Describe the command line."""
+    parser = argparse.ArgumentParser(
+        prog="workbook.py",
+        description="Set up the workbook and open its notebooks in JupyterLab.",
+        epilog=f"Without a command: lab. The options of lab: {START} lab --help",
+    )
+    commands = parser.add_subparsers(dest="command", metavar="command", required=True)
+    added = {
+        name: commands.add_parser(name, help=text, description=text, allow_abbrev=False)
+        for name, (_, text) in COMMANDS.items()
+    }
+    for name in ("lab", "setup", "fresh"):
+        added[name].add_argument(
+            "--work",
+            default=copies.DEFAULT_WORK,
+            metavar="NAME",
+            help="the folder of your copies (work)",
+        )
+    added["lab"].add_argument("--port", type=port_number, metavar="N", help="use just this port")
+    added["lab"].add_argument("--no-browser", action="store_true", help="only print the address")
+    added["refresh"].add_argument("notebooks", nargs="*", metavar="NN", help="such as 02; or all")
+    added["fresh"].add_argument("notebook", metavar="NN", help="such as 02")
+    added["lock"].add_argument("--upgrade", action="store_true", help="take the newest versions")
+    return parser
+
+
+def port_number(text: str) -> int:
+    """Read a port number from the command line."""
+    if not text.isdecimal() or int(text) not in lab.PORTS:
+        raise argparse.ArgumentTypeError(f"{text!r} is no port: give a number from 1 to 65535")
+    return int(text)
+
+
+def open_lab(options: argparse.Namespace) -> int:
+    """Set up and open JupyterLab; return when it has been stopped."""
+    work = copies.work_folder(options.work)
+    port = lab.choose_port(options.port)
+    environment.ensure()
+    copies.lay_missing(work)
+    if lab.is_root():
+        print(
+            "You are root: the notebooks run with all rights on this machine or container. "
+            "Outside of a container, start the workbook as an ordinary user."
+        )
+    print("Starting JupyterLab ...")
+    token = secrets.token_hex(24)
+    process = lab.start(port, token, options.passed_on)
+    try:
+        url = f"http://127.0.0.1:{port}{browser.first_page(work.name)}?token={token}"
+        with tempfile.TemporaryDirectory(
+            prefix=".open-", dir=work, ignore_cleanup_errors=True
+        ) as private:
+            browser.welcome(url, port, options.no_browser, Path(private))
+            code = processes.wait_for(process)
+    finally:
+        processes.stop(process)
+    if code == 0:
+        print(f"JupyterLab has stopped. Your copies are in {work.name}/.")
+    return code
+
+
+def set_up(options: argparse.Namespace) -> int:
+    """Set up and leave it at that."""
+    work = copies.work_folder(options.work)
+    environment.ensure()
+    copies.lay_missing(work)
+    print(f"The workbook is ready. Open it with: {START}")
+    return 0
+
+
+def test(options: argparse.Namespace) -> int:
+    """Run linters and tests."""
+    environment.ensure()
+    return maintain.test(options.passed_on)
+
+
+def refresh_notebooks(options: argparse.Namespace) -> int:
+    """Execute the workbook's own notebooks anew."""
+    environment.ensure()
+    chosen = [notebooks.find(wanted) for wanted in options.notebooks]
+    refresh.refresh(chosen or notebooks.originals())
+    return 0
+
+
+def lay_fresh_copy(options: argparse.Namespace) -> int:
+    """Lay a fresh copy of a notebook beside the learner's."""
+    source = notebooks.find(options.notebook)
+    target = copies.lay_fresh(source, copies.work_folder(options.work))
+    print(f"A fresh copy: {target.relative_to(ROOT)}")
+    return 0
+
+
+def lock(options: argparse.Namespace) -> int:
+    """Write environment.txt anew from pyproject.toml."""
+    maintain.lock(options.upgrade)
+    return 0
+
+
+COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], int], str]] = {
+    "lab": (open_lab, "set up and open the notebooks; what follows -- goes to JupyterLab"),
+    "setup": (set_up, "only set up, to have a computer ready for class"),
+    "test": (test, "run linters and tests; with arguments, only pytest with these"),
+    "refresh": (refresh_notebooks, "execute the workbook's own notebooks anew"),
+    "fresh": (lay_fresh_copy, "lay a fresh copy of a notebook beside yours"),
+    "lock": (lock, "write environment.txt anew from pyproject.toml (needs uv)"),
+}

@@ -1,0 +1,160 @@
+"""Make, update or repair .venv, so that it is ready."""
+
+import contextlib
+import importlib.util
+import json
+import os
+import shutil
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from starter import download, inspection, installer
+from starter.errors import WorkbookError
+from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, VENV, first_free
+
+MARKER = VENV / "made-by-workbook"
+LAB_SETTINGS = VENV / "share" / "jupyter" / "lab" / "settings" / "overrides.json"
+LAB_DEFAULTS = {
+    # A notebook that is opened again the next day shows its sliders as they were left.
+    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
+    # No question about news at the first start, and nothing that needs a network.
+    "@jupyterlab/apputils-extension:notification": {
+        "fetchNews": "false",
+        "checkForUpdates": False,
+    },
+}
+MB_FOR_NEW, MB_FOR_UPDATE = 1200, 300
+
+
+def ensure() -> None:
+    """Make, update or repair .venv, unless it is ready."""
+    download.check()
+    if inspection.judge()[0] == "ready":
+        return
+    with only_one_set_up():
+        state, reason = inspection.judge()
+        if state == "changed":
+            update(reason)
+        elif state != "ready":
+            make(reason)
+
+
+def make(reason: str) -> None:
+    """Make .venv from nothing; leave nothing half-made behind if that fails."""
+    check_modules()
+    if reason:
+        print(f"The environment in .venv is not used: {reason}.")
+    clear_the_way()
+    check_disk(MB_FOR_NEW)
+    try:
+        print(f"[1/3] Making the Python environment in .venv (Python {PYTHON_VERSION})")
+        create()
+        installer.install_packages("[2/3]")
+        record("[3/3]")
+    except BaseException:
+        shutil.rmtree(VENV, ignore_errors=True)
+        raise
+
+
+def update(reason: str) -> None:
+    """Install into the existing .venv what changed or is missing."""
+    print(f"The environment in .venv is updated: {reason}.")
+    check_disk(MB_FOR_UPDATE)
+    before = inspection.read_stamp()
+    inspection.STAMP.unlink()
+    try:
+        installer.install_packages("[1/2]")
+        record("[2/2]")
+    except BaseException:
+        now = inspection.inspect()
+        # Nothing was touched (no network, say): the next start need not make it anew.
+        if before and now and not inspection.differences(before, now):
+            inspection.write_stamp(before)
+        raise
+
+
+def create() -> None:
+    """Make an environment, with pip unless uv does the installing."""
+    import venv
+
+    VENV.mkdir()
+    MARKER.write_text("workbook.py made this folder and may remove it\n", encoding="ascii")
+    venv.EnvBuilder(symlinks=not ON_WINDOWS).create(VENV)
+    if not installer.find_uv():
+        installer.add_pip()
+
+
+def record(step: str) -> None:
+    """Check the result of an installation, and stamp it."""
+    print(f"{step} Checking the environment")
+    now = inspection.inspect()
+    if now is None or Path(now.package) != PACKAGE:
+        raise WorkbookError("The packages were installed, but Python does not find cammotion.")
+    write_lab_settings()
+    pinned = download.pinned_packages()
+    versions = {name: version for name, version in now.versions.items() if name in pinned}
+    inspection.write_stamp(now._replace(versions=versions))
+
+
+def write_lab_settings() -> None:
+    """Set JupyterLab's defaults for this environment; the learner can still change them."""
+    LAB_SETTINGS.parent.mkdir(parents=True, exist_ok=True)
+    LAB_SETTINGS.write_text(json.dumps(LAB_DEFAULTS, indent=2), encoding="utf-8")
+
+
+def check_modules() -> None:
+    """Refuse, before anything is made, if this Python cannot make environments."""
+    needed = ["venv"] if installer.find_uv() else ["venv", "ensurepip"]
+    for name in needed:
+        if importlib.util.find_spec(name) is None:
+            raise WorkbookError(
+                f"This Python {PYTHON_VERSION} lacks its module {name}, "
+                "which some systems split off.\n"
+                f"On Debian and Ubuntu: sudo apt install python{PYTHON_VERSION}-venv\n"
+                "Or, anywhere: install uv (https://docs.astral.sh/uv/). Then start again."
+            )
+
+
+def check_disk(needed_mb: int) -> None:
+    """Refuse if the installation would not fit."""
+    free_mb = shutil.disk_usage(ROOT).free // 1_000_000
+    if free_mb < needed_mb:
+        raise WorkbookError(
+            f"Too little room on the disk: {free_mb} MB are free in {ROOT}, "
+            f"and the installation needs {needed_mb} MB. Make room and start again."
+        )
+
+
+def clear_the_way() -> None:
+    """Remove a .venv that this program made; put any other one aside."""
+    if MARKER.is_file() and not VENV.is_symlink():
+        shutil.rmtree(VENV)
+    elif os.path.lexists(VENV):
+        aside = first_free(VENV.with_name(".venv-old"))
+        VENV.rename(aside)
+        print(f"That .venv was not made by the workbook: it is kept as {aside.name}.")
+
+
+@contextlib.contextmanager
+def only_one_set_up() -> Iterator[None]:
+    """Let one set-up at a time work in this folder, where the system can lock a folder."""
+    if sys.platform == "win32":
+        yield
+        return
+    import fcntl
+
+    folder = os.open(ROOT, os.O_RDONLY)
+    # The installer inherits the lock: if we are killed, it still holds it until it ends too.
+    os.set_inheritable(folder, True)
+    try:
+        fcntl.flock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        print("Another set-up is at work in this folder: waiting until it ends.")
+        fcntl.flock(folder, fcntl.LOCK_EX)
+    except OSError:
+        pass  # some network folders know no locks
+    try:
+        yield
+    finally:
+        os.close(folder)

@@ -1,0 +1,28 @@
+"""A foreseen failure, and what the operating system refuses, in words."""
+
+import errno
+
+from starter.paths import ROOT
+
+DISK_FULL = "The disk is full. Make room and start again."
+
+
+class WorkbookError(Exception):
+    """A foreseen failure: its text is what the user reads."""
+
+
+def incomplete(what: str) -> WorkbookError:
+    """Say that the download lacks something."""
+    return WorkbookError(f"{what}: this copy of the workbook is incomplete. Download it again.")
+
+
+def explain_os_error(error: OSError) -> str:
+    """Say in words what the operating system refused, and what to do."""
+    if error.errno in (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)):
+        return DISK_FULL
+    if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
+        return (
+            f"No permission to write {error.filename or ROOT}. Close what uses it, or put the "
+            "workbook into a folder of your own, and start again."
+        )
+    return f"The operating system refused: {error}"

@@ -1,0 +1,114 @@
+"""pip or uv at work: how far it is, and in words why it failed."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable
+
+from starter import download, processes
+from starter.errors import DISK_FULL, WorkbookError
+from starter.paths import ENVIRONMENT, ON_WINDOWS, PYTHON_VERSION, ROOT, VENV, VENV_PYTHON
+
+PATIENCE = {"PIP_RETRIES": "2", "UV_HTTP_RETRIES": "2", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+INSTALLED = ("Lib" if ON_WINDOWS else "lib/python*") + "/site-packages/*.dist-info"
+
+# The first pattern that is found in what the installer said explains its failure.
+EXPLANATIONS = {
+    r"no space left on device|e(rrno|rror) 28\b|not enough space on|quota exceeded": DISK_FULL,
+    r"NewConnectionError|NameResolutionError|ConnectTimeout|ReadTimeout|ProxyError|SSLError"
+    r"|name or service not known|name resolution|getaddrinfo failed|nodename nor servname"
+    r"|connection (refused|reset|aborted)|unreachable|no route to host|timed out|dns error"
+    r"|error sending request|tcp connect error|to proxy|tunnel connection failed": (
+        "There is no connection to the package index. Check the network (and the proxy, if there "
+        "is one) and start again: a second start continues with what was downloaded."
+    ),
+    r"no matching distribution|could not find a version|no solution found|different python"
+    r"|failed building wheel|failed to build|subprocess-exited-with-error": (
+        "A package in environment.txt, in the version it asks for, is not to be had for Python "
+        f"{PYTHON_VERSION} on this machine. The workbook is tested with Python 3.11, 3.12 and 3.13."
+    ),
+    "": "The installation failed: the installer's lines above say why.",
+}
+
+
+def find_uv() -> str | None:
+    """Return the path of uv, if it is installed."""
+    return shutil.which("uv")
+
+
+def add_pip() -> None:
+    """Put pip into the environment."""
+    run([str(VENV_PYTHON), "-Im", "ensurepip"], lambda _lines: "adding pip")
+
+
+def install_packages(step: str) -> None:
+    """Install what environment.txt pins, showing how far it is."""
+    total, before = len(download.pinned_packages()), count_installed()
+    uv = find_uv()
+    tool = [uv, "pip", "install", "-p"] if uv else []
+    tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install"]
+    time_needed = "uv" if uv else "pip (a few minutes, once)"
+    print(f"{step} Installing about {total} packages with {time_needed} ...")
+    run(
+        [*tool, "-r", ENVIRONMENT.name],
+        lambda lines: describe_progress(lines, count_installed() - before, total),
+    )
+
+
+def count_installed() -> int:
+    """Count the distributions in the environment."""
+    return sum(1 for _ in VENV.glob(INSTALLED))
+
+
+def describe_progress(lines: list[str], installed: int, total: int) -> str:
+    """Say how far an installation is."""
+    if installed > 0:
+        return f"installed {installed} of {total}"
+    found = re.findall(r"^(?:Collecting|Processing) (?:.*[/\\])?([\w.]+)", "".join(lines), re.M)
+    return f"fetched {len(found)} of {total}: {found[-1]}" if found else "looking for packages"
+
+
+def run(command: list[str], describe: Callable[[list[str]], str]) -> None:
+    """Run an installer in the workbook's folder, with a line of progress; raise if it fails."""
+    process = subprocess.Popen(
+        command,
+        cwd=ROOT,
+        env={**PATIENCE, **os.environ},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        errors="replace",
+        close_fds=False,  # it inherits the lock of environment.only_one_set_up
+    )
+    lines: list[str] = []
+    reader = processes.listen(process.stdout, lines.append)
+    try:
+        processes.wait_until(lambda: not reader.is_alive(), lambda: describe(lines))
+        process.wait()
+    finally:
+        processes.stop(process, grace=1)
+    if process.returncode != 0:
+        output = "".join(lines)
+        raise WorkbookError(processes.tail(lines) + keep(output) + explain(output))
+
+
+def keep(output: str) -> str:
+    """Write an installer's output where it outlives the environment, and say where."""
+    try:
+        with tempfile.NamedTemporaryFile(
+            "w", prefix="workbook-", suffix=".log", delete=False, encoding="utf-8"
+        ) as file:
+            file.write(output)
+    except OSError:
+        return ""
+    return f"All that the installer said: {file.name}\n"
+
+
+def explain(output: str) -> str:
+    """Say in words why an installer failed, and what to do."""
+    return next(
+        sentence for pattern, sentence in EXPLANATIONS.items() if re.search(pattern, output, re.I)
+    )

@@ -1,0 +1,46 @@
+"""Run the linters and tests, pin the dependencies."""
+
+import subprocess
+
+from starter import installer, processes
+from starter.errors import WorkbookError
+from starter.paths import ROOT, VENV_PYTHON
+
+LINTERS = ("ruff check .", "ruff format --check .", "mypy")
+
+
+def test(arguments: list[str]) -> int:
+    """Run the linters and pytest; only pytest, if it is given arguments."""
+    failed = []
+    for number, step in enumerate(() if arguments else LINTERS, 1):
+        print(f"[{number}/4] {step}")
+        if run_module(*step.split()) != 0:
+            failed.append(step)
+    if failed:
+        print(f"Failed before pytest: {', '.join(failed)}")
+    print("pytest" if arguments else "[4/4] pytest")
+    code = run_module("pytest", *arguments)
+    return code or (1 if failed else 0)
+
+
+def run_module(*arguments: str) -> int:
+    """Run a module of the environment in the workbook's folder; return its exit code."""
+    command = [str(VENV_PYTHON), "-m", *arguments]
+    return processes.wait_for(subprocess.Popen(command, cwd=ROOT, text=True))
+
+
+def lock(upgrade: bool) -> None:
+    """Write environment.txt anew from pyproject.toml."""
+    uv = installer.find_uv()
+    if not uv:
+        raise WorkbookError("lock needs uv (https://docs.astral.sh/uv/): install it first.")
+    command = [
+        *(uv, "pip", "compile", "--quiet", "--universal", "--python-version=3.11"),
+        *("--no-emit-index-url", "--no-emit-find-links"),
+        *("--custom-compile-command=python3 workbook.py lock", "--output-file=environment.txt"),
+        *(["--upgrade"] if upgrade else []),
+        "-",
+    ]
+    if subprocess.run(command, cwd=ROOT, input="-e .[lab,test]\n", text=True).returncode != 0:
+        raise WorkbookError("environment.txt was not written: uv's lines above say why.")
+    print("environment.txt is up to date with pyproject.toml.")

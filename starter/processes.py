@@ -1,0 +1,64 @@
+"""Children: listen to them, wait for them with a line of progress, end them."""
+
+import contextlib
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import IO
+
+SECONDS_BETWEEN_LINES = 10
+
+
+def listen(stream: IO[str] | None, take: Callable[[str], object]) -> threading.Thread:
+    """Hand the lines of a child's output to `take` as they come."""
+
+    def read() -> None:
+        for line in stream or ():
+            take(line)
+
+    reader = threading.Thread(target=read, daemon=True)
+    reader.start()
+    return reader
+
+
+def wait_until(is_over: Callable[[], bool], describe: Callable[[], str]) -> None:
+    """Wait, with one line that is updated on a terminal, and a line now and then elsewhere."""
+    started = shown = time.monotonic()
+    while not is_over():
+        now = time.monotonic()
+        line = f"      {describe()}, {now - started:.0f} s"
+        if sys.stdout.isatty():
+            print(f"\r{line[:78]:78}", end="", flush=True)
+        elif now - shown >= SECONDS_BETWEEN_LINES:
+            print(line)
+            shown = now
+        time.sleep(0.1)
+    if sys.stdout.isatty():
+        print(f"\r{'':78}", end="\r", flush=True)
+
+
+def wait_for(process: "subprocess.Popen[str]") -> int:
+    """Wait for a child on our terminal: Ctrl-C reaches it too, and is its own business."""
+    previous = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        return process.wait()
+    finally:
+        stop(process)
+        signal.signal(signal.SIGINT, previous)
+
+
+def stop(process: "subprocess.Popen[str]", grace: float = 0) -> None:
+    """End a child: wait `grace` seconds, ask it to end, in the end kill it."""
+    for act, patience in ((process.poll, grace), (process.terminate, 10), (process.kill, None)):
+        if process.poll() is None:
+            act()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(patience)
+
+
+def tail(lines: list[str]) -> str:
+    """Indent the last lines of a child's output."""
+    return "".join(f"    {line.rstrip()[:200]}\n" for line in lines[-15:])

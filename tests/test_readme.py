@@ -1,0 +1,96 @@
+"""What README, notebooks, pyproject.toml and environment.txt say of each other is true."""
+
+import json
+import re
+import shlex
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+from packaging.markers import default_environment
+from packaging.requirements import Requirement
+
+ROOT = Path(__file__).parent.parent
+sys.path.append(str(ROOT))
+
+from starter import commands, notebooks  # noqa: E402
+
+README = (ROOT / "README.md").read_text("utf-8")
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+COMMAND = re.compile(r"(?:python3?|py) workbook\.py([^`\n]*)")
+
+
+def texts() -> dict[str, str]:
+    """Return all prose that may name a command: README, and the Markdown of the notebooks."""
+    found = {"README.md": README}
+    for path in notebooks.originals():
+        cells = json.loads(path.read_text("utf-8"))["cells"]
+        prose = ["".join(c["source"]) for c in cells if c["cell_type"] == "markdown"]
+        found[path.name] = "\n".join(prose)
+    return found
+
+
+NAMED = [(where, command) for where, text in texts().items() for command in COMMAND.findall(text)]
+
+
+@pytest.mark.parametrize(("where", "command"), NAMED)
+def test_each_command_that_is_named_exists(where: str, command: str) -> None:
+    assert where
+    options = commands.parse(shlex.split(command))
+    if options.command == "fresh":
+        notebooks.find(options.notebook)
+
+
+def test_the_readme_names_every_command() -> None:
+    said = {commands.parse(shlex.split(command)).command for where, command in NAMED}
+    assert said == set(commands.COMMANDS)
+
+
+def test_ci_calls_the_test_command_of_the_readme() -> None:
+    assert "\npython3 workbook.py test\n" in README
+    assert (ROOT / ".ci" / "run").read_text("utf-8").rstrip().endswith("python3 workbook.py test")
+
+
+def test_the_readme_lists_every_notebook() -> None:
+    for path in notebooks.originals():
+        assert f"(notebooks/{path.name})" in README
+
+
+DIRECT = [
+    Requirement(line)
+    for line in (
+        PROJECT["dependencies"]
+        + PROJECT["optional-dependencies"]["lab"]
+        + PROJECT["optional-dependencies"]["test"]
+    )
+]
+PINS = [
+    Requirement(line)
+    for line in (ROOT / "environment.txt").read_text("utf-8").splitlines()
+    if line and not line.lstrip().startswith(("#", "-e"))
+]
+
+
+@pytest.mark.parametrize("python", ["3.11.7", "3.12.1", "3.13.0"])
+@pytest.mark.parametrize("needed", DIRECT, ids=lambda needed: needed.name)
+def test_one_pin_serves_each_direct_dependency(needed: Requirement, python: str) -> None:
+    environment: dict[str, Any] = {
+        **default_environment(),
+        "python_full_version": python,
+        "python_version": python.rsplit(".", 1)[0],
+    }
+    pins = [
+        pin
+        for pin in PINS
+        if pin.name == needed.name and (pin.marker is None or pin.marker.evaluate(environment))
+    ]
+    assert len(pins) == 1
+    (version,) = pins[0].specifier
+    assert version.operator == "=="
+    assert needed.specifier.contains(version.version)
+
+
+def test_the_environment_installs_the_package_itself() -> None:
+    assert "\n-e .\n" in (ROOT / "environment.txt").read_text("utf-8")
