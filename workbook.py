@@ -14,7 +14,7 @@ if sys.version_info < (3, 11):  # noqa: UP036
 
 try:
     from starter.commands import main
-except ModuleNotFoundError as missing:
+except ImportError as missing:
     if not str(missing.name).startswith("starter"):
         raise
     sys.exit("The folder starter is not whole: download the workbook again.")

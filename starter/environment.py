@@ -2,7 +2,6 @@
 
 import contextlib
 import importlib.util
-import json
 import os
 import shutil
 import sys
@@ -14,16 +13,6 @@ from starter.errors import WorkbookError
 from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, VENV, first_free
 
 MARKER = VENV / "made-by-workbook"
-LAB_SETTINGS = VENV / "share" / "jupyter" / "lab" / "settings" / "overrides.json"
-LAB_DEFAULTS = {
-    # A notebook that is opened again the next day shows its sliders as they were left.
-    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
-    # No question about news at the first start, and nothing that needs a network.
-    "@jupyterlab/apputils-extension:notification": {
-        "fetchNews": "false",
-        "checkForUpdates": False,
-    },
-}
 MB_FOR_NEW, MB_FOR_UPDATE = 1200, 300
 
 
@@ -91,16 +80,9 @@ def record(step: str) -> None:
     now = inspection.inspect()
     if now is None or Path(now.package) != PACKAGE:
         raise WorkbookError("The packages were installed, but Python does not find cammotion.")
-    write_lab_settings()
     pinned = download.pinned_packages()
     versions = {name: version for name, version in now.versions.items() if name in pinned}
     inspection.write_stamp(now._replace(versions=versions))
-
-
-def write_lab_settings() -> None:
-    """Set JupyterLab's defaults for this environment; the learner can still change them."""
-    LAB_SETTINGS.parent.mkdir(parents=True, exist_ok=True)
-    LAB_SETTINGS.write_text(json.dumps(LAB_DEFAULTS, indent=2), encoding="utf-8")
 
 
 def check_modules() -> None:

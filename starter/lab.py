@@ -1,5 +1,7 @@
 """A port, and JupyterLab on it."""
 
+import contextlib
+import json
 import os
 import socket
 import subprocess
@@ -10,10 +12,20 @@ from http.client import HTTPConnection, HTTPException
 
 from starter import processes
 from starter.errors import WorkbookError
-from starter.paths import ON_WINDOWS, ROOT, VENV_PYTHON
+from starter.paths import ON_WINDOWS, ROOT, VENV, VENV_PYTHON
 
 DEFAULT_PORT = 8888
 PORTS = range(1, 65536)
+SETTINGS = VENV / "share" / "jupyter" / "lab" / "settings" / "overrides.json"
+DEFAULTS = {
+    # A notebook that is opened again the next day shows its sliders as they were left.
+    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
+    # No question about news at the first start, and nothing that needs a network.
+    "@jupyterlab/apputils-extension:notification": {
+        "fetchNews": "false",
+        "checkForUpdates": False,
+    },
+}
 PROMPT_CONNECTION = "cammotion.server.PromptConnection"
 
 
@@ -48,6 +60,7 @@ def is_free(port: int) -> bool:
 
 def start(port: int, token: str, passed_on: list[str]) -> "subprocess.Popen[str]":
     """Start JupyterLab and return when it answers; raise if it ends before that."""
+    write_settings()
     process = subprocess.Popen(
         command(port, passed_on),
         env={**os.environ, "JUPYTER_TOKEN": token},
@@ -74,6 +87,13 @@ def start(port: int, token: str, passed_on: list[str]) -> "subprocess.Popen[str]
         raise
     ready.set()
     return process
+
+
+def write_settings() -> None:
+    """Set JupyterLab's defaults for this environment; the learner can still change them."""
+    with contextlib.suppress(PermissionError):  # a .venv that the teacher has closed will do
+        SETTINGS.parent.mkdir(parents=True, exist_ok=True)
+        SETTINGS.write_text(json.dumps(DEFAULTS, indent=2), encoding="utf-8")
 
 
 def command(port: int, passed_on: list[str]) -> list[str]:

@@ -42,6 +42,7 @@ UNTESTABLE_WIDGETS = re.compile(
     r"\b(?:interact(?:ive|_manual|ive_output)?|Output)\s*\(|@interact|\bclear_output\b"
 )
 WIDGET_REPR = re.compile(r"\w+\(.*\)|<.*>|", re.DOTALL)
+WIDGET_CALL = re.compile(r"[A-Z]\w+\((?:children|value|description)=")
 OBJECT_ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 HOME_PATH = re.compile(r"(?<!\w)/(?:home|root|Users)/|\b[A-Za-z]:[\\/]{1,2}Users\b")
 OUTSIDE_STYLE = re.compile(r"@import|url\(\s*(?!['\"]?(?:#|data:))", re.IGNORECASE)
@@ -302,7 +303,8 @@ def widget_fallback(cell: Cell) -> Iterator[str]:
     """Ask for a picture or a text that is shown where no kernel runs."""
     for data in cell.bundles:
         text = data.get("text/plain", "").strip()
-        if WIDGET in data and "image/png" not in data and WIDGET_REPR.fullmatch(text):
+        is_widget = WIDGET in data or WIDGET_CALL.match(text)  # refresh drops the view
+        if is_widget and "image/png" not in data and WIDGET_REPR.fullmatch(text):
             yield f"without a kernel the widget shows as '{text[:60]}'"
 
 

@@ -201,6 +201,7 @@ FAILS: dict[str, list[Edit]] = {
         widget("VBox(children=(FloatSlider(value=60.0), Image(value=b'\\x89PNG')))"),
         widget("<Explorer>"),
         widget(""),
+        shown({"text/plain": "IntSlider(value=50, description='drag me')"}),
     ],
     "drawings": [
         markdown("![A cam](../notebooks/images/untitled.svg)"),

@@ -1,0 +1,78 @@
+"""The command line: what it reads, and that every foreseen failure ends in a sentence."""
+
+import errno
+from pathlib import Path
+
+import pytest
+from small_workbook import move_starter, raiser
+
+from starter import commands, copies, maintain
+
+
+@pytest.fixture(autouse=True)
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Work in a small workbook."""
+    return move_starter(tmp_path, monkeypatch)
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (OSError(errno.ENOSPC, "full"), "disk is full"),
+        (PermissionError(errno.EACCES, "no", "/x/work"), "No permission to write /x/work"),
+        (OSError(errno.EROFS, "read-only", "/x"), "No permission to write /x"),
+        (OSError(errno.EIO, "input/output error"), "refused"),
+    ],
+)
+def test_what_the_system_refuses_is_said_in_words(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    error: OSError,
+    words: str,
+) -> None:
+    """Errors of the operating system end in a sentence and an exit code."""
+    monkeypatch.setattr(copies, "work_folder", raiser(error))
+    assert commands.run(["setup"]) == 1
+    assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("port", ["0", "65536", "-1", "x"])
+def test_impossible_ports_are_refused(port: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """The sentence names the range."""
+    with pytest.raises(SystemExit):
+        commands.run([f"--port={port}"])
+    assert "1 to 65535" in capsys.readouterr().err
+
+
+def test_arguments_are_passed_on() -> None:
+    """To pytest as they are, to JupyterLab what follows two dashes; lab is the default."""
+    assert commands.parse(["test", "-k", "laws"]).passed_on == ["-k", "laws"]
+    options = commands.parse(["--no-browser", "--", "--debug"])
+    assert (options.command, options.no_browser, options.passed_on) == ("lab", True, ["--debug"])
+    assert commands.parse([]).work == "work"
+    with pytest.raises(SystemExit):
+        commands.parse(["setup", "--", "--debug"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "failing", "code", "steps"),
+    [
+        ([], "", 0, ["ruff check .", "ruff format --check .", "mypy", "pytest"]),
+        ([], "mypy", 1, ["ruff check .", "ruff format --check .", "mypy", "pytest"]),
+        (["-k", "laws"], "", 0, ["pytest -k laws"]),
+        (["-k", "laws"], "pytest -k laws", 1, ["pytest -k laws"]),
+    ],
+)
+def test_linters_run_before_all_tests(
+    monkeypatch: pytest.MonkeyPatch, arguments: list[str], failing: str, code: int, steps: list[str]
+) -> None:
+    """All steps run even if one fails; with arguments it is pytest alone."""
+    ran: list[str] = []
+
+    def run_module(*words: str) -> int:
+        ran.append(" ".join(words))
+        return int(ran[-1] == failing)
+
+    monkeypatch.setattr(maintain, "run_module", run_module)
+    assert maintain.test(arguments) == code
+    assert ran == steps

@@ -1,0 +1,226 @@
+"""The environment in .venv: when it is made, updated or kept, and why an installation fails."""
+
+import ensurepip
+import errno
+import importlib.util
+import os
+import shutil
+import socket
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from small_workbook import move_starter, raiser
+
+from starter import commands, environment, inspection, installer
+from starter.errors import WorkbookError
+from starter.inspection import Environment
+
+SOUND = Environment(
+    files={"environment.txt": "a"},
+    python="3.11",
+    prefix="/here/.venv",
+    package="/here/src/cammotion",
+    versions={"numpy": "2.4.6", "six": "1.17.0"},
+)
+
+
+@pytest.fixture(autouse=True)
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Work in a small workbook."""
+    return move_starter(tmp_path, monkeypatch)
+
+
+@pytest.mark.parametrize(
+    ("changes", "state", "reason"),
+    [
+        ({}, "ready", ""),
+        ({"versions": {"numpy": "2.4.6", "six": "1.17.0", "own": "1"}}, "ready", ""),
+        ({"versions": {"numpy": "2.4.6"}}, "changed", "six is missing"),
+        (
+            {"versions": {"numpy": "2.5.5", "six": "1.17.0"}},
+            "changed",
+            "numpy is 2.5.5 instead of 2.4.6",
+        ),
+        ({"files": {"environment.txt": "new"}}, "changed", "environment.txt changed"),
+        ({"python": "3.12"}, "broken", "3.12"),
+        ({"prefix": "/there/.venv"}, "broken", "moved"),
+        ({"package": ""}, "broken", "moved"),
+    ],
+)
+def test_the_environment_is_compared(changes: dict[str, Any], state: str, reason: str) -> None:
+    """Each difference between environment and stamp has its verdict."""
+    verdict = inspection.compare(SOUND, SOUND._replace(**changes))
+    assert verdict[0] == state
+    assert reason in verdict[1]
+
+
+def test_only_pins_ask_for_an_installation(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An edit of the tools' settings in pyproject.toml installs nothing."""
+    probe = "import json; print(json.dumps(dict(python='', prefix='', package='', versions={})))"
+    monkeypatch.setattr(inspection, "VENV_PYTHON", Path(sys.executable))
+    monkeypatch.setattr(inspection, "PROBE", probe)
+    (root / ".venv").mkdir()
+    before = inspection.inspect()
+    assert before
+    inspection.write_stamp(before)
+    (root / "pyproject.toml").write_text("[tool.ruff]\n")
+    assert inspection.judge() == ("ready", "")
+    (root / "environment.txt").write_text("six==1.17.0\n")
+    assert inspection.judge() == ("changed", "environment.txt changed")
+
+
+def test_without_stamp_or_python_it_is_broken(root: Path) -> None:
+    """A half-made environment is not trusted."""
+    assert inspection.compare(None, SOUND)[0] == "broken"
+    assert inspection.compare(SOUND, None)[0] == "broken"
+    assert inspection.judge()[0] == "missing"
+    (root / ".venv").mkdir()
+    inspection.STAMP.write_text('{"files": ')
+    assert inspection.judge()[0] == "broken"
+
+
+def test_a_foreign_environment_is_kept_aside(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What the user made by hand is renamed, what the starter made is removed."""
+    venv = root / ".venv"
+    for name in (".venv-old", ".venv-old-2"):
+        venv.mkdir()
+        (venv / "mine.txt").write_text("mine")
+        environment.clear_the_way()
+        assert (root / name / "mine.txt").exists()
+        assert f"kept as {name}." in capsys.readouterr().out
+    venv.mkdir()
+    environment.MARKER.touch()
+    environment.clear_the_way()
+    assert not venv.exists()
+    assert not (root / ".venv-old-3").exists()
+
+
+@pytest.mark.parametrize("error", [OSError(errno.ENOSPC, "full"), KeyboardInterrupt()])
+def test_nothing_half_made_stays(
+    root: Path, monkeypatch: pytest.MonkeyPatch, error: BaseException
+) -> None:
+    """A new environment that cannot be completed is removed."""
+    monkeypatch.setattr(environment, "create", (root / ".venv").mkdir)
+    monkeypatch.setattr(installer, "install_packages", raiser(error))
+    with pytest.raises(type(error)):
+        environment.ensure()
+    assert not (root / ".venv").exists()
+
+
+def test_an_update_that_touched_nothing_leaves_the_stamp(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without network the environment stays good for the next start; half-updated it does not."""
+    (root / ".venv").mkdir()
+    monkeypatch.setattr(installer, "install_packages", raiser(WorkbookError("no network")))
+    for now, kept in ((SOUND, True), (SOUND._replace(versions={"six": "1.17.0"}), False)):
+        inspection.write_stamp(SOUND)
+        monkeypatch.setattr(inspection, "inspect", lambda now=now: now)
+        with pytest.raises(WorkbookError):
+            environment.update("environment.txt changed")
+        assert inspection.STAMP.exists() == kept
+
+
+@pytest.mark.parametrize(
+    ("output", "words"),
+    [
+        ("OSError: [Errno 28] No space left on device", "disk is full"),
+        ("failed to copy: No space left on device (os error 28)", "disk is full"),
+        ("Failed to establish a new connection: [Errno 111] Connection refused", "no connection"),
+        ("[Errno -3] Temporary failure in name resolution", "no connection"),
+        ("Cannot connect to proxy. ERROR: No matching distribution found", "no connection"),
+        ("cause: dns error", "no connection"),
+        ("ERROR: No matching distribution found for numpy==2.4.6", "3.11, 3.12 and 3.13"),
+        ("Because numpy has no wheels: No solution found when resolving", "3.11, 3.12 and 3.13"),
+        ("something else", "lines above"),
+    ],
+)
+def test_installers_are_understood(output: str, words: str) -> None:
+    """What pip and uv say is put into a sentence."""
+    assert words in installer.explain(output)
+
+
+def test_progress_is_read_from_pip() -> None:
+    """The line says how many packages, and which is the latest."""
+    lines = ["Looking in indexes\n"]
+    assert installer.describe_progress(lines, 0, 9) == "looking for packages"
+    lines += ["Collecting anyio==4.16.0 (from -r x)\n", "Processing ./files/arrow-1.4.0-py3.whl\n"]
+    assert installer.describe_progress(lines, 0, 9) == "fetched 2 of 9: arrow"
+    assert installer.describe_progress(lines, 5, 9) == "installed 5 of 9"
+
+
+def test_a_failing_installer_shows_its_last_lines() -> None:
+    """The reader sees what went wrong and where the rest is."""
+    script = "print('Collecting six'); print('Connection refused'); raise SystemExit(3)"
+    with pytest.raises(WorkbookError) as caught:
+        installer.run([sys.executable, "-c", script], lambda _lines: "")
+    text = str(caught.value)
+    assert "    Connection refused\n" in text
+    assert "no connection" in text
+    log = Path(text.split("said: ")[1].splitlines()[0])
+    assert "Collecting six" in log.read_text()
+    log.unlink()
+
+
+@pytest.mark.parametrize("name", ["venv", "ensurepip"])
+def test_a_python_without_its_modules_is_refused(
+    root: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    """Debian splits them off; nothing is made before that is known."""
+    found = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda wanted: None if wanted == name else found(wanted)
+    )
+    monkeypatch.setattr(shutil, "which", lambda _command: None)
+    with pytest.raises(WorkbookError, match=r"apt install python3\.\d+-venv(.|\n)*uv"):
+        environment.ensure()
+    assert not (root / ".venv").exists()
+
+
+def test_too_small_a_disk_is_refused(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The free space is looked at before anything is made."""
+    monkeypatch.setattr(environment, "MB_FOR_NEW", 10**9)
+    with pytest.raises(WorkbookError, match="MB are free"):
+        environment.ensure()
+    assert not (root / ".venv").exists()
+
+
+def test_no_network_takes_seconds(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A real pip without a package index: a sentence, and nothing half-made."""
+    (root / "environment.txt").write_text("no-such-package==1.0\n")
+    monkeypatch.setattr(installer, "find_uv", lambda: None)
+    use_bundled_pip(monkeypatch)
+    with socket.socket() as closed:
+        closed.bind(("127.0.0.1", 0))
+        index = f"http://127.0.0.1:{closed.getsockname()[1]}/simple"
+        for name, value in {
+            "PIP_INDEX_URL": index,
+            "PIP_FIND_LINKS": "",
+            "PIP_EXTRA_INDEX_URL": "",
+            "PIP_CONFIG_FILE": os.devnull,
+            "PIP_RETRIES": "1",
+        }.items():
+            monkeypatch.setenv(name, value)
+        started = time.monotonic()
+        assert commands.run(["setup"]) == 1
+    said = capsys.readouterr()
+    assert "no connection to the package index" in said.err
+    assert "start again" in said.err
+    assert "[2/3] Installing" in said.out
+    assert not (root / ".venv").exists()
+    assert time.monotonic() - started < 30
+    Path(said.err.split("said: ")[1].splitlines()[0]).unlink()
+
+
+def use_bundled_pip(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run pip from the wheel that ensurepip would install, where Python brings it: it is faster."""
+    for wheel in Path(ensurepip.__path__[0]).glob("_bundled/pip-*.whl"):
+        monkeypatch.setenv("PYTHONPATH", str(wheel))
+        monkeypatch.setattr(installer, "add_pip", lambda: None)

@@ -1,0 +1,152 @@
+"""JupyterLab: its port, its start and end, and the browser."""
+
+import secrets
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from small_workbook import move_starter
+
+from starter import browser, commands, environment, lab
+from starter.errors import WorkbookError
+
+SCREENS = ("SSH_CONNECTION", "DISPLAY", "WAYLAND_DISPLAY")
+
+
+@pytest.fixture(autouse=True)
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Work in a small workbook, with the environment that runs the tests."""
+    root = move_starter(tmp_path, monkeypatch)
+    monkeypatch.setattr(lab, "VENV_PYTHON", Path(sys.executable))
+    monkeypatch.setattr(environment, "ensure", lambda: None)
+    return root
+
+
+def test_a_busy_port_is_avoided_or_refused(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The default port gives way in words; a port that was asked for does not."""
+    with socket.socket() as busy:
+        busy.bind(("127.0.0.1", 0))
+        busy.listen()
+        port = busy.getsockname()[1]
+        monkeypatch.setattr(lab, "DEFAULT_PORT", port)
+        assert lab.choose_port(None) > port
+        assert f"Port {port} is in use" in capsys.readouterr().out
+        with pytest.raises(WorkbookError, match=f"Port {port} is in use"):
+            lab.choose_port(port)
+    assert lab.choose_port(port) == port
+
+
+def test_the_lab_opens_and_ends(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It answers with its token, not without, and is gone after Ctrl-C."""
+    start = lab.start
+
+    def start_and_press_ctrl_c(
+        port: int, token: str, passed_on: list[str]
+    ) -> "subprocess.Popen[str]":
+        process = start(port, token, passed_on)
+        assert lab.answers(port, token)
+        assert not lab.answers(port, "wrong")
+        process.send_signal(signal.SIGINT)
+        return process
+
+    monkeypatch.setattr(lab, "start", start_and_press_ctrl_c)
+    for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
+        monkeypatch.setenv(name, str(tmp_path / name))
+    port = free_port()
+    assert commands.run(["--no-browser", f"--port={port}", "--work=work-anna"]) == 0
+    said = capsys.readouterr().out
+    assert f"JupyterLab is ready: http://127.0.0.1:{port}/lab/tree/work-anna/00_start" in said
+    assert said.endswith("\nJupyterLab has stopped. Your copies are in work-anna/.\n")
+    assert lab.is_free(port)
+
+
+def free_port() -> int:
+    """Return a port that nobody uses."""
+    with socket.socket() as chosen:
+        chosen.bind(("127.0.0.1", 0))
+        return int(chosen.getsockname()[1])
+
+
+def let_lab_be(monkeypatch: pytest.MonkeyPatch, script: str) -> None:
+    """Start this script instead of JupyterLab."""
+    command = [sys.executable, "-c", script]
+    monkeypatch.setattr(lab, "command", lambda _port, _passed_on: command)
+
+
+def test_a_lab_that_dies_shows_its_last_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A start that fails does not hang."""
+    let_lab_be(monkeypatch, "raise SystemExit('no such option')")
+    with pytest.raises(WorkbookError, match=r"no such option\n.*before it was ready"):
+        lab.start(8888, "token", [])
+
+
+def test_a_lab_that_dies_later_is_not_said_to_have_been_stopped(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its exit code is passed on."""
+    let_lab_be(monkeypatch, "import time; time.sleep(0.2); raise SystemExit(3)")
+    monkeypatch.setattr(lab, "answers", lambda _port, _token: True)
+    assert commands.run(["--no-browser"]) == 3
+    assert "has stopped" not in capsys.readouterr().out
+
+
+def test_the_token_stays_off_the_browsers_command_line(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The browser is given a page in a folder of our own, gone in the end, that leads on."""
+    pages = []
+
+    def open_page(address: str) -> bool:
+        page = Path(
+            unquote(urlsplit(address).path.removeprefix("/" if sys.platform == "win32" else ""))
+        )
+        assert page.is_relative_to(root / "work")
+        assert sys.platform == "win32" or page.parent.stat().st_mode & 0o777 == 0o700
+        pages.append((address, page.read_text()))
+        return True
+
+    let_lab_be(monkeypatch, "import time; time.sleep(0.2)")
+    monkeypatch.setattr(lab, "answers", lambda _port, _token: True)
+    monkeypatch.setattr(browser, "find_obstacle", lambda _no_browser: "")
+    monkeypatch.setattr("webbrowser.open", open_page)
+    monkeypatch.setattr(secrets, "token_hex", lambda _length: "secret")
+    assert commands.run([]) == 0
+    ((address, page),) = pages
+    url = capsys.readouterr().out.split("ready: ")[1].split()[0]
+    assert url.endswith("?token=secret")
+    assert url in page
+    assert "secret" not in address
+    assert sorted(path.suffix for path in (root / "work").iterdir()) == [".ipynb", ".ipynb"]
+
+
+@pytest.mark.parametrize(
+    ("variables", "words"),
+    [
+        ({"SSH_CONNECTION": "a 1 b 22", "DISPLAY": ":0"}, "SSH"),
+        ({"DISPLAY": ":0"}, ""),
+        ({"WAYLAND_DISPLAY": "wayland-0"}, ""),
+        pytest.param(
+            {},
+            "no screen",
+            marks=pytest.mark.skipif(sys.platform != "linux", reason="X11, Wayland"),
+        ),
+    ],
+)
+def test_a_browser_is_opened_where_there_is_one(
+    monkeypatch: pytest.MonkeyPatch, variables: dict[str, str], words: str
+) -> None:
+    """Not over SSH and not without a screen, and this is said."""
+    for name in SCREENS:
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    obstacle = browser.find_obstacle(no_browser=False)
+    assert words in obstacle if words else not obstacle
