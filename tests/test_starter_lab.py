@@ -5,6 +5,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -52,16 +53,24 @@ def test_the_lab_opens_and_ends(
         port: int, token: str, passed_on: list[str]
     ) -> "subprocess.Popen[str]":
         process = start(port, token, passed_on)
+        watchdog = threading.Timer(30, process.kill)
+        watchdog.daemon = True
+        watchdog.start()
         assert lab.answers(port, token)
         assert not lab.answers(port, "wrong")
         process.send_signal(signal.SIGINT)
         return process
 
+    # A test run in the background ignores Ctrl-C, and JupyterLab would inherit that.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     monkeypatch.setattr(lab, "start", start_and_press_ctrl_c)
     for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
         monkeypatch.setenv(name, str(tmp_path / name))
     port = free_port()
-    assert commands.run(["--no-browser", f"--port={port}", "--work=work-anna"]) == 0
+    try:
+        assert commands.run(["--no-browser", f"--port={port}", "--work=work-anna"]) == 0
+    finally:
+        signal.signal(signal.SIGINT, before)
     said = capsys.readouterr().out
     assert f"JupyterLab is ready: http://127.0.0.1:{port}/lab/tree/work-anna/00_start" in said
     assert said.endswith("\nJupyterLab has stopped. Your copies are in work-anna/.\n")
