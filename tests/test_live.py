@@ -2,6 +2,7 @@
 
 import base64
 import io
+import re
 from itertools import product
 from typing import Any
 
@@ -9,9 +10,11 @@ import ipywidgets
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from PIL import Image
 
 import cammotion as cm
+from cammotion.checks import Floats
 from cammotion.live import LiveFigure, MoveExplorer, NumberControl
 
 DIE = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
@@ -26,9 +29,14 @@ def pixels(png: bytes) -> "np.ndarray[Any, Any]":
     return np.asarray(Image.open(io.BytesIO(png)))
 
 
+def heights(line: Line2D) -> Floats:
+    """Read the drawn values off a curve."""
+    return np.asarray(line.get_ydata(), dtype=float)
+
+
 def drawn_peak(explorer: MoveExplorer) -> float:
     """Read the largest acceleration off the drawn curve."""
-    return float(np.max(explorer._chosen[2].get_ydata()))
+    return float(heights(explorer._chosen[2]).max())
 
 
 def test_every_corner_of_the_sliders(explorer: MoveExplorer) -> None:
@@ -41,7 +49,9 @@ def test_every_corner_of_the_sliders(explorer: MoveExplorer) -> None:
         peak = cm.peak_acceleration(move.stroke_mm, move.angle_deg, move.rate_per_hour)
         design, _, ratio = explorer.text.splitlines()
         assert f"your design: tm = {move.time_s:.4g} s, a_max = {peak:.4g} m/s²" in design
-        assert ratio.startswith(f"ratio of the peaks: {peak / DIE.peak_acceleration:.4g} =")
+        total, *parts = (float(number) for number in re.findall(r"\d[\d.e+-]*", ratio))
+        assert total == pytest.approx(peak / DIE.peak_acceleration, rel=1e-3)
+        assert np.prod(parts) == pytest.approx(total, rel=2e-3)
         assert drawn_peak(explorer) == pytest.approx(peak, rel=1e-3)
         assert_inside_its_axes(explorer)
 
@@ -49,8 +59,8 @@ def test_every_corner_of_the_sliders(explorer: MoveExplorer) -> None:
 def assert_inside_its_axes(explorer: MoveExplorer) -> None:
     for ax, line in zip(explorer._axes, explorer._chosen, strict=True):
         low, high = ax.get_ylim()
-        assert low <= np.min(line.get_ydata()) <= np.max(line.get_ydata()) <= high
-        assert np.max(line.get_xdata()) <= ax.get_xlim()[1]
+        assert low <= heights(line).min() <= heights(line).max() <= high
+        assert np.asarray(line.get_xdata(), dtype=float).max() <= ax.get_xlim()[1]
 
 
 def test_slider_and_number_field_hold_one_value() -> None:

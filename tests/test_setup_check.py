@@ -29,6 +29,10 @@ def test_a_missing_package_is_named() -> None:
     assert "python3 workbook.py" in last
 
 
+def test_what_the_lab_needs_belongs_to_it() -> None:
+    assert with_version("jupyterlab", "3.6.0")
+
+
 @pytest.mark.parametrize("version", [None, "1.0.0", "99.0"])
 def test_jupyterlab_widgets_missing_or_out_of_step(version: str | None) -> None:
     said = " ".join(with_version("jupyterlab_widgets", version))
