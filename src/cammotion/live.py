@@ -176,7 +176,8 @@ class MoveExplorer(Explorer):
             description="Pin this design as the reference", layout={"width": "19em"}
         )
         pin.on_click(lambda _: self.pin())
-        figure = Figure(figsize=(8.2, 5.6), dpi=100, facecolor="white", layout="constrained")
+        figure = Figure(figsize=(8.2, 5.6), dpi=100, facecolor="white")
+        figure.subplots_adjust(left=0.11, right=0.98, bottom=0.09, top=0.98, hspace=0.16)
         self._axes = self._draw_axes(figure)
         self._chosen = [style_line(ax.plot([], [])[0], 0) for ax in self._axes]
         self._pinned = [ax.plot([], [], **REFERENCE_STYLE)[0] for ax in self._axes]

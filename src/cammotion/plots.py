@@ -146,7 +146,7 @@ def style_line(line: Line2D, number: int) -> Line2D:
 
 def _styled(ax: Axes | None, xlabel: str, ylabel: str) -> Axes:
     if ax is None:
-        _, ax = plt.subplots(figsize=(7.5, 4.2), facecolor="white", layout="constrained")
+        _, ax = plt.subplots(figsize=(7.5, 4.2), facecolor="white")
     style_axes(ax, xlabel, ylabel)
     return ax
 
