@@ -18,13 +18,19 @@ PACKAGE = ROOT / "src" / "cammotion"
 # Top to bottom: a module imports only what stands above its own line.
 FLOORS = [
     {"checks"},
+    {"turning"},
     {"laws"},
     {"kinematics"},
+    {"arcs"},
+    {"segments"},
+    {"motions"},
+    {"diagram"},
+    {"overlap", "tables"},
     {"plots", "setup_check"},
-    {"live", "server"},
+    {"animation", "live", "server"},
 ]
-VIEWS = {"plots", "live"}
-VIEW_LIBRARIES = {"matplotlib", "ipywidgets", "PIL", "IPython"}
+VIEWS = {"animation", "plots", "live"}
+VIEW_LIBRARIES = {"matplotlib", "ipywidgets", "anywidget", "drawsvg", "PIL", "IPython"}
 
 MODULES = sorted(path.stem for path in PACKAGE.glob("*.py") if path.stem != "__init__")
 

@@ -1,5 +1,20 @@
-from . import checks, kinematics, laws, live, plots, setup_check
+from . import (
+    arcs,
+    checks,
+    diagram,
+    kinematics,
+    laws,
+    live,
+    motions,
+    overlap,
+    plots,
+    segments,
+    setup_check,
+    tables,
+    turning,
+)
 from .checks import InputError
+from .diagram import TimingDiagram
 from .kinematics import (
     Move,
     cycle_time,
@@ -10,23 +25,49 @@ from .kinematics import (
 )
 from .laws import LAWS, MotionLaw, as_law, x
 from .live import explore_move
+from .motions import Motion, indexing_motion, motion
+from .overlap import (
+    ClearanceRule,
+    beyond,
+    find_clearances,
+    find_violations,
+    smallest_clearance,
+    widest_move,
+    within,
+)
 from .plots import plot_curves, plot_inverse_square, plot_peaks
+from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
+from .tables import read_segments, write_curves, write_segments
 
 __all__ = [
     "LAWS",
+    "ClearanceRule",
     "InputError",
+    "Motion",
     "MotionLaw",
     "Move",
+    "Segment",
+    "TimingDiagram",
+    "arcs",
     "as_law",
+    "beyond",
     "check_setup",
     "checks",
     "cycle_time",
+    "diagram",
+    "dwell",
     "explore_move",
+    "find_clearances",
+    "find_violations",
+    "indexing_motion",
     "indexing_time",
     "kinematics",
     "laws",
     "live",
+    "motion",
+    "motions",
+    "overlap",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
@@ -34,6 +75,17 @@ __all__ = [
     "plot_inverse_square",
     "plot_peaks",
     "plots",
+    "read_segments",
+    "return_",
+    "rise",
+    "segments",
     "setup_check",
+    "smallest_clearance",
+    "tables",
+    "turning",
+    "widest_move",
+    "within",
+    "write_curves",
+    "write_segments",
     "x",
 ]

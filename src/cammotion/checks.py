@@ -57,21 +57,23 @@ class Quantity:
         array = self.array(value)
         if array.ndim:
             raise InputError(
-                f"The {self.name} has to be a single number here, not {_shorten(value)}: "
+                f"The {self.name} has to be a single number here, not {shorten(value)}: "
                 f"give {self._example}."
             )
         return float(array)
 
     @property
     def allowed(self) -> str:
-        """The range in words: 'above 0 and at most 360 deg'.
+        """The range in words, after 'a finite number': ' above 0 and at most 360 deg'.
 
         >>> Quantity("stroke", "mm", example=50).allowed
-        'above 0 mm'
+        ' above 0 mm'
         """
+        if math.isinf(self.low):
+            return ""
         low = f"{'at least' if self.low_included else 'above'} {self.low:g}"
         high = "" if math.isinf(self.high) else f" and at most {self.high:g}"
-        return f"{low}{high}{self._unit}"
+        return f" {low}{high}{self._unit}"
 
     @property
     def _unit(self) -> str:
@@ -94,7 +96,7 @@ class Quantity:
             return array.astype(np.float64)
         raise InputError(
             f"The {self.name} has to be a number{' in ' + self.unit if self.unit else ''}, "
-            f"not {_shorten(value)}: give {self._example}."
+            f"not {shorten(value)}: give {self._example}."
         )
 
     def _inside(self, array: Floats) -> NDArray[np.bool_]:
@@ -106,7 +108,7 @@ class Quantity:
         where = f" (at position {', '.join(map(str, position))})" if position else ""
         return (
             f"The {self.name} is {array[position]:g}{self._unit}{where}; it has to be a finite "
-            f"number {self.allowed}: give {self._example}."
+            f"number{self.allowed}: give {self._example}."
         )
 
 
@@ -120,7 +122,7 @@ def one_of(what: str, name: Any, known: Iterable[str]) -> str:
     if isinstance(name, str) and name in names:
         return name
     listed = ", ".join(f"'{known_name}'" for known_name in names)
-    raise InputError(f"There is no {what} {_shorten(name)}: use one of {listed}.")
+    raise InputError(f"There is no {what} {shorten(name)}: use one of {listed}.")
 
 
 def broadcast(**arrays: Floats) -> None:
@@ -135,10 +137,11 @@ def broadcast(**arrays: Floats) -> None:
         ) from None
 
 
-def _is_real(item: object) -> bool:
-    return isinstance(item, numbers.Real) and not isinstance(item, (bool, np.bool_))
-
-
-def _shorten(value: object, length: int = 60) -> str:
+def shorten(value: object, length: int = 60) -> str:
+    """Return a value as a sentence can show it, however long it is."""
     text = repr(value)
     return text if len(text) <= length else text[: length - 3] + "..."
+
+
+def _is_real(item: object) -> bool:
+    return isinstance(item, numbers.Real) and not isinstance(item, (bool, np.bool_))

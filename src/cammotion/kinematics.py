@@ -176,7 +176,12 @@ class Move:
         tm = self.time_s
         time = Quantity("time", "s", example=tm / 2, high=tm, low_included=True).array(time_s)
         factor = as_law(self.law)(time / tm, derivative)
-        return _scale(derivative, factor, self.stroke_mm, tm)
+        return dimensional(derivative, factor, self.stroke_mm, tm)
+
+
+def dimensional(derivative: int, factor: Numbers, stroke_mm: Numbers, time_s: Numbers) -> Numbers:
+    """Return factor * hm/tm^derivative in m and s: a value of S, V, A or J made h, v, a or j."""
+    return factor * stroke_mm / MM_PER_M / time_s**derivative
 
 
 def _peak(
@@ -188,12 +193,7 @@ def _peak(
 ) -> Numbers:
     stroke, time = STROKE.array(stroke_mm), np.asarray(indexing_time(angle_deg, rate_per_hour))
     broadcast(stroke_mm=stroke, time_s=time)
-    return _plain(_scale(derivative, factor, stroke, time))
-
-
-def _scale(derivative: int, factor: Numbers, stroke_mm: Numbers, time_s: Numbers) -> Numbers:
-    """Return factor * hm/tm^derivative, in m and s."""
-    return factor * stroke_mm / MM_PER_M / time_s**derivative
+    return _plain(dimensional(derivative, factor, stroke, time))
 
 
 def _plain(values: Numbers) -> Numbers:

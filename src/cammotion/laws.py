@@ -9,26 +9,42 @@ with V, A and J the first three derivatives of S. Their largest magnitudes are t
 Cv, Ca and Cj.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from types import MappingProxyType
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
 from cammotion.checks import Floats, InputError, Numbers, Quantity, one_of
+from cammotion.turning import bisect, turning_points
 
 x = sympy.Symbol("x")
 """The dimensionless time t/tm, the variable of every law."""
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
+_WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
 
 _JERK = 3  # the highest derivative a law is asked for
 
-# Fine enough to part the extremes of every law of the catalogue; each is then solved for exactly.
-_BRACKETS = 720
+
+class Branch(NamedTuple):
+    """A part of a law over which S only rises or only falls (or stands): x and S at its ends."""
+
+    low: float
+    high: float
+    s_low: float
+    s_high: float
+    curve: Callable[[float], float]
+
+    def solve(self, s: float) -> float:
+        """Return the x at which S = s, a value between those at the ends."""
+        rising = self.s_high > self.s_low
+        return bisect(lambda x: (self.curve(x) < s) == rising, self.low, self.high)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,40 +125,104 @@ class MotionLaw:
         """The jerk factor: the largest abs(J)."""
         return self._peak(3)
 
+    @cached_property
+    def branches(self) -> tuple[Branch, ...]:
+        """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
+        return tuple(
+            Branch(low, high, _value(zone, low), _value(zone, high), _compile(zone, "math"))
+            for zone, start, end in _zones(self.s)
+            for low, high in pairwise([start, *turning_points(zone, x, start, end), end])
+        )
+
+    @property
+    def is_monotone(self) -> bool:
+        """Whether S rises from the start to the end and never falls."""
+        return all(branch.s_high >= branch.s_low for branch in self.branches)
+
+    def inverse(self, s: ArrayLike) -> Numbers:
+        """Return the first x at which the law has come to S = s.
+
+        `s` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape.
+        It is solved for until the last bit of x. Raises InputError for an `s` out of range, and
+        for a law that turns on its way and so passes some places more than once.
+
+        >>> print(f"{LAWS['cycloidal'].inverse(19 / 50):.5f}")
+        0.43927
+        """
+        places = _WAY.array(s)
+        if not self.is_monotone:
+            raise InputError(
+                f"The law {self.name!r} turns back on its way, so that it passes some places more "
+                "than once: use where_above, which returns every interval."
+            )
+        roots = [self._first(place) for place in places.flat]
+        return np.reshape(roots, places.shape) if places.ndim else roots[0]
+
+    def where_above(self, s: float) -> list[tuple[float, float]]:
+        """Return the intervals of x in which S > s, in order; solved for, not sampled.
+
+        >>> LAWS["cycloidal"].where_above(0.5)
+        [(0.5, 1.0)]
+        """
+        found: list[tuple[float, float]] = []
+        for low, high in self._parts_above(s):
+            if found and found[-1][1] == low:
+                low = found.pop()[0]
+            found.append((low, high))
+        return found
+
     def __repr__(self) -> str:
         return f"MotionLaw({self.name!r})"
 
     @cached_property
     def _functions(self) -> tuple[Callable[[Floats], Floats], ...]:
-        """S, V, A, J and the slope of J, compiled for arrays."""
-        expressions = (self.s, self.v, self.a, self.j, sympy.diff(self.j, x))
-        return tuple(_compile(expression) for expression in expressions)
+        """S, V, A and J, compiled for arrays."""
+        return tuple(_compile(curve, "numpy") for curve in (self.s, self.v, self.a, self.j))
 
     def _peak(self, derivative: int) -> float:
-        """Solve for the largest magnitude: it lies at an end or where the slope is zero."""
-        curve, slope = self._functions[derivative], self._functions[derivative + 1]
-        places = np.concatenate([[0.0, 1.0], _roots(slope)])
-        return float(np.abs(curve(places)).max())
+        """Return the largest magnitude: it lies at an end, at a joint, or where the curve turns."""
+        curve = (self.s, self.v, self.a, self.j)[derivative]
+        return max(
+            abs(_value(zone, place))
+            for zone, start, end in _zones(curve)
+            for place in (start, *turning_points(zone, x, start, end), end)
+        )
+
+    def _first(self, s: float) -> float:
+        branch = next(branch for branch in self.branches if s <= branch.s_high)
+        if s <= branch.s_low:
+            return branch.low
+        return branch.high if s == branch.s_high else branch.solve(s)
+
+    def _parts_above(self, s: float) -> Iterator[tuple[float, float]]:
+        for branch in self.branches:
+            if min(branch.s_low, branch.s_high) >= s and branch.s_low + branch.s_high > 2 * s:
+                yield branch.low, branch.high
+            elif branch.s_high > s:
+                yield branch.solve(s), branch.high
+            elif branch.s_low > s:
+                yield branch.low, branch.solve(s)
 
 
-def _compile(expression: sympy.Expr) -> Callable[[Floats], Floats]:
-    if not expression.free_symbols:  # lambdify would return one number, whatever the shape
-        return lambda places: np.full(np.shape(places), float(expression))
-    function: Callable[[Floats], Floats] = sympy.lambdify(x, expression, "numpy")
+def _zones(curve: sympy.Expr) -> list[tuple[sympy.Expr, float, float]]:
+    """Cut a curve over [0, 1] at its joints into smooth expressions, each with its interval."""
+    if not curve.has(sympy.Piecewise):
+        return [(curve, 0.0, 1.0)]
+    pieces = sympy.piecewise_fold(curve).as_expr_set_pairs(sympy.Interval(0, 1))
+    zones = [(piece, float(where.inf), float(where.sup)) for piece, where in pieces]
+    return sorted((zone for zone in zones if zone[1] < zone[2]), key=lambda zone: zone[1])
+
+
+def _value(curve: sympy.Expr, place: float) -> float:
+    """Return the exact value, rounded once: at an end S is 0 or 1 and nothing beside it."""
+    return float(curve.subs(x, sympy.Rational(place)))
+
+
+def _compile(curve: sympy.Expr, library: str) -> Callable[[Any], Any]:
+    if not curve.free_symbols:  # lambdify would return one number, whatever the shape
+        return lambda places: np.full(np.shape(places), float(curve))
+    function: Callable[[Any], Any] = sympy.lambdify(x, curve, library)
     return function
-
-
-def _roots(function: Callable[[Floats], Floats]) -> Floats:
-    """Solve function(x) = 0 in [0, 1] wherever it changes its sign, by bisection."""
-    grid = np.linspace(0.0, 1.0, _BRACKETS + 1)
-    values = function(grid)
-    changes = np.flatnonzero(np.signbit(values[:-1]) != np.signbit(values[1:]))
-    low, high, sign = grid[changes], grid[changes + 1], np.signbit(values[changes])
-    for _ in range(60):  # 60 halvings leave less than one unit in the last place
-        middle = (low + high) / 2
-        before = np.signbit(function(middle)) == sign
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    return low
 
 
 def _catalogue(*laws: MotionLaw) -> Mapping[str, MotionLaw]:
