@@ -27,9 +27,10 @@ FLOORS = [
     {"diagram"},
     {"overlap", "tables"},
     {"plots", "setup_check"},
-    {"animation", "live", "server"},
+    {"live", "server", "timing_plots"},
+    {"animation", "overlap_explorer"},
 ]
-VIEWS = {"animation", "plots", "live"}
+VIEWS = {"animation", "live", "overlap_explorer", "plots", "timing_plots"}
 VIEW_LIBRARIES = {"matplotlib", "ipywidgets", "anywidget", "drawsvg", "PIL", "IPython"}
 
 MODULES = sorted(path.stem for path in PACKAGE.glob("*.py") if path.stem != "__init__")

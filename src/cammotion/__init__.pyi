@@ -7,10 +7,12 @@ from . import (
     live,
     motions,
     overlap,
+    overlap_explorer,
     plots,
     segments,
     setup_check,
     tables,
+    timing_plots,
     turning,
 )
 from .checks import InputError
@@ -33,12 +35,15 @@ from .overlap import (
     find_violations,
     smallest_clearance,
     widest_move,
+    with_angle,
     within,
 )
+from .overlap_explorer import explore_overlap
 from .plots import plot_curves, plot_inverse_square, plot_peaks
 from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
 from .tables import read_segments, write_curves, write_segments
+from .timing_plots import plot_clearance, plot_timing
 
 __all__ = [
     "LAWS",
@@ -58,6 +63,7 @@ __all__ = [
     "diagram",
     "dwell",
     "explore_move",
+    "explore_overlap",
     "find_clearances",
     "find_violations",
     "indexing_motion",
@@ -68,12 +74,15 @@ __all__ = [
     "motion",
     "motions",
     "overlap",
+    "overlap_explorer",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
+    "plot_clearance",
     "plot_curves",
     "plot_inverse_square",
     "plot_peaks",
+    "plot_timing",
     "plots",
     "read_segments",
     "return_",
@@ -82,8 +91,10 @@ __all__ = [
     "setup_check",
     "smallest_clearance",
     "tables",
+    "timing_plots",
     "turning",
     "widest_move",
+    "with_angle",
     "within",
     "write_curves",
     "write_segments",

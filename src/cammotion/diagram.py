@@ -4,6 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -149,14 +150,17 @@ class TimingDiagram:
         return max((move.peak_jerk for move in self.moves(name)), default=0.0)
 
     def overlap(self, *names: str) -> list[Arc]:
-        """Return the arcs of the turn in deg over which all these motions move at once.
+        """Return the arcs of the turn in deg over which two or more of these motions move at once.
 
-        An arc that crosses 360 deg ends above 360.
+        Without names it looks at all motions. An arc that crosses 360 deg ends above 360.
         """
-        every = arcs([(0, DEG_PER_TURN)])
-        for name in names:
-            every = intersect(every, arcs((s.from_deg, s.to_deg) for s in self[name].moves))
-        return join(every)
+        moving = [
+            arcs((segment.from_deg, segment.to_deg) for segment in self[name].moves)
+            for name in names or self.names
+        ]
+        return join(
+            arcs(arc for these, those in combinations(moving, 2) for arc in intersect(these, those))
+        )
 
     def _angle(self, angle_deg: ArrayLike | None, time_s: ArrayLike | None) -> Numbers:
         if angle_deg is not None and time_s is None:

@@ -8,6 +8,7 @@ kept beside the widget, so that a reader without a running kernel sees them too.
 import base64
 import io
 from collections.abc import Callable, Sequence
+from html import escape
 from typing import Any
 
 import ipywidgets
@@ -154,7 +155,7 @@ class Explorer(ipywidgets.VBox):  # type: ignore[misc]
         """Bring figure and text in line with the controls."""
         self.text = self.follow()
         self.live.refresh()
-        lines = "".join(f"<div>{line}</div>" for line in self.text.splitlines())
+        lines = "".join(f"<div>{escape(line)}</div>" for line in self.text.splitlines())
         self._shown_text.value = f'<div role="status" style="line-height: 1.5">{lines}</div>'
 
     def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from cammotion.arcs import ROUNDING_DEG, Arc, complement, intersect, join
-from cammotion.checks import InputError, shorten
+from cammotion.checks import InputError, Quantity, shorten
 from cammotion.diagram import TimingDiagram
 from cammotion.kinematics import DEG_PER_TURN
 from cammotion.motions import Motion
@@ -36,7 +36,7 @@ class Condition:
     is_beyond: bool
 
     def __post_init__(self) -> None:
-        POSITION.number(self.limit_mm)
+        object.__setattr__(self, "limit_mm", POSITION.number(self.limit_mm))
 
     @property
     def opposite(self) -> "Condition":
@@ -140,7 +140,7 @@ class Violation:
         return (
             f"the {self.rule.when.motion} is {self.excess_mm:.3g} mm {too_far} at "
             f"{self.angle_deg % turn:.4g} deg (from {self.start_deg % turn:.4g} to "
-            f"{self.end_deg % turn:.4g} deg the {self.rule.only_while.motion} is not "
+            f"{self.end_deg % turn or turn:.4g} deg the {self.rule.only_while.motion} is not "
             f"{self.rule.only_while})"
         )
 
@@ -261,7 +261,7 @@ def _least_room(
     rule: ClearanceRule, diagram: TimingDiagram, these: list[Arc]
 ) -> tuple[float, float]:
     """Return the least room in some arcs, and its angle: one of their ends, or where S turns."""
-    turns = diagram[rule.when.motion].turning_degs
+    turns = diagram[rule.when.motion].offset_turning_degs
     places = [
         angle
         for start, end in these
@@ -274,6 +274,22 @@ def _least_room(
 def _after(angle: float, start: float) -> float:
     """Return the angle in the turn that begins at `start`."""
     return start + (angle - start) % DEG_PER_TURN
+
+
+def with_angle(motion: Motion, angle_deg: float) -> Motion:
+    """Return the motion with another indexing angle Bm, in deg, for all its moves.
+
+    What stays in place is told at `widest_move`. Raises InputError for a motion of another build,
+    and for an angle that the turn has no room for.
+
+    >>> import cammotion as cm
+    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+    >>> with_angle(mill, 160).moves[0].to_deg
+    155.0
+    """
+    frame = _Frame(motion)
+    room = Quantity("indexing angle", "deg", example=frame.widest / 2, high=frame.widest)
+    return frame.with_angle(room.number(angle_deg))
 
 
 class _Frame:

@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from matplotlib.text import Annotation
 from matplotlib.ticker import ScalarFormatter
 
 from cammotion.checks import Floats, InputError, one_of
@@ -71,9 +72,8 @@ def plot_curves(
     ax = _styled(ax, "time t in s", CURVES[curve])
     for number, (move, label) in enumerate(zip(moves, labels, strict=True)):
         time, values = sample_curve(move, curve)
-        style = {"color": _cycle(COLOURS, number), "linestyle": _cycle(LINE_STYLES, number)}
-        ax.plot(time, values, linewidth=2, label=label, **style)
-        _write(ax, label, (time[-1], values[-1]), color=style["color"])
+        style_line(ax.plot(time, values, label=label)[0], number)
+        write(ax, label, (time[-1], values[-1]), colour(number))
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0.08, y=0.12)
     return ax
@@ -117,9 +117,9 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     peaks = [move.peak_acceleration for move in moves]
     ax.loglog(angles, peaks, "o", color=COLOURS[0], markersize=9)
     for angle, peak in zip(angles, peaks, strict=True):
-        _write(ax, f"{angle:g}°: {peak:#.3g}", (angle, peak), offset=(8, 4))
+        write(ax, f"{angle:g}°: {peak:#.3g}", (angle, peak), offset=(8, 4))
     middle = np.sqrt(line.prod())
-    _write(
+    write(
         ax, r"slope $-2$", (middle, law[0] * (line[0] / middle) ** 2), COLOURS[1], offset=(-70, -24)
     )
     _plain_ticks(ax)
@@ -140,8 +140,33 @@ def style_axes(ax: Axes, xlabel: str, ylabel: str) -> None:
 
 def style_line(line: Line2D, number: int) -> Line2D:
     """Give a line the colour and the dashes of its number."""
-    line.set(color=_cycle(COLOURS, number), linestyle=_cycle(LINE_STYLES, number), linewidth=2)
+    line.set(color=colour(number), linestyle=LINE_STYLES[number % len(LINE_STYLES)], linewidth=2)
     return line
+
+
+def colour(number: int) -> str:
+    """Return the colour of the line with that number, the first being 0."""
+    return COLOURS[number % len(COLOURS)]
+
+
+def write(
+    ax: Axes,
+    text: str,
+    at: tuple[float, float],
+    color: str = "#000000",
+    offset: tuple[float, float] = (0, 6),
+) -> Annotation:
+    """Write a text beside a point, `offset` in points (1/72 inch), readable over curves."""
+    return ax.annotate(
+        text,
+        at,
+        offset,
+        textcoords="offset points",
+        color=color,
+        fontsize=11,
+        ha="left" if offset[0] else "center",
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
+    )
 
 
 def _styled(ax: Axes | None, xlabel: str, ylabel: str) -> Axes:
@@ -175,29 +200,6 @@ def _iterable(moves: Any) -> Iterable[Any]:
 
 def _all_but_angle(move: Move) -> tuple[object, ...]:
     return move.stroke_mm, move.rate_per_hour, move.law
-
-
-def _cycle(choices: Sequence[Any], number: int) -> Any:
-    return choices[number % len(choices)]
-
-
-def _write(
-    ax: Axes,
-    text: str,
-    at: tuple[float, float],
-    color: str = "#000000",
-    offset: tuple[float, float] = (0, 6),
-) -> None:
-    ax.annotate(
-        text,
-        at,
-        offset,
-        textcoords="offset points",
-        color=color,
-        fontsize=11,
-        ha="left" if offset[0] else "center",
-        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},  # readable over curves
-    )
 
 
 def _plain_ticks(ax: Axes) -> None:
