@@ -52,7 +52,7 @@ class TimingDiagram:
                 "with motion and indexing_motion."
             )
         object.__setattr__(self, "motions", motions)
-        RATE.number(self.rate_per_hour)
+        object.__setattr__(self, "rate_per_hour", RATE.number(self.rate_per_hour))
         name, times = Counter(self.names).most_common(1)[0]
         if times > 1:
             raise InputError(

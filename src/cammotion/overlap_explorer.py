@@ -24,7 +24,7 @@ from cammotion.overlap import (
     widest_move,
     with_angle,
 )
-from cammotion.plots import REFERENCE_STYLE, style_axes, style_line
+from cammotion.plots import REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.segments import dwell, return_, rise
 from cammotion.timing_plots import (
     COLLISION,

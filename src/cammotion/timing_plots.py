@@ -246,8 +246,8 @@ def _draw_row(ax: Axes, diagram: TimingDiagram, row: str) -> None:
 
 
 def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -> None:
-    pairs: list[tuple[str, ...]] = [(rule.when.motion, rule.only_while.motion) for rule in rules] or [diagram.names]
-    overlaps = [arc for pair in pairs for arc in diagram.overlap(*pair)]
+    pairs = [(rule.when.motion, rule.only_while.motion) for rule in rules]
+    overlaps = [arc for pair in pairs or [()] for arc in diagram.overlap(*pair)]
     violations = find_violations(diagram, rules) if rules else ()
     collisions = [(broken.start_deg, broken.end_deg) for broken in violations]
     grey: dict[str, Any] = {"facecolor": "white", "edgecolor": "#555555"}
