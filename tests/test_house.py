@@ -28,9 +28,9 @@ FLOORS = [
     {"overlap", "tables"},
     {"plots", "setup_check"},
     {"live", "server", "timing_plots"},
-    {"animation", "overlap_explorer"},
+    {"animation", "overlap_explorer", "share_explorer"},
 ]
-VIEWS = {"animation", "live", "overlap_explorer", "plots", "timing_plots"}
+VIEWS = {"animation", "live", "overlap_explorer", "plots", "share_explorer", "timing_plots"}
 VIEW_LIBRARIES = {"matplotlib", "ipywidgets", "anywidget", "drawsvg", "PIL", "IPython"}
 
 MODULES = sorted(path.stem for path in PACKAGE.glob("*.py") if path.stem != "__init__")

@@ -11,6 +11,7 @@ from . import (
     plots,
     segments,
     setup_check,
+    share_explorer,
     tables,
     timing_plots,
     turning,
@@ -42,6 +43,7 @@ from .overlap_explorer import explore_overlap
 from .plots import plot_curves, plot_inverse_square, plot_peaks
 from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
+from .share_explorer import explore_shares
 from .tables import read_segments, write_curves, write_segments
 from .timing_plots import plot_clearance, plot_timing
 
@@ -64,6 +66,7 @@ __all__ = [
     "dwell",
     "explore_move",
     "explore_overlap",
+    "explore_shares",
     "find_clearances",
     "find_violations",
     "indexing_motion",
@@ -89,6 +92,7 @@ __all__ = [
     "rise",
     "segments",
     "setup_check",
+    "share_explorer",
     "smallest_clearance",
     "tables",
     "timing_plots",

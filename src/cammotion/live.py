@@ -237,8 +237,8 @@ class MoveExplorer(Explorer):
         """Widen the axes to hold both designs, in coarse steps, since each costs a drawing."""
         displacement, velocity, acceleration = self._axes
         displacement.set_ylim(0, 1.05 * self.stroke.slider.max)
-        velocity.set_ylim(0, _round_up(max(move.peak_velocity, self.reference.peak_velocity)))
-        top = _round_up(max(move.peak_acceleration, self.reference.peak_acceleration))
+        velocity.set_ylim(0, round_up(max(move.peak_velocity, self.reference.peak_velocity)))
+        top = round_up(max(move.peak_acceleration, self.reference.peak_acceleration))
         acceleration.set_ylim(-top, top)
 
 
@@ -280,8 +280,8 @@ def _describe(name: str, move: Move) -> str:
     return f"{name}: tm = {move.time_s:.4g} s, a_max = {a_max:.4g} m/s² = {in_g:.3g} g"
 
 
-def _round_up(value: float) -> float:
-    """Return the next of ... 1, 2, 5, 10, 20 ... above a value, with a little room."""
+def round_up(value: float) -> float:
+    """Return the next of ... 1, 2, 5, 10, 20 ... above a value, for an axis with a little room."""
     value *= 1.05
     decade = 10.0 ** np.floor(np.log10(value))
     return float(next(s * decade for s in (1, 2, 5, 10) if s * decade >= value))

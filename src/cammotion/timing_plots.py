@@ -246,8 +246,8 @@ def _draw_row(ax: Axes, diagram: TimingDiagram, row: str) -> None:
 
 
 def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -> None:
-    pairs = [(rule.when.motion, rule.only_while.motion) for rule in rules]
-    overlaps = [arc for pair in pairs or [()] for arc in diagram.overlap(*pair)]
+    groups: list[Sequence[str]] = [(rule.when.motion, rule.only_while.motion) for rule in rules]
+    overlaps = [arc for names in groups or [diagram.names] for arc in diagram.overlap(*names)]
     violations = find_violations(diagram, rules) if rules else ()
     collisions = [(broken.start_deg, broken.end_deg) for broken in violations]
     grey: dict[str, Any] = {"facecolor": "white", "edgecolor": "#555555"}
