@@ -11,7 +11,7 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.arcs import Arc
 from cammotion.checks import Floats, InputError, one_of
-from cammotion.diagram import TimingDiagram
+from cammotion.diagram import TimingDiagram, as_diagram
 from cammotion.kinematics import DEG_PER_TURN
 from cammotion.motions import Motion
 from cammotion.overlap import ClearanceRule, Condition, as_rules, find_violations
@@ -53,7 +53,7 @@ def plot_timing(
     for row in rows:
         one_of("row", row, ROWS)
     given = as_rules(diagram, rules) if rules else ()
-    names = diagram.names
+    names = as_diagram(diagram).names
     if ax is None:
         curves = 2.6 if len(names) <= SHARED_AXIS else 0.42 * len(names)
         height = curves + BAR_INCHES * len(names) + (ROW_INCHES + 0.2) * len(rows)
@@ -141,13 +141,17 @@ def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) 
 
 
 def movement(motion: Motion, angle_deg: Floats) -> Floats:
-    """Return the position in mm; of an indexing motion, the way that it has gone since 0 deg."""
+    """Return the position in mm; of an indexing motion, from the stop where it is at 0 deg.
+
+    If it is between two stops there, from the one that it has left.
+    """
     positions = np.asarray(motion.position_mm(angle_deg))
     if motion.stops is None:
         return positions
-    ahead = np.sign(motion.pitch_mm)
-    way = ahead * (positions - motion.position_mm(0.0))
-    return np.asarray(ahead * np.mod(way, motion.stops * abs(motion.pitch_mm)))
+    pitch, at_zero = motion.pitch_mm, float(motion.position_mm(0.0)) - motion.start_mm
+    pitches = (positions - motion.start_mm - at_zero) / pitch
+    since_zero = np.mod(pitches.round(12), motion.stops)  # a rounding below 0 is no turn back
+    return np.asarray(pitch * (since_zero + np.mod(at_zero / pitch, 1)))
 
 
 def curve_angles(motion: Motion) -> Floats:

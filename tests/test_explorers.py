@@ -1,0 +1,170 @@
+"""The explorers of the timing diagram and of the overlap, without a browser."""
+
+import base64
+import re
+from itertools import product
+from typing import Any
+
+import ipywidgets
+import numpy as np
+import pytest
+from machines import RULE, make_diagram, make_die, make_mill
+
+import cammotion as cm
+from cammotion.live import Explorer
+from cammotion.overlap_explorer import OverlapExplorer
+from cammotion.share_explorer import ShareExplorer
+
+DIAGRAM = make_diagram()
+
+
+@pytest.fixture
+def overlap() -> OverlapExplorer:
+    return cm.explore_overlap(DIAGRAM, RULE, contact_mm=20)
+
+
+@pytest.fixture
+def shares() -> ShareExplorer:
+    return cm.explore_shares(DIAGRAM)
+
+
+def set_controls(explorer: Explorer, places: tuple[str, ...]) -> None:
+    for control, place in zip(explorer.controls, places, strict=True):
+        control.value = control.default if place == "default" else getattr(control.slider, place)
+
+
+def peaks_said(text: str) -> list[float]:
+    return [float(number) for number in re.findall(r"a_max = ([\d.]+) m/s²", text)]
+
+
+def data(line: Any) -> Any:
+    return np.column_stack([line.get_xdata(), line.get_ydata()])
+
+
+def test_every_corner_of_the_overlap(overlap: OverlapExplorer) -> None:
+    for places in product(["min", "default", "max"], repeat=4):
+        set_controls(overlap, places)
+        diagram = overlap.diagram
+        die, mill = (diagram.peak_acceleration(name) for name in ("die", "mill"))
+        assert peaks_said(overlap.text) == pytest.approx([die, mill], abs=5e-4)
+        violations = cm.find_violations(diagram, overlap.rule)
+        assert ("COLLISION" in overlap.text) == bool(violations)
+        assert ("No collision" in overlap.text) == (not violations)
+        for line, name in zip(overlap._lines, ("mill", "die"), strict=True):
+            angles, heights = line.get_data()
+            low, high = overlap._time.get_ylim()
+            assert low <= np.min(heights) <= np.max(heights) <= high
+            moved = np.asarray(diagram.position_mm(name, angles)) - np.asarray(heights)
+            assert np.allclose(moved / 100, np.round(moved / 100))  # of the mill, whole pitches
+
+
+def test_a_collision_turns_up_at_once_and_is_named(overlap: OverlapExplorer) -> None:
+    overlap.angle.value = 130
+    overlap.start.value = 75
+    worst = cm.find_violations(overlap.diagram, overlap.rule)[0]
+    assert f"COLLISION: the die is 2.14 mm too deep at {worst.angle_deg:.5g} deg" in overlap.text
+    for marks in (*overlap._marks, overlap._broken_path):
+        marked = data(marks)
+        assert np.isnan(marked).all(axis=1).sum() == 2  # one break after each of two arcs
+    angles = overlap._marks[1].get_xdata()
+    assert np.nanmin(angles) == pytest.approx(15.0383, abs=1e-4)
+    assert np.nanmax(angles) == pytest.approx(134.9617, abs=1e-4)
+    overlap.start.value = 82
+    overlap.angle.value = 123
+    assert "No collision" in overlap.text
+    assert len(data(overlap._broken_path)) == 0
+
+
+def test_the_button_finds_the_widest_move(overlap: OverlapExplorer) -> None:
+    (button,) = [child for child in overlap.children if isinstance(child, ipywidgets.Button)]
+    button.click()
+    assert overlap.angle.value == pytest.approx(124.9053, abs=1e-4)
+    assert overlap.start.value == pytest.approx(80.0947, abs=1e-4)
+    assert "No collision. The smallest clearance is 0 mm" in overlap.text
+    overlap.margin.value = 0
+    assert "No collision" in overlap.text
+    button.click()
+    assert overlap.angle.value > 125
+
+
+def test_equal_peaks_are_found_where_the_source_has_them(overlap: OverlapExplorer) -> None:
+    overlap.mill_angle.value = 163.267
+    overlap.widen()
+    assert overlap.angle.value == pytest.approx(115.447, abs=5e-3)
+    assert peaks_said(overlap.text) == pytest.approx([0.943, 0.943])
+
+
+def test_a_refusal_of_the_solver_is_shown_and_nothing_changes(overlap: OverlapExplorer) -> None:
+    overlap.start.value = 0  # down and at work in the middle of the mill's move
+    before = overlap.angle.value
+    overlap.widen()
+    assert "No move of the die is free of collision" in overlap.text
+    assert overlap.angle.value == before
+    overlap.start.value = 150
+    assert "No move" not in overlap.text
+
+
+def test_the_margin_moves_the_forbidden_region(overlap: OverlapExplorer) -> None:
+    overlap.margin.value = 3
+    assert overlap._region.get_xy() == (0.65, 17)
+    assert overlap.rule.when.limit_mm == 17
+
+
+def test_every_corner_of_the_shares(shares: ShareExplorer) -> None:
+    for places in product(["min", "default", "max"], repeat=2):
+        set_controls(shares, places)
+        diagram = shares.diagram
+        assert diagram.overlap() == []
+        assert peaks_said(shares.text) == pytest.approx(
+            [diagram.peak_acceleration(name) for name in diagram.names], abs=5e-4
+        )
+        low, high = shares._axes[1].get_ylim()
+        for lines in shares._lines:
+            values = np.asarray(lines[1].get_ydata(), dtype=float)
+            assert low <= values.min() <= values.max() <= high
+
+
+def test_the_best_share_of_a_turn_without_overlap(shares: ShareExplorer) -> None:
+    """Equal peaks: 100/b^2 = 50/d^2 with b + 2 d = 260."""
+    shares.mill_angle.value = 260 / (1 + 2**0.5)
+    assert peaks_said(shares.text) == pytest.approx([2.167, 2.167])
+
+
+@pytest.mark.parametrize("explorer", ["overlap", "shares"])
+def test_a_reader_without_a_kernel_gets_picture_and_text(
+    explorer: str, request: pytest.FixtureRequest
+) -> None:
+    shown = request.getfixturevalue(explorer)
+    bundle = shown._repr_mimebundle_()
+    assert base64.b64decode(bundle["image/png"]) == shown.live.value
+    assert bundle["text/plain"] == shown.text
+
+
+def test_names_are_shown_as_they_are() -> None:
+    """A name is text, never markup."""
+    mill = cm.indexing_motion("<b>mill</b>", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+    explorer = cm.explore_shares(make_diagram(mill, make_die()))
+    assert "&lt;b&gt;mill&lt;/b&gt;" in explorer._shown_text.value
+    assert "<b>" not in explorer._shown_text.value
+
+
+@pytest.mark.parametrize(
+    "diagram", [None, "mill", make_diagram(make_die()), make_diagram(make_die(), make_mill())]
+)
+def test_shares_need_a_mill_and_a_die(diagram: Any) -> None:
+    with pytest.raises(cm.InputError, match="cannot be shared out: give a TimingDiagram of an"):
+        cm.explore_shares(diagram)
+
+
+@pytest.mark.parametrize(
+    "rule",
+    [
+        cm.ClearanceRule(cm.beyond("mill", 19), only_while=cm.within("die", 0.65)),
+        cm.ClearanceRule(cm.within("die", 19), only_while=cm.within("mill", 0.65)),
+        cm.ClearanceRule(cm.beyond("die", 21), only_while=cm.within("mill", 0.65)),
+    ],
+    ids=str,
+)
+def test_the_overlap_needs_a_rule_of_its_kind(rule: cm.ClearanceRule) -> None:
+    with pytest.raises(cm.InputError, match="cannot be explored: give one in which"):
+        cm.explore_overlap(DIAGRAM, rule, contact_mm=20)

@@ -1,0 +1,205 @@
+"""Timing diagram and clearance map show what the diagram says, and what the rules forbid."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from machines import RULE, make_diagram, make_die, make_mill
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
+
+import cammotion as cm
+from cammotion.timing_plots import movement
+
+mpl.use("agg")
+
+BEFORE = make_diagram()
+AFTER = cm.widest_move(BEFORE, "die", RULE).diagram
+TOO_WIDE = make_diagram(make_mill(), make_die(130))
+TWELVE = make_diagram(
+    make_mill(),
+    *(
+        cm.motion(
+            f"tool {number}",
+            cm.rise(10 + number, over_deg=60),
+            cm.dwell(40),
+            cm.return_(10 + number, over_deg=60),
+            cm.dwell(200),
+            start_deg=30 * number,
+        )
+        for number in range(11)
+    ),
+)
+
+
+@pytest.fixture(autouse=True)
+def _no_trace() -> Iterator[None]:
+    settings = mpl.rcParams.copy()
+    yield
+    plt.close("all")
+    assert mpl.rcParams == settings
+
+
+def texts(ax: Axes) -> list[str]:
+    return [text.get_text() for text in ax.texts]
+
+
+def key(ax: Axes) -> list[str]:
+    legend = ax.get_legend()
+    assert legend is not None
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def bars(ax: Axes) -> list[tuple[float, float, str | None]]:
+    """Read start, end and hatch off the bars beneath the curves."""
+    boxes = [patch for patch in ax.figure.axes[1].patches if isinstance(patch, Rectangle)]
+    return [(box.get_x(), box.get_x() + box.get_width(), box.get_hatch()) for box in boxes]
+
+
+def test_each_curve_is_the_movement_of_its_mechanism() -> None:
+    ax = cm.plot_timing(AFTER)
+    for line, motion in zip(ax.lines, AFTER.motions, strict=True):
+        angles = np.asarray(line.get_xdata(), dtype=float)
+        assert angles[0] == 0
+        assert angles[-1] == 360
+        assert np.allclose(line.get_ydata(), motion.position_mm(angles))
+    assert len({line.get_color() for line in ax.lines}) == 2
+    assert len({str(line.get_linestyle()) for line in ax.lines}) == 2
+    assert texts(ax) == ["mill", "die"]
+
+
+def test_the_angle_is_ticked_every_30_deg_in_every_row() -> None:
+    ax = cm.plot_timing(BEFORE, rows=("velocity", "acceleration", "jerk"))
+    assert len(ax.figure.axes) == 5
+    for axis in ax.figure.axes:
+        assert axis.get_xticks().tolist() == list(range(0, 361, 30))
+        assert axis.get_xlim() == (0, 360)
+    labels = [axis.get_xlabel() for axis in ax.figure.axes]
+    assert labels == ["", "", "", "", "cam angle in deg"]
+    assert ax.get_ylabel() == "movement in mm"
+
+
+@pytest.mark.parametrize("row", ["velocity", "acceleration", "jerk"])
+def test_a_row_shows_its_curve(row: str) -> None:
+    ax = cm.plot_timing(AFTER, rows=[row])
+    for line, name in zip(ax.figure.axes[2].lines, AFTER.names, strict=False):
+        angles = np.asarray(line.get_xdata(), dtype=float)
+        assert np.array_equal(line.get_ydata(), getattr(AFTER, row)(name, angles))
+    assert row in ax.figure.axes[2].get_ylabel()
+
+
+def test_the_bars_show_each_segment_with_its_angle() -> None:
+    ax = cm.plot_timing(BEFORE)
+    assert bars(ax) == [
+        (0, 150, "///"),
+        (150, 360, ""),
+        (150, 205, "///"),
+        (205, 305, ""),
+        (305, 360, "\\\\\\"),
+        (0, 150, ""),
+    ]
+    assert texts(ax.figure.axes[1]) == ["150°", "210°", "55°", "100°", "55°", "150°"]
+    assert [label.get_text() for label in ax.figure.axes[1].get_yticklabels()] == ["mill", "die"]
+
+
+def test_a_bar_that_crosses_360_is_drawn_in_two_and_named_once() -> None:
+    ax = cm.plot_timing(AFTER)
+    start, end = AFTER["die"].moves[1].from_deg, AFTER["die"].moves[1].to_deg - 360
+    parts = [(low, high) for low, high, hatch in bars(ax) if hatch == "\\\\\\"]
+    assert np.allclose(parts, [(start, 360), (0, end)])
+    assert texts(ax.figure.axes[1]).count("124.91°") == 2  # down and up
+
+
+def shaded(ax: Axes) -> list[tuple[float, float]]:
+    """Read the spans behind the curves off the picture."""
+    spans = [patch for patch in ax.patches if isinstance(patch, Rectangle)]
+    return sorted((span.get_x(), span.get_x() + span.get_width()) for span in spans)
+
+
+def test_the_overlap_is_shaded() -> None:
+    assert shaded(cm.plot_timing(BEFORE)) == []
+    ax = cm.plot_timing(AFTER, rules=RULE)
+    assert np.allclose(shaded(ax), [(0, 69.9053), (80.0947, 150)], atol=1e-4)
+    assert key(ax) == ["rise", "return", "dwell", "overlap"]
+
+
+def test_a_collision_is_marked_where_it_is() -> None:
+    ax = cm.plot_timing(TOO_WIDE, rules=RULE)
+    violations = cm.find_violations(TOO_WIDE, RULE)
+    assert key(ax)[-1] == "collision"
+    for violation in violations:
+        distances = np.subtract(shaded(ax), (violation.start_deg, violation.end_deg))
+        assert np.abs(distances).max(axis=1).min() < 1e-9
+
+
+def test_twelve_mechanisms_get_a_lane_each() -> None:
+    ax = cm.plot_timing(TWELVE)
+    spans = [(line.get_ydata().min(), line.get_ydata().max()) for line in ax.lines]  # type: ignore[union-attr]
+    assert all(low - above == pytest.approx(0.25) for (low, _), (_, above) in pairwise(spans))
+    assert [label.get_text() for label in ax.get_yticklabels()][:2] == ["0 to 100", "0 to 10"]
+    assert texts(ax) == list(TWELVE.names)
+
+
+def test_the_movement_of_an_indexing_motion_counts_from_the_stop_it_left() -> None:
+    """Also where its move crosses 360 deg, and where it goes backwards."""
+    whole, half = (cm.rise(100, over_deg=150), cm.dwell(210)), (75, 255)
+    late = cm.indexing_motion("late", *whole, stops=4, start_deg=285)
+    assert movement(late, np.array([0.0, *half])) == pytest.approx([50, 100, 100])
+    assert movement(late, np.array([359.9999]))[0] == pytest.approx(150, abs=1e-3)
+    assert np.all(np.diff(movement(late, np.arange(360.0))) >= -1e-9)
+    back = cm.indexing_motion("back", cm.return_(60, over_deg=90), cm.dwell(270), stops=6)
+    assert movement(back, np.array([0, 45, 90, 200])) == pytest.approx([0, -30, -60, -60])
+
+
+def test_the_clearance_map_draws_each_path_and_the_forbidden_region() -> None:
+    ax = cm.plot_clearance({"no overlap": BEFORE, "overlap": AFTER}, RULE)
+    (region,) = [patch for patch in ax.patches if isinstance(patch, Rectangle)]
+    assert region.get_xy() == (0.65, 19)
+    assert region.get_hatch() == "xx"
+    for line, diagram in zip(ax.lines[::2], (BEFORE, AFTER), strict=True):
+        angles = np.union1d(np.linspace(0, 360, 721), [135])
+        path = set(zip(line.get_xdata(), line.get_ydata(), strict=True))  # type: ignore[arg-type]
+        walked = zip(
+            diagram.offset_mm("mill", angles), diagram.offset_mm("die", angles), strict=True
+        )
+        assert set(walked) <= path
+    assert key(ax) == ["no overlap", "overlap"]
+    assert ax.get_xlabel() == "mill: distance from a stop in mm"
+    assert ax.get_ylabel() == "die: position in mm"
+    assert "forbidden" in texts(ax)
+
+
+def test_the_path_of_the_widest_move_touches_the_region_and_stays_out() -> None:
+    ax = cm.plot_clearance(AFTER, RULE)
+    across, up = (np.asarray(data) for data in ax.lines[0].get_data())
+    assert not ((across > 0.65 + 1e-9) & (up > 19 + 1e-9)).any()
+
+
+def test_a_rule_the_other_way_round_forbids_the_other_corner() -> None:
+    gate = cm.ClearanceRule(cm.within("die", 5), only_while=cm.beyond("mill", 10))
+    ax = cm.plot_clearance(BEFORE, gate, span_mm=50)
+    (region,) = [patch for patch in ax.patches if isinstance(patch, Rectangle)]
+    assert (*region.get_xy(), region.get_width(), region.get_height()) == (0, 0, 10, 5)
+
+
+def test_plots_draw_into_the_axes_they_are_given() -> None:
+    _, axes = plt.subplots(1, 2)
+    assert cm.plot_timing(AFTER, ax=axes[0]) is axes[0]
+    assert cm.plot_clearance(AFTER, RULE, ax=axes[1]) is axes[1]
+    assert len(plt.get_fignums()) == 1
+
+
+def test_plots_refuse_what_they_cannot_draw() -> None:
+    with pytest.raises(cm.InputError, match="There is no row 'speed': use one of 'velocity'"):
+        cm.plot_timing(BEFORE, rows=["speed"])
+    with pytest.raises(cm.InputError, match="There is no design to draw"):
+        cm.plot_clearance({}, RULE)
+    with pytest.raises(cm.InputError, match="There is no motion 'arm': use one of 'mill', 'die'"):
+        cm.plot_clearance(BEFORE, cm.ClearanceRule(cm.beyond("arm", 1), cm.within("mill", 1)))
+    with pytest.raises(cm.InputError, match="The diagram is None: give a TimingDiagram"):
+        cm.plot_timing(None)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="colour"):
+        cm.plot_timing(BEFORE, colour="red")  # type: ignore[call-arg]
