@@ -2,23 +2,25 @@
 
 import ast
 import json
+import statistics
 import time
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 from execution import QUIET
-from findings import Finding, judge_ticks
+from findings import Finding, judge_ticks, percentile_95, say
 from jupyter_client.manager import start_new_kernel
 
 SWEEPS = {"angle": range(20, 221), "rate": range(500, 5001, 50), "stroke": range(5, 101)}
 ROUNDS = 4
+TICKS = 200
 THIN = 16  # interact is slow: in each round it makes every 16th tick of a sweep, and other ones
 SETUP = f"""
 %matplotlib inline
 import sys
 sys.path.insert(0, {str(Path(__file__).parent)!r})
-from kernel import time_ticks_as_json
+from kernel import time_explorers_as_json, time_ticks_as_json
 """
 
 
@@ -26,6 +28,17 @@ def measure_ticks() -> list[Finding]:
     """Time the explorer's ticks and those of `interact`, by turns in one kernel."""
     times = json.loads(run_in_kernel(SETUP, "time_ticks_as_json()"))
     return judge_ticks("slider tick in the kernel", times["own"], times["rival"], 33, 10)
+
+
+def measure_explorers() -> list[Finding]:
+    """Move every control of the explorers of notebooks 01 and 03 over its range, in one kernel."""
+    times = json.loads(run_in_kernel(SETUP, "time_explorers_as_json()"))
+    for name, own in times.items():
+        say(f"{name}: median {statistics.median(own):.1f} ms of {len(own)} ticks")
+    return [
+        Finding(f"tick of {name}: 95th percentile", percentile_95(own), 33, "ms")
+        for name, own in times.items()
+    ]
 
 
 def run_in_kernel(code: str, expression: str) -> str:
@@ -48,8 +61,8 @@ def time_ticks_as_json() -> str:
     """Move the sliders of both figures over their ranges, as a hand would; runs in the kernel."""
     from rival import interact_with
 
+    from cammotion.explorers.move import explore_move
     from cammotion.kinematics import Move
-    from cammotion.live import explore_move
 
     die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     explorer = explore_move(die)
@@ -60,6 +73,27 @@ def time_ticks_as_json() -> str:
         for name, values in SWEEPS.items():
             times["own"] += sweep(getattr(explorer, name), values)
             times["rival"] += sweep(rivals[name], values[number * THIN // ROUNDS :: THIN])
+    return json.dumps(times)
+
+
+def time_explorers_as_json() -> str:
+    """Move the controls of the other explorers over their ranges; runs in the kernel."""
+    import cammotion as cm
+
+    mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+    down, up = cm.rise(50, over_deg=55), cm.return_(50, over_deg=55)
+    die = cm.motion("die", down, cm.dwell(100), up, cm.dwell(150), start_deg=150)
+    diagram = cm.TimingDiagram([mill, die], rate_per_hour=2000)
+    rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
+    explorers = {
+        "explore_shares": cm.explore_shares(diagram),
+        "explore_overlap": cm.explore_overlap(diagram, rule, contact_mm=20),
+    }
+    times: dict[str, list[float]] = {name: [] for name in explorers}
+    for name, explorer in explorers.items():
+        for control in explorer.controls:
+            low, high = control.slider.min, control.slider.max
+            times[name] += sweep(control, [low + (high - low) * n / TICKS for n in range(TICKS)])
     return json.dumps(times)
 
 

@@ -8,17 +8,22 @@ import argparse
 import sys
 from collections.abc import Callable
 
+from animation import measure_animation
 from browser import measure_redraws
 from findings import Finding
-from kernel import measure_ticks
+from kernel import measure_explorers, measure_ticks
+from overlap import measure_overlap
 from package import measure_import, measure_law, measure_lesson, measure_setup, measure_test
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "tick": measure_ticks,
+    "explorers": measure_explorers,
+    "animation": measure_animation,
     "browser": measure_redraws,
     "import": measure_import,
     "law": measure_law,
     "lesson": measure_lesson,
+    "overlap": measure_overlap,
     "setup": measure_setup,
     "test": measure_test,
 }
@@ -27,7 +32,7 @@ ROW = "{:<72} {:>10} {:>16}  {}"
 
 def describe_measures() -> str:
     """Return a line for each measure."""
-    lines = (f"  {name:<9}{measure.__doc__}" for name, measure in MEASURES.items())
+    lines = (f"  {name:<11}{measure.__doc__}" for name, measure in MEASURES.items())
     return "\n".join(["measures:", *lines])
 
 

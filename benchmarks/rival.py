@@ -5,8 +5,8 @@ from typing import Any
 import ipywidgets
 import matplotlib.pyplot as plt
 
+from cammotion.explorers.move import compare
 from cammotion.kinematics import Move
-from cammotion.live import compare
 from cammotion.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
 
 

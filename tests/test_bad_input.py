@@ -14,6 +14,8 @@ import sympy
 import cammotion as cm
 
 DIE = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+PUNCH = cm.motion("punch", cm.rise(50, over_deg=180), cm.return_(50, over_deg=180))
+DIAGRAM = cm.TimingDiagram([PUNCH], rate_per_hour=2000)
 
 NOT_FINITE = [(math.nan, "is nan"), (math.inf, "is inf"), (-math.inf, "is -inf")]
 NOT_POSITIVE = [(0, "is 0"), (-5, "is -5"), ([30, -5.0], r"is -5 .*\(at position 1\)")]
@@ -29,9 +31,11 @@ NOT_A_NUMBER = [
 EMPTY = [([], "is empty"), (np.array([]), "is empty")]
 ANYWHERE = NOT_FINITE + NOT_A_NUMBER + EMPTY
 POSITIVE = ANYWHERE + NOT_POSITIVE
+ONE_NUMBER = [(value, said) for value, said in ANYWHERE if not isinstance(value, list | np.ndarray)]
 ONE_POSITIVE = [
     (value, said) for value, said in POSITIVE if not isinstance(value, list | np.ndarray)
 ]
+ONE_PART = [*ONE_POSITIVE, (360.5, "is 360.5 deg")]
 
 Call = Callable[[Any], object]
 RATE = ("machine rate", "for example 2000 pieces/h")
@@ -39,6 +43,12 @@ ANGLE = ("indexing angle", "for example 55 deg")
 STROKE = ("stroke", "for example 50 mm")
 TIME = ("time", "for example 0.1375 s")
 PLACE = ("dimensionless time x = t/tm", "for example 0.5")
+WAY = ("dimensionless displacement S", "for example 0.5")
+CAM_ANGLE = ("cam angle", "for example 180 deg")
+ANY_TIME = ("time", "for example 0.9 s")
+POSITION = ("position", "for example 50 mm")
+PART_ANGLE = ("angle of a segment", "for example 55 deg")
+STEP = ("step of the table", "for example 1 deg")
 
 QUANTITIES: list[tuple[str, Call, tuple[str, str], list[tuple[Any, str]]]] = [
     ("cycle_time", cm.cycle_time, RATE, POSITIVE),
@@ -81,6 +91,83 @@ QUANTITIES: list[tuple[str, Call, tuple[str, str], list[tuple[Any, str]]]] = [
         PLACE,
         [*ANYWHERE, (-1e-9, "is -1e-09"), (1.5, "is 1.5;")],
     ),
+    (
+        "MotionLaw.inverse",
+        cm.LAWS["cycloidal"].inverse,
+        WAY,
+        [*ANYWHERE, (-1e-9, "is -1e-09"), (1.5, "is 1.5;")],
+    ),
+    *[
+        row
+        for part in (cm.rise, cm.return_)
+        for row in (
+            (part.__name__, lambda v, f=part: f(v, over_deg=55), STROKE, ONE_POSITIVE),
+            (part.__name__, lambda v, f=part: f(50, over_deg=v), PART_ANGLE, ONE_PART),
+        )
+    ],
+    ("dwell", cm.dwell, PART_ANGLE, ONE_PART),
+    *[
+        row
+        for end, segment in (
+            ("from", {"to_deg": 55, "to_mm": 50}),
+            ("to", {"from_deg": 0, "from_mm": 0}),
+        )
+        for row in (
+            (
+                f"Segment {end}_deg",
+                lambda v, e=end, s=segment: cm.Segment(**{f"{e}_mm": 20, **s, f"{e}_deg": v}),
+                CAM_ANGLE,
+                ONE_NUMBER,
+            ),
+            (
+                f"Segment {end}_mm",
+                lambda v, e=end, s=segment: cm.Segment(**{f"{e}_deg": 20, **s, f"{e}_mm": v}),
+                POSITION,
+                ONE_NUMBER,
+            ),
+        )
+    ],
+    ("motion", lambda v: cm.motion("die", cm.dwell(360), start_deg=v), CAM_ANGLE, ONE_NUMBER),
+    ("motion", lambda v: cm.motion("die", cm.dwell(360), start_mm=v), POSITION, ONE_NUMBER),
+    (
+        "indexing_motion",
+        lambda v: cm.indexing_motion("mill", cm.rise(9, over_deg=360), stops=2, start_deg=v),
+        CAM_ANGLE,
+        ONE_NUMBER,
+    ),
+    ("TimingDiagram", lambda v: cm.TimingDiagram([PUNCH], v), RATE, ONE_POSITIVE),
+    ("Motion.position_mm", PUNCH.position_mm, CAM_ANGLE, ANYWHERE),
+    ("Motion.offset_mm", PUNCH.offset_mm, CAM_ANGLE, ANYWHERE),
+    ("Motion.derivative", lambda v: PUNCH.derivative(1, v, 2000), CAM_ANGLE, ANYWHERE),
+    ("Motion.derivative", lambda v: PUNCH.derivative(1, 180, v), RATE, ONE_POSITIVE),
+    ("Motion.where_beyond", PUNCH.where_beyond, POSITION, ONE_NUMBER),
+    ("TimingDiagram.angle_deg", DIAGRAM.angle_deg, ANY_TIME, ANYWHERE),
+    *[
+        row
+        for curve in ("position_mm", "offset_mm", "velocity", "acceleration", "jerk")
+        for row in (
+            (
+                f"TimingDiagram.{curve}",
+                lambda v, c=curve: getattr(DIAGRAM, c)("punch", v),
+                CAM_ANGLE,
+                [case for case in ANYWHERE if case[0] is not None],  # None is no angle given
+            ),
+            (
+                f"TimingDiagram.{curve}",
+                lambda v, c=curve: getattr(DIAGRAM, c)("punch", time_s=v),
+                ANY_TIME,
+                [case for case in ANYWHERE if case[0] is not None],
+            ),
+        )
+    ],
+    ("beyond", lambda v: cm.beyond("die", v), POSITION, ONE_NUMBER),
+    ("within", lambda v: cm.within("die", v), POSITION, ONE_NUMBER),
+    (
+        "write_curves",
+        lambda v: cm.write_curves(DIAGRAM, "never-written.csv", step_deg=v),
+        STEP,
+        [*ONE_POSITIVE, (1e-6, "is 1e-06 deg"), (361, "is 361 deg")],
+    ),
 ]
 CASES = [
     pytest.param(call, quantity, value, said, id=f"{name}-{quantity[0].split()[0]}-{value!r:.20}")
@@ -104,6 +191,8 @@ LAW_USERS: list[Call] = [
     lambda law: cm.peak_acceleration(50, 55, 2000, law),
     lambda law: cm.peak_jerk(50, 55, 2000, law),
     lambda law: cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000, law=law),
+    lambda law: cm.rise(50, over_deg=55, law=law),
+    lambda law: cm.return_(50, over_deg=55, law=law),
 ]
 
 

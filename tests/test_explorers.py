@@ -11,9 +11,9 @@ import pytest
 from machines import RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
+from cammotion.explorers.overlap import OverlapExplorer
+from cammotion.explorers.shares import ShareExplorer
 from cammotion.live import Explorer
-from cammotion.overlap_explorer import OverlapExplorer
-from cammotion.share_explorer import ShareExplorer
 
 DIAGRAM = make_diagram()
 

@@ -5,6 +5,7 @@ import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
+from machines import CURVES, DIPPING, MONOTONE, OVERSHOOTING, TURNING, WAVY, examples
 
 import cammotion as cm
 from cammotion import LAWS, MotionLaw, x
@@ -104,3 +105,88 @@ def test_a_broken_law_is_caught() -> None:
     broken = MotionLaw("broken", x - sympy.sin(2 * sympy.pi * x) / (3 * sympy.pi))
     assert broken(0.0, derivative=1) != 0
     assert broken.Ca != pytest.approx(2 * np.pi)
+
+
+@pytest.mark.parametrize("own", [*MONOTONE, *TURNING], ids=str)
+def test_the_curves_of_the_tests_are_the_laws_once_more(own: MotionLaw) -> None:
+    places = np.linspace(0, 1, 1001)
+    assert own(places) == pytest.approx(CURVES[own.name](places), abs=1e-13)
+
+
+@pytest.mark.parametrize("own", MONOTONE, ids=str)
+def test_the_inverse_leads_back(own: MotionLaw) -> None:
+    ways = np.linspace(0, 1, 501)
+    places = own.inverse(ways)
+    assert places[[0, -1]].tolist() == [0, 1]
+    assert own(places) == pytest.approx(ways, abs=1e-13)
+    well_conditioned = np.linspace(0.1, 0.9, 81)
+    assert own.inverse(own(well_conditioned)) == pytest.approx(well_conditioned, abs=1e-12)
+
+
+@examples(100)
+@given(unit_interval)
+def test_the_inverse_is_solved_to_the_last_bit(s: float) -> None:
+    for own in MONOTONE:
+        assert own(own.inverse(s)) == pytest.approx(s, abs=2e-14)
+
+
+def test_the_inverse_near_a_flat_end() -> None:
+    """There S = 2/3 pi^2 x^3, so that x is the cube root of a very small number."""
+    assert CYCLOIDAL.inverse(1e-9) == pytest.approx((1e-9 * 3 / 2 / np.pi**2) ** (1 / 3), rel=1e-5)
+    assert CYCLOIDAL.inverse(0.5) == 0.5
+    assert MONOTONE[6].inverse(0.5) == 0.5  # the joint of the parabolic law
+
+
+def test_the_inverse_follows_the_shape_of_its_argument() -> None:
+    assert isinstance(CYCLOIDAL.inverse(0.3), float)
+    assert isinstance(CYCLOIDAL.inverse(1), float)
+    assert np.shape(CYCLOIDAL.inverse([0.3])) == (1,)
+    assert np.shape(CYCLOIDAL.inverse(np.full((2, 3), 0.3))) == (2, 3)
+
+
+@pytest.mark.parametrize("own", TURNING, ids=str)
+def test_a_law_that_turns_back_has_no_inverse(own: MotionLaw) -> None:
+    assert not own.is_monotone
+    with pytest.raises(cm.InputError, match=rf"^The law '{own.name}' turns back .*: use where_ab"):
+        own.inverse(0.5)
+
+
+def test_a_law_that_waits_on_its_way_is_left_at_the_first_place() -> None:
+    half, quarter = sympy.Rational(1, 2), sympy.Rational(1, 4)
+    pieces = (2 * x, x <= quarter), (half, x <= 3 * quarter), (2 * x - 1, True)
+    waiting = MotionLaw("waiting", sympy.Piecewise(*pieces))
+    assert waiting.is_monotone
+    assert waiting.inverse([0.25, 0.5, 0.75]).tolist() == [0.125, 0.25, 0.875]
+    assert waiting.where_above(0.5) == [(0.75, 1)]
+    assert waiting.where_below(0.5) == [(0, 0.25)]
+
+
+@pytest.mark.parametrize("s", [x / 2, x + 1, 1 - x])
+def test_only_a_law_from_0_to_1_has_an_inverse(s: sympy.Expr) -> None:
+    with pytest.raises(cm.InputError, match=r"^The law 'part' goes from S\(0\) = .*: subtract S"):
+        MotionLaw("part", s).inverse(0.9)
+
+
+@pytest.mark.parametrize("own", [*MONOTONE, *TURNING], ids=str)
+def test_where_a_law_is_above_agrees_with_samples(own: MotionLaw) -> None:
+    places = (np.arange(20_000) + 0.5) / 20_000
+    for s in (-0.5, -0.01, 0.0, 0.001, 0.3, 0.5, 0.77, 1.0, 1.01, 1.5):
+        for parts, is_there in (
+            (own.where_above(s), CURVES[own.name](places) > s),
+            (own.where_below(s), CURVES[own.name](places) < s),
+        ):
+            covered = np.any(
+                [(low < places) & (places < high) for low, high in [*parts, (2, 3)]], 0
+            )
+            assert np.count_nonzero(covered != is_there) <= 2  # where it ends
+
+
+def test_a_law_that_dips_is_below_its_start_and_comes_back() -> None:
+    assert DIPPING.where_above(0) == [(0.4, 1.0)]
+    assert DIPPING.where_below(0) == [(0.0, 0.4)]
+    assert OVERSHOOTING.where_above(1) == [pytest.approx((0.6, 1.0))]
+    assert [branch.high for branch in DIPPING.branches] == [4 / 15, 1]
+    assert len(WAVY.where_above(0.5)) == 3
+    lowest = DIPPING(4 / 15)
+    assert DIPPING.where_below(lowest) == []
+    assert DIPPING.where_above(lowest) == [(0.0, 1.0)]

@@ -15,7 +15,8 @@ from PIL import Image
 
 import cammotion as cm
 from cammotion.checks import Floats
-from cammotion.live import LiveFigure, MoveExplorer, NumberControl
+from cammotion.explorers.move import MoveExplorer
+from cammotion.live import LiveFigure, NumberControl
 
 DIE = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
 

@@ -2,22 +2,24 @@ from . import (
     arcs,
     checks,
     diagram,
+    explorers,
     kinematics,
     laws,
     live,
     motions,
     overlap,
-    overlap_explorer,
     plots,
     segments,
     setup_check,
-    share_explorer,
     tables,
     timing_plots,
     turning,
 )
 from .checks import InputError
 from .diagram import TimingDiagram
+from .explorers.move import explore_move
+from .explorers.overlap import explore_overlap
+from .explorers.shares import explore_shares
 from .kinematics import (
     Move,
     cycle_time,
@@ -27,7 +29,6 @@ from .kinematics import (
     peak_velocity,
 )
 from .laws import LAWS, MotionLaw, as_law, x
-from .live import explore_move
 from .motions import Motion, indexing_motion, motion
 from .overlap import (
     ClearanceRule,
@@ -39,11 +40,9 @@ from .overlap import (
     with_angle,
     within,
 )
-from .overlap_explorer import explore_overlap
 from .plots import plot_curves, plot_inverse_square, plot_peaks
 from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
-from .share_explorer import explore_shares
 from .tables import read_segments, write_curves, write_segments
 from .timing_plots import plot_clearance, plot_timing
 
@@ -67,6 +66,7 @@ __all__ = [
     "explore_move",
     "explore_overlap",
     "explore_shares",
+    "explorers",
     "find_clearances",
     "find_violations",
     "indexing_motion",
@@ -77,7 +77,6 @@ __all__ = [
     "motion",
     "motions",
     "overlap",
-    "overlap_explorer",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
@@ -92,7 +91,6 @@ __all__ = [
     "rise",
     "segments",
     "setup_check",
-    "share_explorer",
     "smallest_clearance",
     "tables",
     "timing_plots",

@@ -68,8 +68,14 @@ def _within_a_turn(start: float, end: float) -> list[Arc]:
     back = start // turn * turn
     start, end = start - back, end - back
     cuts = [start, turn, end] if start < turn < end else [start, end]
-    parts = [(low % turn, high - low + low % turn) for low, high in pairwise(cuts)]
+    parts = [(_snap(low % turn), _snap(high - low + low % turn)) for low, high in pairwise(cuts)]
     return [(low, high) for low, high in parts if _is_arc(low, high)]
+
+
+def _snap(angle: float) -> float:
+    """Return 0 or 360 for what differs from it by rounding, so that `join` knows it again."""
+    ends = (0.0, float(DEG_PER_TURN))
+    return next((end for end in ends if abs(angle - end) <= ROUNDING_DEG), angle)
 
 
 def _is_arc(start: float, end: float) -> bool:

@@ -177,3 +177,13 @@ class TimingDiagram:
     ) -> Numbers:
         angle = self._angle(angle_deg, time_s)
         return self[name].derivative(order, angle, self.rate_per_hour)
+
+
+def as_diagram(diagram: Any) -> TimingDiagram:
+    """Return what is a timing diagram; raise InputError for anything else."""
+    if isinstance(diagram, TimingDiagram):
+        return diagram
+    raise InputError(
+        f"The diagram is {shorten(diagram)}: give a TimingDiagram of the motions, for example "
+        "TimingDiagram([mill, die], rate_per_hour=2000)."
+    )

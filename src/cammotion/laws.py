@@ -9,7 +9,7 @@ with V, A and J the first three derivatives of S. Their largest magnitudes are t
 Cv, Ca and Cj.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -28,6 +28,8 @@ x = sympy.Symbol("x")
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
+
+_ROUNDING = 1e-12  # by so much the ends of a law may miss 0 and 1
 
 _JERK = 3  # the highest derivative a law is asked for
 
@@ -144,12 +146,14 @@ class MotionLaw:
 
         `s` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape.
         It is solved for until the last bit of x. Raises InputError for an `s` out of range, and
-        for a law that turns on its way and so passes some places more than once.
+        for a law that turns on its way and so passes some places more than once, and for one that
+        does not go from 0 to 1.
 
         >>> print(f"{LAWS['cycloidal'].inverse(19 / 50):.5f}")
         0.43927
         """
         places = _WAY.array(s)
+        self.check_way()
         if not self.is_monotone:
             raise InputError(
                 f"The law {self.name!r} turns back on its way, so that it passes some places more "
@@ -164,12 +168,20 @@ class MotionLaw:
         >>> LAWS["cycloidal"].where_above(0.5)
         [(0.5, 1.0)]
         """
-        found: list[tuple[float, float]] = []
-        for low, high in self._parts_above(s):
-            if found and found[-1][1] == low:
-                low = found.pop()[0]
-            found.append((low, high))
-        return found
+        return _joined(self._parts(s, 1))
+
+    def where_below(self, s: float) -> list[tuple[float, float]]:
+        """Return the intervals of x in which S < s; else like `where_above`."""
+        return _joined(self._parts(s, -1))
+
+    def check_way(self) -> None:
+        """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
+        start, end = self.branches[0].s_low, self.branches[-1].s_high
+        if max(abs(start), abs(end - 1)) > _ROUNDING:
+            raise InputError(
+                f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
+                "from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
+            )
 
     def __repr__(self) -> str:
         return f"MotionLaw({self.name!r})"
@@ -189,19 +201,31 @@ class MotionLaw:
         )
 
     def _first(self, s: float) -> float:
-        branch = next(branch for branch in self.branches if s <= branch.s_high)
+        branch = next((branch for branch in self.branches if s <= branch.s_high), self.branches[-1])
         if s <= branch.s_low:
             return branch.low
-        return branch.high if s == branch.s_high else branch.solve(s)
+        return branch.high if s >= branch.s_high else branch.solve(s)
 
-    def _parts_above(self, s: float) -> Iterator[tuple[float, float]]:
+    def _parts(self, s: float, side: int) -> Iterator[tuple[float, float]]:
+        """Yield where S is above s (side 1) or below (-1), branch by branch."""
         for branch in self.branches:
-            if min(branch.s_low, branch.s_high) >= s and branch.s_low + branch.s_high > 2 * s:
+            low, high = side * (branch.s_low - s), side * (branch.s_high - s)
+            if min(low, high) >= 0 < max(low, high):
                 yield branch.low, branch.high
-            elif branch.s_high > s:
+            elif high > 0:
                 yield branch.solve(s), branch.high
-            elif branch.s_low > s:
+            elif low > 0:
                 yield branch.low, branch.solve(s)
+
+
+def _joined(parts: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the intervals with those that touch made one."""
+    found: list[tuple[float, float]] = []
+    for low, high in parts:
+        if found and found[-1][1] == low:
+            low = found.pop()[0]
+        found.append((low, high))
+    return found
 
 
 def _zones(curve: sympy.Expr) -> list[tuple[sympy.Expr, float, float]]:

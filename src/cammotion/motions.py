@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.arcs import Arc, arcs, complement, intersect
+from cammotion.arcs import Arc, arcs, intersect
 from cammotion.checks import Floats, InputError, Numbers, shorten
 from cammotion.kinematics import DEG_PER_TURN, RATE
 from cammotion.segments import CAM_ANGLE, POSITION, Part, Segment
@@ -40,6 +40,7 @@ class Motion:
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
             raise InputError(f"The name of a motion is {shorten(self.name)}: give one like 'die'.")
+        object.__setattr__(self, "name", self.name.strip())
         object.__setattr__(self, "segments", _segments(self.name, self.segments))
         for before, after in pairwise(self.segments):
             self._check_joint(before, after)
@@ -75,6 +76,18 @@ class Motion:
     def turning_degs(self) -> tuple[float, ...]:
         """The cam angles at which the position can be largest or smallest, in order."""
         return tuple(angle for segment in self.segments for angle in segment.turning_degs)
+
+    @cached_property
+    def offset_turning_degs(self) -> tuple[float, ...]:
+        """The cam angles at which `offset_mm` can be largest or smallest.
+
+        That of an indexing motion also turns at each stop it passes, and half-way between two.
+        """
+        if not self.is_indexing:
+            return self.turning_degs
+        levels = {level for low, high in self._pitches for level in (low, (low + high) / 2, high)}
+        passed = (end for level in levels for arc in self._where_above(level) for end in arc)
+        return (*self.turning_degs, *passed)
 
     @cached_property
     def range_mm(self) -> tuple[float, float]:
@@ -140,19 +153,27 @@ class Motion:
         limit = POSITION.number(limit_mm)
         if not self.is_indexing:
             return self._where_above(limit)
-        pitch = abs(self.pitch_mm)
-        low, high = (math.floor((end - self.start_mm) / pitch) for end in self.range_mm)
-        stops = [self.start_mm + pitch * number for number in range(low, high + 1)]
         return arcs(
             arc
-            for stop in stops
+            for stop, next_stop in self._pitches
             for arc in intersect(
-                self._where_above(stop + limit), complement(self._where_above(stop + pitch - limit))
+                self._where_above(stop + limit), self._where_below(next_stop - limit)
             )
         )
 
+    @property
+    def _pitches(self) -> list[tuple[float, float]]:
+        """Each stop that an indexing motion comes to in a turn, with the next one above it."""
+        first, second = sorted((self.start_mm, self.segments[-1].to_mm))
+        pitch = second - first
+        low, high = (math.floor((end - first) / pitch) for end in self.range_mm)
+        return [(first + n * pitch, second + n * pitch) for n in range(low, high + 1)]
+
     def _where_above(self, limit_mm: float) -> list[Arc]:
         return arcs(arc for segment in self.segments for arc in segment.where_above(limit_mm))
+
+    def _where_below(self, limit_mm: float) -> list[Arc]:
+        return arcs(arc for segment in self.segments for arc in segment.where_below(limit_mm))
 
     def _over_segments(self, curve: Any, angles: Floats) -> Floats:
         """Put `curve` together from the segments, each for the angles that lie in it."""

@@ -14,12 +14,12 @@ from typing import Any
 
 from cammotion.arcs import ROUNDING_DEG, Arc, complement, intersect, join
 from cammotion.checks import InputError, Quantity, shorten
-from cammotion.diagram import TimingDiagram
+from cammotion.diagram import TimingDiagram, as_diagram
 from cammotion.kinematics import DEG_PER_TURN
 from cammotion.motions import Motion
 from cammotion.segments import POSITION, Segment
 
-_NARROW_DEG = 1e-3  # a move that takes no time, for all that a cam can do
+_NARROW_DEG = 1e-4  # a move that takes no time, for all that a cam can do
 _TOUCHING_MM = 1e-6
 
 
@@ -139,8 +139,8 @@ class Violation:
         turn = DEG_PER_TURN
         return (
             f"the {self.rule.when.motion} is {self.excess_mm:.3g} mm {too_far} at "
-            f"{self.angle_deg % turn:.4g} deg (from {self.start_deg % turn:.4g} to "
-            f"{self.end_deg % turn or turn:.4g} deg the {self.rule.only_while.motion} is not "
+            f"{self.angle_deg % turn:.5g} deg (from {self.start_deg % turn:.6g} to "
+            f"{self.end_deg % turn or turn:.6g} deg the {self.rule.only_while.motion} is not "
             f"{self.rule.only_while})"
         )
 
@@ -239,11 +239,7 @@ def as_rules(
     diagram: TimingDiagram, rules: ClearanceRule | Iterable[ClearanceRule]
 ) -> tuple[ClearanceRule, ...]:
     """Return the rules as a tuple; raise InputError unless they are rules for this diagram."""
-    if not isinstance(diagram, TimingDiagram):
-        raise InputError(
-            f"The diagram is {shorten(diagram)}: give a TimingDiagram of the motions, for example "
-            "TimingDiagram([mill, die], rate_per_hour=2000)."
-        )
+    as_diagram(diagram)
     anything: Any = [rules] if isinstance(rules, ClearanceRule) else rules
     given = tuple(anything) if isinstance(anything, Iterable) else ()
     if not given or not all(isinstance(rule, ClearanceRule) for rule in given):

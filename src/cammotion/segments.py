@@ -22,7 +22,8 @@ class Segment:
 
     The angles are in deg, the positions in mm. `law` is the name of a motion law or a law; a dwell
     has none. Raises InputError for numbers that are not finite, an angle that is not above 0, a
-    dwell between two positions, a move between one and the same, and an unknown law.
+    dwell between two positions, a move between one and the same, and a law that is unknown or does
+    not go from 0 to 1.
 
     >>> Segment(from_deg=150, to_deg=205, from_mm=0, to_mm=50, law="cycloidal").kind
     'rise'
@@ -35,13 +36,12 @@ class Segment:
     law: str | MotionLaw | None = None
 
     def __post_init__(self) -> None:
-        for angle in (self.from_deg, self.to_deg):
-            CAM_ANGLE.number(angle)
-        for position in (self.from_mm, self.to_mm):
-            POSITION.number(position)
+        for end in ("from", "to"):
+            for quantity, field in ((CAM_ANGLE, f"{end}_deg"), (POSITION, f"{end}_mm")):
+                object.__setattr__(self, field, quantity.number(getattr(self, field)))
         PART_ANGLE.number(self.angle_deg)
         if self.law is not None:
-            as_law(self.law)
+            as_law(self.law).check_way()
         span = f"from {self.from_deg:g} to {self.to_deg:g} deg"
         if self.is_dwell and self.change_mm:
             raise InputError(
@@ -92,13 +92,19 @@ class Segment:
 
     def where_above(self, limit_mm: float) -> list[Arc]:
         """Return the intervals of cam angle over which the position is above a limit."""
+        return self._where(limit_mm, 1)
+
+    def where_below(self, limit_mm: float) -> list[Arc]:
+        """Return the intervals of cam angle over which the position is below a limit."""
+        return self._where(limit_mm, -1)
+
+    def _where(self, limit_mm: float, side: int) -> list[Arc]:
         if self.law is None:
-            return [(self.from_deg, self.to_deg)] if self.from_mm > limit_mm else []
-        parts = as_law(self.law).where_above((limit_mm - self.from_mm) / self.change_mm)
-        if self.change_mm < 0:  # then the position is above the limit where S is below
-            ends = [0.0, *(place for part in parts for place in part), 1.0]
-            parts = list(zip(ends[::2], ends[1::2], strict=True))
-        return [(self._angle_at(low), self._angle_at(high)) for low, high in parts if low < high]
+            is_there = side * (self.from_mm - limit_mm) > 0
+            return [(self.from_deg, self.to_deg)] if is_there else []
+        law, s = as_law(self.law), (limit_mm - self.from_mm) / self.change_mm
+        parts = law.where_above(s) if side * self.change_mm > 0 else law.where_below(s)
+        return [(self._angle_at(low), self._angle_at(high)) for low, high in parts]
 
     def _angle_at(self, place: float) -> float:
         return self.to_deg if place == 1 else self.from_deg + place * self.angle_deg

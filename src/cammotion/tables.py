@@ -5,22 +5,28 @@ curves lists position, velocity, acceleration and jerk of every motion over the 
 """
 
 import csv
-from collections.abc import Callable, Iterable, Iterator
-from itertools import groupby
+import io
+import math
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from cammotion.checks import InputError, Quantity
-from cammotion.diagram import TimingDiagram
+from cammotion.diagram import TimingDiagram, as_diagram
+from cammotion.files import write_new
 from cammotion.kinematics import DEG_PER_TURN
-from cammotion.laws import LAWS, MotionLaw, as_law
+from cammotion.laws import MotionLaw, as_law
 from cammotion.motions import Motion
 from cammotion.segments import Segment
 
-STEP = Quantity("step of the table", "deg", example=1, high=DEG_PER_TURN)
+STEP = Quantity(
+    "step of the table", "deg", example=1, low=1e-3, high=DEG_PER_TURN, low_included=True
+)
 DWELL = "dwell"
+
+_ROUNDING = 1e-9  # the part of a step by which the last one may miss the full turn
 
 _NUMBERS = {
     "from_deg": "from in deg",
@@ -28,7 +34,8 @@ _NUMBERS = {
     "from_mm": "from in mm",
     "to_mm": "to in mm",
 }
-_HEADING = ["motion", "stops", *_NUMBERS.values(), "law", "machine rate in pieces/h"]
+_RATE = "machine rate in pieces/h"
+_HEADING = ["motion", "stops", *_NUMBERS.values(), "law", _RATE]
 _CURVES: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "position in mm": TimingDiagram.position_mm,
     "velocity in m/s": TimingDiagram.velocity,
@@ -43,9 +50,9 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
     The heading names the units; `read_segments` reads the file back to the same diagram. A file
     that is there already is left as it is, with an InputError, unless `overwrite` is True.
     """
+    rate = as_diagram(diagram).rate_per_hour
     lines = (
         [motion.name, motion.stops or "", *_numbers(segment), _law_name(segment), rate]
-        for rate in [diagram.rate_per_hour]
         for motion in diagram.motions
         for segment in motion.segments
     )
@@ -60,7 +67,10 @@ def write_curves(
     Columns are the cam angle in deg, the time in s, and for each motion position in mm, velocity
     in m/s, acceleration in m/s2 and jerk in m/s3. Files are protected as in `write_segments`.
     """
-    angles = np.append(np.arange(0.0, DEG_PER_TURN, STEP.number(step_deg)), DEG_PER_TURN)
+    as_diagram(diagram)
+    step = STEP.number(step_deg)
+    steps = math.ceil(DEG_PER_TURN / step - _ROUNDING)
+    angles = np.append(step * np.arange(steps), DEG_PER_TURN)
     columns = {"cam angle in deg": angles, "time in s": angles * _seconds_per_deg(diagram)}
     for name in diagram.names:
         for what, curve in _CURVES.items():
@@ -76,60 +86,91 @@ def read_segments(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Timing
     start of the file. `laws` are further motion laws that the file names. Raises InputError, with
     the line, for anything else.
     """
-    lines = list(_lines(path))
+    lines, decimal = _lines(path)
     heading = [cell.strip() for cell in lines[0]] if lines else []
     if missing := [column for column in _HEADING if column not in heading]:
         raise InputError(
             f"The file {Path(path).name} lacks the column '{missing[0]}': its first line has to "
             f"be {', '.join(_HEADING)}."
         )
-    known = {law.name: law for law in laws}
+    known = {law.name.strip(): law for law in laws}
     records = [
-        _Record(Path(path).name, number, dict(zip(heading, line, strict=False)))
+        _Record(Path(path).name, number, heading, line, decimal)
         for number, line in enumerate(lines[1:], 2)
         if any(cell.strip() for cell in line)
     ]
+    if not records:
+        raise InputError(f"The file {Path(path).name} has no line with a segment: add some.")
+    names = dict.fromkeys(record.cells["motion"] for record in records)
     motions = [
-        Motion(name, tuple(record.segment(known) for record in its), its[0].stops())
-        for name, group in groupby(records, key=lambda record: record.cells["motion"])
-        for its in [list(group)]
+        _motion(name, [record for record in records if record.cells["motion"] == name], known)
+        for name in names
     ]
-    rates = {record.number("machine rate in pieces/h") for record in records}
-    if len(rates) != 1:
-        raise InputError(
-            f"The file {Path(path).name} names {len(rates)} machine rates; a diagram has one: "
-            "write the same in every line."
-        )
-    return TimingDiagram(tuple(motions), rates.pop())
+    return TimingDiagram(tuple(motions), _the_same(records, _RATE))
 
 
 class _Record:
     """A line of a file, with the place to name if it is wrong."""
 
-    def __init__(self, file: str, line: int, cells: dict[str, str]) -> None:
-        self.where = f"Line {line} of {file}"
-        self.cells = {column: cells.get(column, "").strip() for column in _HEADING}
+    def __init__(
+        self, file: str, line: int, heading: list[str], cells: list[str], decimal: str
+    ) -> None:
+        self.where, self.decimal = f"Line {line} of {file}", decimal
+        if any(cell.strip() for cell in cells[len(heading) :]):
+            raise InputError(
+                f"{self.where} has {len(cells)} cells, but the heading {len(heading)}: write one "
+                "number in each, with a decimal point, or separate them by semicolons."
+            )
+        given = dict(zip(heading, cells, strict=False))
+        self.cells = {column: given.get(column, "").strip() for column in _HEADING}
 
     def number(self, column: str) -> float:
         text = self.cells[column]
         try:
-            return float(text)
+            number = float(text.replace(self.decimal, "."))
         except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
             raise InputError(
                 f"{self.where}: '{column}' is {text!r}; it has to be a number, for example 150."
-            ) from None
-
-    def stops(self) -> int | None:
-        return int(self.number("stops")) if self.cells["stops"] else None
+            )
+        return number
 
     def segment(self, known: dict[str, MotionLaw]) -> Segment:
         name = self.cells["law"]
         numbers = {field: self.number(column) for field, column in _NUMBERS.items()}
         try:
-            law = None if name == DWELL else known.get(name) or as_law(name)
-            return Segment(**numbers, law=law if law is None or name not in LAWS else name)
+            return Segment(**numbers, law=None if name == DWELL else known.get(name, name))
         except InputError as wrong:
             raise InputError(f"{self.where}: {wrong}") from None
+
+
+def _motion(name: str, records: list[_Record], known: dict[str, MotionLaw]) -> Motion:
+    segments, stops = tuple(record.segment(known) for record in records), _stops(records)
+    try:
+        return Motion(name, segments, stops)
+    except InputError as wrong:
+        raise InputError(f"{records[0].where} and further: {wrong}") from None
+
+
+def _stops(records: list[_Record]) -> Any:
+    if not any(record.cells["stops"] for record in records):
+        return None
+    stops = _the_same(records, "stops")
+    return int(stops) if stops.is_integer() else stops  # Motion refuses what is not whole
+
+
+def _the_same(records: list[_Record], column: str) -> float:
+    """Return the number that stands in this column of every line."""
+    first = records[0].number(column)
+    for record in records:
+        if record.number(column) != first:
+            raise InputError(
+                f"{record.where}: '{column}' is {record.number(column):g}, but {first:g} in the "
+                f"first line of the {'motion' if column == 'stops' else 'diagram'}: write the same "
+                "in both."
+            )
+    return first
 
 
 def _numbers(segment: Segment) -> list[float]:
@@ -145,31 +186,26 @@ def _seconds_per_deg(diagram: TimingDiagram) -> float:
 
 
 def _write(path: str | Path, rows: Iterable[Iterable[object]], overwrite: bool) -> Path:
-    path = Path(path)
-    try:
-        with path.open("w" if overwrite else "x", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows(rows)
-    except FileExistsError:
-        raise InputError(
-            f"The file {path.name} is there already and was left as it is: choose another name, "
-            "or add overwrite=True."
-        ) from None
-    except OSError as wrong:
-        raise InputError(
-            f"The file {path.name} cannot be written ({wrong.strerror}): choose a folder that is "
-            "there and that you may write to."
-        ) from None
-    return path
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    return write_new(path, text.getvalue(), overwrite=overwrite)
 
 
-def _lines(path: str | Path) -> Iterator[list[str]]:
+def _lines(path: str | Path) -> tuple[list[list[str]], str]:
+    """Return the lines of a file, cut into cells, and its decimal sign."""
     try:
-        text = Path(path).read_text(encoding="utf-8-sig")
+        with Path(path).open(encoding="utf-8-sig", newline="") as file:
+            text = file.read()
     except FileNotFoundError:
         raise InputError(f"There is no file {Path(path).name}: give the path of one.") from None
     except (OSError, UnicodeDecodeError) as wrong:
         raise InputError(f"The file {Path(path).name} cannot be read ({wrong}).") from None
-    first = text.partition("\n")[0]
-    if ";" in first:
-        return csv.reader(text.replace(",", ".").splitlines(), delimiter=";")
-    return csv.reader(text.splitlines())
+    separator, decimal = (";", ",") if ";" in text.partition("\n")[0] else (",", ".")
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    try:
+        return list(reader), decimal
+    except csv.Error as wrong:
+        raise InputError(
+            f"Line {reader.line_num} of {Path(path).name} cannot be cut into cells ({wrong}): "
+            "look for a quotation mark too many."
+        ) from None

@@ -1,0 +1,1 @@
+"""Explorers: what the learner changes by hand, drawn and judged at once."""

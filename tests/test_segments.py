@@ -1,0 +1,124 @@
+"""Segments: the cycloid in closed form, and what is no segment."""
+
+from collections.abc import Callable
+from typing import Any, cast
+
+import numpy as np
+import pytest
+import sympy
+from machines import CURVES, DIPPING, MONOTONE, TURNING
+
+import cammotion as cm
+from cammotion import MotionLaw, Segment
+from cammotion.segments import Part
+
+RISE = Segment(from_deg=150, to_deg=205, from_mm=10, to_mm=60, law="cycloidal")
+FALL = Segment(from_deg=305, to_deg=360, from_mm=60, to_mm=10, law="cycloidal")
+REST = Segment(from_deg=205, to_deg=305, from_mm=60, to_mm=60)
+
+
+def test_a_segment_says_what_it_is() -> None:
+    assert [segment.kind for segment in (RISE, REST, FALL)] == ["rise", "dwell", "return"]
+    assert [segment.angle_deg for segment in (RISE, REST, FALL)] == [55, 100, 55]
+    assert [segment.change_mm for segment in (RISE, REST, FALL)] == [50, 0, -50]
+    assert [segment.is_dwell for segment in (RISE, REST, FALL)] == [False, True, False]
+
+
+def test_a_segment_keeps_plain_floats() -> None:
+    """Whatever numbers it is given: exact fractions would not survive a table."""
+    third, hundred = sympy.Rational(1, 3), cast("float", np.int64(100))
+    exact = Segment(from_deg=third, to_deg=hundred, from_mm=0, to_mm=0)
+    ends = (exact.from_deg, exact.to_deg, exact.from_mm, exact.to_mm)
+    assert ends == (1 / 3, 100, 0, 0)
+    assert {type(end) for end in ends} == {float}
+
+
+def test_a_rise_and_a_return_follow_the_cycloid() -> None:
+    part = np.linspace(0, 1, 12)
+    s, v = part - np.sin(2 * np.pi * part) / (2 * np.pi), 1 - np.cos(2 * np.pi * part)
+    a, j = 2 * np.pi * np.sin(2 * np.pi * part), 4 * np.pi**2 * np.cos(2 * np.pi * part)
+    tm = 0.275  # 55 deg at 2000 pieces/h
+    for segment, sign in ((RISE, 1), (FALL, -1)):
+        angles = segment.from_deg + 55 * part
+        assert segment.position_mm(angles) == pytest.approx(segment.from_mm + sign * 50 * s)
+        for order, factor in enumerate((v, a, j), 1):
+            found = segment.derivative(order, angles, 2000)
+            assert found == pytest.approx(sign * 0.050 / tm**order * factor, abs=1e-9)
+
+
+def test_a_dwell_stands_still() -> None:
+    angles = np.array([205.0, 250.0, 305.0])
+    assert REST.position_mm(angles).tolist() == [60, 60, 60]
+    for order in (1, 2, 3):
+        assert REST.derivative(order, angles, 2000).tolist() == [0, 0, 0]
+
+
+@pytest.mark.parametrize("law", [*MONOTONE, *TURNING], ids=str)
+@pytest.mark.parametrize("ends_mm", [(10, 60), (60, 10)])
+def test_where_it_is_above_or_below_a_limit(law: MotionLaw, ends_mm: tuple[int, int]) -> None:
+    start, end = ends_mm
+    segment = Segment(from_deg=100, to_deg=200, from_mm=start, to_mm=end, law=law)
+    angles = 100 + (np.arange(5000) + 0.5) / 50
+    positions = start + (end - start) * CURVES[law.name]((angles - 100) / 100)
+    for limit in (0, 9.8, 10, 23, 35, 59, 60, 61, 80):
+        for parts, is_there in (
+            (segment.where_above(limit), positions > limit),
+            (segment.where_below(limit), positions < limit),
+        ):
+            inside = [(low < angles) & (angles < high) for low, high in [*parts, (0, 0)]]
+            assert np.count_nonzero(np.any(inside, 0) != is_there) <= 2
+
+
+def test_a_dwell_at_the_limit_is_neither_above_nor_below() -> None:
+    assert REST.where_above(60) == REST.where_below(60) == []
+    assert REST.where_above(59.999) == REST.where_below(60.001) == [(205, 305)]
+    assert REST.where_above(60.001) == REST.where_below(59.999) == []
+
+
+def test_it_turns_where_its_law_does() -> None:
+    down = Segment(from_deg=0, to_deg=150, from_mm=50, to_mm=0, law=DIPPING)
+    assert down.turning_degs == [0, 40, 150]
+    assert RISE.turning_degs == [150, 205]
+    assert REST.turning_degs == [205, 305]
+
+
+def test_parts_are_said_in_words() -> None:
+    assert cm.rise(50, over_deg=55) == Part(55, 50, "cycloidal")
+    assert cm.return_(50, over_deg=55, law=DIPPING) == Part(55, -50, DIPPING)
+    assert cm.dwell(100) == Part(100, 0, None)
+
+
+HALF = MotionLaw("half", cm.x / 2)
+REFUSED: list[tuple[Callable[[], object], str]] = [
+    (
+        lambda: Segment(from_deg=205, to_deg=305, from_mm=50, to_mm=49),
+        "The dwell from 205 to 305 deg begins at 50 mm and ends at 49 mm; a dwell stays where it "
+        "is: give it one position, or a law, for example 'cycloidal'.",
+    ),
+    (
+        lambda: Segment(from_deg=150, to_deg=205, from_mm=50, to_mm=50, law="cycloidal"),
+        "The move from 150 to 205 deg begins and ends at 50 mm: give it a stroke, or make it a "
+        "dwell (law=None).",
+    ),
+    (
+        lambda: Segment(from_deg=205, to_deg=150, from_mm=0, to_mm=0),
+        "The angle of a segment is -55 deg; it has to be a finite number above 0 and at most "
+        "360 deg: give for example 55 deg.",
+    ),
+    (
+        lambda: Segment(from_deg=0, to_deg=55, from_mm=0, to_mm=50, law=HALF),
+        "The law 'half' goes from S(0) = 0 to S(1) = 0.5; a move goes from 0 to 1: subtract S(0), "
+        "and divide by S(1) - S(0).",
+    ),
+    (
+        lambda: Segment(from_deg=0, to_deg=55, from_mm=0, to_mm=50, law="cycloid"),
+        "There is no motion law 'cycloid': use one of 'cycloidal'",
+    ),
+]
+
+
+@pytest.mark.parametrize(("make", "sentence"), REFUSED, ids=[said[:30] for _, said in REFUSED])
+def test_what_is_no_segment_is_refused(make: Callable[[], Any], sentence: str) -> None:
+    with pytest.raises(cm.InputError) as refusal:
+        make()
+    assert str(refusal.value).startswith(sentence)

@@ -1,0 +1,304 @@
+"""Timing diagrams in files: what is written is read back, and nothing is lost or overwritten."""
+
+import csv
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import DIPPING, MONOTONE, examples, make_diagram, make_die, make_mill
+
+import cammotion as cm
+from cammotion import Motion, MotionLaw, Segment, TimingDiagram, read_segments
+from cammotion import write_curves as write_curves_of
+from cammotion import write_segments as write
+
+DIAGRAM = make_diagram(make_mill(), make_die(124.84))
+PARABOLIC = MONOTONE[6]
+OWN_LAWS = [DIPPING, PARABOLIC, MotionLaw('a, "b"; c', cm.x)]
+LENGTHS = ["from in deg", "to in deg", "from in mm", "to in mm"]
+HEADING = ["motion", "stops", *LENGTHS, "law", "machine rate in pieces/h"]
+TURN = ["die", "", "0", "360", "0", "0", "dwell", "2000"]
+
+
+@st.composite
+def motions(draw: st.DrawFn, name: str) -> Motion:
+    """Make a motion of any segments, that comes back or goes on."""
+    ways = draw(st.lists(st.floats(0.001, 110), min_size=1, max_size=3))
+    start = draw(st.floats(-1e3, 1e3))
+    angles = [start, *(start + sum(ways[: n + 1]) for n in range(len(ways))), start + 360]
+    heights = draw(st.lists(st.floats(-1e3, 1e3), min_size=len(angles), max_size=len(angles)))
+    stops = draw(st.none() | st.integers(1, 10**6))
+    if stops is None or abs(heights[-1] - heights[0]) < 1e-6:
+        stops, heights[-1] = None, heights[0]
+    own: st.SearchStrategy[str | MotionLaw] = st.sampled_from(["cycloidal", *OWN_LAWS])
+    segments = [
+        Segment(
+            from_deg=angles[n],
+            to_deg=angles[n + 1],
+            from_mm=heights[n],
+            to_mm=heights[n + 1],
+            law=None if heights[n] == heights[n + 1] else draw(own),
+        )
+        for n in range(len(ways) + 1)
+    ]
+    return Motion(name, segments, stops)
+
+
+names = st.text(min_size=1, max_size=12).map(str.strip).filter(bool)
+
+
+@st.composite
+def diagrams(draw: st.DrawFn) -> TimingDiagram:
+    """Make a diagram of one to three motions with any names."""
+    given_names = draw(st.lists(names, min_size=1, max_size=3, unique=True))
+    return TimingDiagram([draw(motions(name)) for name in given_names], draw(st.floats(0.1, 1e5)))
+
+
+@examples(30)
+@given(diagram=diagrams())
+def test_every_diagram_is_read_back_as_it_was(
+    tmp_path_factory: pytest.TempPathFactory, diagram: TimingDiagram
+) -> None:
+    path = tmp_path_factory.getbasetemp() / "machine.csv"
+    assert read_segments(write(diagram, path, overwrite=True), laws=OWN_LAWS) == diagram
+
+
+def rewrite(path: Path, rows: list[list[str]], *, delimiter: str = ",", mark: str = "") -> Path:
+    """Save rows as a spreadsheet would."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        file.write(mark)
+        csv.writer(file, delimiter=delimiter).writerows(rows)
+    return path
+
+
+def test_the_heading_names_the_units(tmp_path: Path) -> None:
+    first, second, *others = list(csv.reader(write(DIAGRAM, tmp_path / "m.csv").open()))
+    assert first == HEADING
+    assert second == ["mill", "24", "0.0", "150.0", "0.0", "100.0", "cycloidal", "2000.0"]
+    assert [row[6] for row in others] == ["dwell", "cycloidal", "dwell", "cycloidal", "dwell"]
+
+
+@pytest.mark.parametrize("decimal", [",", "."])
+def test_a_german_spreadsheet_is_read(tmp_path: Path, decimal: str) -> None:
+    """It saves semicolons, decimal commas and a mark, and leaves the commas in names alone."""
+    die = cm.motion("Stempel, links; 1,5", cm.dwell(359.5), cm.dwell(0.5), start_mm=-1.25)
+    diagram = make_diagram(make_mill(124.5), die)
+    rows = list(csv.reader(write(diagram, tmp_path / "m.csv").open(newline="")))
+    german = [[*row[:2], *(cell.replace(".", decimal) for cell in row[2:])] for row in rows]
+    path = rewrite(tmp_path / "g.csv", german, delimiter=";", mark="\ufeff")
+    assert read_segments(path) == diagram
+
+
+def test_what_people_do_to_tables_is_read(tmp_path: Path) -> None:
+    """Columns in another order, one more, blank lines, blanks about a cell, motions by turns."""
+    rows = list(csv.reader(write(DIAGRAM, tmp_path / "m.csv").open()))
+    mill, die = rows[1:3], rows[3:]
+    mixed = [rows[0], mill[0], die[0], [], *die[1:], [""] * 8, mill[1]]
+    changed = [[*(f" {cell} " for cell in reversed(row)), ""] for row in mixed]
+    changed[0][-1] = "notes"
+    assert read_segments(rewrite(tmp_path / "c.csv", changed)) == DIAGRAM
+
+
+def test_a_law_of_ones_own_is_read_with_its_name(tmp_path: Path) -> None:
+    diagram = make_diagram(make_die(law=PARABOLIC))
+    path = write(diagram, tmp_path / "m.csv")
+    assert read_segments(path, laws=[PARABOLIC]) == diagram
+    with pytest.raises(
+        cm.InputError, match=r"^Line 2 of m\.csv: There is no motion law 'parabolic'"
+    ):
+        read_segments(path)
+
+
+def test_a_law_of_ones_own_goes_before_the_catalogue(tmp_path: Path) -> None:
+    own = MotionLaw("cycloidal", cm.x)
+    diagram = make_diagram(make_die(law=own))
+    found = read_segments(write(diagram, tmp_path / "m.csv"), laws=[own])
+    assert found["die"].moves[0].law is own
+
+
+def test_a_law_of_the_catalogue_is_written_by_its_name(tmp_path: Path) -> None:
+    diagram = make_diagram(make_die(law=cm.LAWS["cycloidal"]))
+    assert read_segments(write(diagram, tmp_path / "m.csv")) == make_diagram(make_die())
+
+
+@pytest.mark.parametrize("write_table", [write, write_curves_of])
+def test_a_file_that_is_there_is_left_as_it_is(
+    tmp_path: Path, write_table: Callable[..., Path]
+) -> None:
+    path = tmp_path / "mine.csv"
+    path.write_text("a week's work")
+    match = r"^The file mine\.csv is there already and was left as it is: .*, or add overwrite=True"
+    with pytest.raises(cm.InputError, match=match):
+        write_table(DIAGRAM, path)
+    assert path.read_text() == "a week's work"
+    assert write_table(DIAGRAM, str(path), overwrite=True) == path
+    assert path.read_text() != "a week's work"
+
+
+@pytest.mark.parametrize("write_table", [write, write_curves_of])
+def test_a_folder_that_is_not_there_is_named(
+    tmp_path: Path, write_table: Callable[..., Path]
+) -> None:
+    with pytest.raises(
+        cm.InputError, match=r"^The file m\.csv cannot be written \(No such file .*:"
+    ):
+        write_table(DIAGRAM, tmp_path / "no" / "m.csv")
+
+
+@pytest.mark.parametrize("write_table", [write, write_curves_of])
+@pytest.mark.parametrize("diagram", [None, 3, make_die()], ids=["None", "3", "a motion"])
+def test_only_a_diagram_is_written(
+    tmp_path: Path, write_table: Callable[..., Path], diagram: Any
+) -> None:
+    with pytest.raises(cm.InputError, match=r"^The diagram is .*: give a TimingDiagram"):
+        write_table(diagram, tmp_path / "m.csv")
+    assert not (tmp_path / "m.csv").exists()
+
+
+def test_the_curves_are_those_of_the_diagram(tmp_path: Path) -> None:
+    heading, *rows = csv.reader(write_curves_of(DIAGRAM, tmp_path / "m.csv", step_deg=7).open())
+    assert heading[:3] == ["cam angle in deg", "time in s", "mill position in mm"]
+    assert heading[3:6] == [
+        f"mill {curve}" for curve in ("velocity in m/s", "acceleration in m/s2", "jerk in m/s3")
+    ]
+    assert heading[6] == "die position in mm"
+    angle, time, *columns = np.array(rows, dtype=float).T
+    assert angle.tolist() == [*range(0, 360, 7), 360]
+    assert time == pytest.approx(angle / 200)  # 2000 pieces/h are 200 deg/s
+    curves = [DIAGRAM.position_mm, DIAGRAM.velocity, DIAGRAM.acceleration, DIAGRAM.jerk]
+    for n, column in enumerate(columns):
+        name, curve = DIAGRAM.names[n // 4], curves[n % 4]
+        assert column.tolist() == np.asarray(curve(name, angle)).tolist()
+
+
+@pytest.mark.parametrize("parts", [1, 7, 161, 175, 227, 3600])
+def test_the_table_ends_once(tmp_path: Path, parts: int) -> None:
+    """Some steps, such as 360/161, fit 161 times into the turn and a rounding more."""
+    path = write_curves_of(DIAGRAM, tmp_path / "m.csv", step_deg=360 / parts)
+    angles = [float(row[0]) for row in list(csv.reader(path.open()))[1:]]
+    assert len(angles) == parts + 1
+    assert angles == pytest.approx(np.linspace(0, 360, parts + 1))
+
+
+def changed(**cells: str) -> list[str]:
+    """Return the line of a dwell over the whole turn with other cells in it."""
+    columns = [column.split(" in ")[0].replace(" ", "_") for column in HEADING]
+    units = ["", "", "_deg", "_deg", "_mm", "_mm", "", ""]
+    keys = [column + unit for column, unit in zip(columns, units, strict=True)]
+    return [cells.get(key, cell) for key, cell in zip(keys, TURN, strict=True)]
+
+
+MALFORMED: dict[str, list[list[str]]] = {
+    "The file bad.csv lacks the column 'motion': its first line has to be motion, stops,": [],
+    "The file bad.csv lacks the column 'to in mm': its first line has to be motion, stops,": [
+        [column for column in HEADING if column != "to in mm"],
+        TURN,
+    ],
+    "The file bad.csv has no line with a segment: add some.": [HEADING, []],
+    "Line 2 of bad.csv: 'to in deg' is 'full'; it has to be a number, for example 150.": [
+        HEADING,
+        changed(to_deg="full"),
+    ],
+    "Line 3 of bad.csv: 'from in mm' is ''; it has to be a number, for example 150.": [
+        HEADING,
+        [],
+        TURN[:4],
+    ],
+    "Line 2 of bad.csv: 'from in deg' is 'nan'; it has to be a number, for example 150.": [
+        HEADING,
+        changed(from_deg="nan"),
+    ],
+    "Line 2 of bad.csv: 'machine rate in pieces/h' is 'inf'; it has to be a number,": [
+        HEADING,
+        changed(machine_rate="inf"),
+    ],
+    "Line 2 of bad.csv: 'to in deg' is '150,5'; it has to be a number, for example 150.": [
+        HEADING,
+        changed(to_deg="150,5"),
+    ],
+    "Line 2 of bad.csv has 9 cells, but the heading 8: write one number in each, with a decimal "
+    "point, or separate them by semicolons.": [HEADING, [*TURN[:3], "359", *TURN[3:]]],
+    "Line 2 of bad.csv: The dwell from 0 to 360 deg begins at 0 mm and ends at 5 mm;": [
+        HEADING,
+        changed(to_mm="5"),
+    ],
+    "Line 2 of bad.csv: There is no motion law 'cycloid': use one of 'cycloidal'": [
+        HEADING,
+        changed(law="cycloid", to_mm="5"),
+    ],
+    "Line 2 of bad.csv: The angle of a segment is 0 deg;": [HEADING, changed(to_deg="0")],
+    "Line 2 of bad.csv and further: The segments of 'die' add up to 350 deg; a cam turn is 360: "
+    "add a dwell of 10 deg.": [HEADING, changed(to_deg="350")],
+    "Line 3 of bad.csv and further: Segments of 'die' overlap: the dwell ends at 200 deg, but": [
+        HEADING,
+        changed(motion="mill"),
+        changed(to_deg="200"),
+        changed(from_deg="100"),
+    ],
+    "Line 2 of bad.csv and further: The name of a motion is ''": [HEADING, changed(motion=" ")],
+    "Line 2 of bad.csv and further: The number of stops of 'die' is 2.5; it has to be a whole": [
+        HEADING,
+        changed(stops="2.5"),
+    ],
+    "Line 2 of bad.csv and further: The number of stops of 'die' is 0; it has to be a whole": [
+        HEADING,
+        changed(stops="0"),
+    ],
+    "Line 2 of bad.csv: 'stops' is 'many'; it has to be a number, for example 150.": [
+        HEADING,
+        changed(stops="many"),
+    ],
+    "Line 3 of bad.csv: 'stops' is 12, but 24 in the first line of the motion: write the same in "
+    "both.": [HEADING, changed(stops="24", to_deg="10"), changed(stops="12", from_deg="10")],
+    "Line 3 of bad.csv: 'machine rate in pieces/h' is 1000, but 2000 in the first line of the "
+    "diagram: write the same in both.": [
+        HEADING,
+        TURN,
+        changed(motion="mill", machine_rate="1000"),
+    ],
+    "The machine rate is -5 pieces/h; it has to be a finite number above 0": [
+        HEADING,
+        changed(machine_rate="-5"),
+    ],
+}
+
+
+@pytest.mark.parametrize("sentence", MALFORMED, ids=lambda sentence: sentence[:60])
+def test_a_malformed_file_is_refused_with_the_line(tmp_path: Path, sentence: str) -> None:
+    path = rewrite(tmp_path / "bad.csv", MALFORMED[sentence])
+    with pytest.raises(cm.InputError) as refusal:
+        read_segments(path)
+    assert str(refusal.value).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    ("content", "match"),
+    [
+        (b"\xff\xfe\x00", r"^The file bad\.csv cannot be read \(.*codec"),
+        (
+            ",".join(HEADING).encode() + b'\n"die,,0',
+            r"^Line 2 of bad\.csv cannot be cut into cells",
+        ),
+        (
+            b'motion,"a"b\n',
+            r"^Line 1 of bad\.csv cannot be cut into cells \(.*: look for a quotatio",
+        ),
+    ],
+    ids=["no text", "open quotation", "stray quotation"],
+)
+def test_what_is_no_table_is_refused(tmp_path: Path, content: bytes, match: str) -> None:
+    path = tmp_path / "bad.csv"
+    path.write_bytes(content)
+    with pytest.raises(cm.InputError, match=match):
+        read_segments(path)
+
+
+def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
+    with pytest.raises(cm.InputError, match=r"^There is no file m\.csv: give the path of one\.$"):
+        read_segments(tmp_path / "m.csv")
+    with pytest.raises(cm.InputError, match=r"cannot be read \(.*[Dd]irectory"):
+        read_segments(tmp_path)
