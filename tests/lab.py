@@ -16,6 +16,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import urlsplit
 
+import pytest
 from playwright.sync_api import Browser, Locator, Page, sync_playwright
 
 ROOT = Path(__file__).parent.parent
@@ -57,6 +58,16 @@ TROUBLE = (
 def find_chromium() -> str | None:
     """Return the path of a Chromium or Chrome, if there is one."""
     return next(filter(None, map(shutil.which, CHROMIUM)), None)
+
+
+def require_chromium() -> None:
+    """Skip where there is no browser, unless the browser is what somebody asked for."""
+    if find_chromium():
+        return
+    reason = f"NOT TESTED in a browser: none of {', '.join(CHROMIUM)} is on the PATH"
+    if os.environ.get("REQUIRE_BROWSER") == "1":
+        pytest.fail(reason)
+    pytest.skip(reason)
 
 
 @contextmanager

@@ -1,11 +1,10 @@
 """What only a browser shows: a learner works through notebook 02 in JupyterLab, and comes back."""
 
-import os
 import shutil
 from collections.abc import Iterator
 
 import pytest
-from lab import CHROMIUM, ROOT, LabPage, find_chromium, running_browser, running_lab
+from lab import ROOT, LabPage, require_chromium, running_browser, running_lab
 from playwright.sync_api import Locator, expect
 
 import cammotion as cm
@@ -15,16 +14,6 @@ LESSON = "02_maximum_acceleration.ipynb"
 STROKE, ANGLE, RATE = 50.0, 55.0, 2000.0  # the die, where every explorer of the lesson starts
 
 expect.set_options(timeout=10_000)
-
-
-def require_chromium() -> None:
-    """Skip where there is no browser, unless the browser is what somebody asked for."""
-    if find_chromium():
-        return
-    reason = f"NOT TESTED in a browser: none of {', '.join(CHROMIUM)} is on the PATH"
-    if os.environ.get("REQUIRE_BROWSER") == "1":
-        pytest.fail(reason)
-    pytest.skip(reason)
 
 
 @pytest.fixture(scope="module")

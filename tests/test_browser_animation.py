@@ -12,11 +12,18 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
-from lab import CHROMIUM_FLAGS, ROOT, LabPage, find_chromium, running_browser, running_lab
+from lab import (
+    CHROMIUM_FLAGS,
+    ROOT,
+    LabPage,
+    find_chromium,
+    require_chromium,
+    running_browser,
+    running_lab,
+)
 from PIL import Image
 from playwright.sync_api import Browser, Locator, Page, expect
 from test_animation import AFTER, BEFORE, COLLIDING, MACHINES, RULE
-from test_browser import require_chromium
 
 import cammotion as cm
 from cammotion.animation import animate

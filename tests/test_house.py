@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -15,9 +16,10 @@ import cammotion
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "cammotion"
 
-# Top to bottom: a module imports only what stands above its own line.
+# Top to bottom: a room, a module or a folder of them, imports only what stands above its own line.
 FLOORS = [
     {"checks"},
+    {"files"},
     {"turning"},
     {"laws"},
     {"kinematics"},
@@ -28,12 +30,28 @@ FLOORS = [
     {"overlap", "tables"},
     {"plots", "setup_check"},
     {"live", "server", "timing_plots"},
-    {"animation", "overlap_explorer", "share_explorer"},
+    {"animation", "explorers"},
 ]
-VIEWS = {"animation", "live", "overlap_explorer", "plots", "share_explorer", "timing_plots"}
-VIEW_LIBRARIES = {"matplotlib", "ipywidgets", "anywidget", "drawsvg", "PIL", "IPython"}
+VIEWS = {"animation", "explorers", "live", "plots", "timing_plots"}
+VIEW_LIBRARIES = {"matplotlib", "mpl_toolkits", "ipywidgets", "anywidget", "drawsvg", "PIL"}
 
-MODULES = sorted(path.stem for path in PACKAGE.glob("*.py") if path.stem != "__init__")
+
+def name_of(path: Path) -> str:
+    """Return a module's name within the package, a folder's for its `__init__`."""
+    parts = path.relative_to(PACKAGE).with_suffix("").parts
+    return ".".join(part for part in parts if part != "__init__")
+
+
+MODULES = {
+    name_of(path): path
+    for path in PACKAGE.rglob("*.py")
+    if path.parent != PACKAGE or path.stem != "__init__"
+}
+
+
+def room_of(module: str) -> str:
+    """Return the room in which a module lives."""
+    return module.split(".")[0]
 
 
 def imports(path: Path) -> set[str]:
@@ -44,25 +62,44 @@ def imports(path: Path) -> set[str]:
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             assert not node.level, f"{path.name}: relative imports hide where things come from"
-            found.add(str(node.module))
+            base = str(node.module)
+            found |= {
+                f"{base}.{alias.name}" if is_module(f"{base}.{alias.name}") else base
+                for alias in node.names
+            }
     return found
 
 
+def is_module(name: str) -> bool:
+    return name.removeprefix("cammotion.") in MODULES and name.startswith("cammotion.")
+
+
+def own_imports(module: str) -> set[str]:
+    """Return the modules of the package that one of them imports."""
+    inside = {name for name in imports(MODULES[module]) if name.split(".")[0] == "cammotion"}
+    return {name.removeprefix("cammotion.") for name in inside}
+
+
 def test_every_module_has_its_floor() -> None:
-    assert sorted(set().union(*FLOORS)) == MODULES
+    assert set().union(*FLOORS) == {room_of(module) for module in MODULES}
 
 
-@pytest.mark.parametrize("module", MODULES)
+@pytest.mark.parametrize("module", sorted(MODULES))
 def test_imports_run_one_way(module: str) -> None:
-    floor = next(n for n, rooms in enumerate(FLOORS) if module in rooms)
-    allowed = {f"cammotion.{room}" for rooms in FLOORS[:floor] for room in rooms}
-    inside = {name for name in imports(PACKAGE / f"{module}.py") if name.startswith("cammotion")}
-    assert inside <= allowed
+    room = room_of(module)
+    floor = next(n for n, rooms in enumerate(FLOORS) if room in rooms)
+    above = set().union(*FLOORS[:floor])
+    assert {room_of(name) for name in own_imports(module)} <= above | {room}
 
 
-@pytest.mark.parametrize("module", [name for name in MODULES if name not in VIEWS])
+def test_no_module_imports_itself_by_a_detour() -> None:
+    order = TopologicalSorter({module: own_imports(module) for module in MODULES})
+    assert set(order.static_order()) == set(MODULES)
+
+
+@pytest.mark.parametrize("module", sorted(name for name in MODULES if room_of(name) not in VIEWS))
 def test_only_views_draw(module: str) -> None:
-    libraries = {name.split(".")[0] for name in imports(PACKAGE / f"{module}.py")}
+    libraries = {name.split(".")[0] for name in imports(MODULES[module])}
     assert not libraries & VIEW_LIBRARIES
 
 
@@ -82,7 +119,7 @@ def test_every_public_name_is_there_and_is_documented() -> None:
 
 
 def test_the_notation_table_names_what_exists() -> None:
-    """Every code name in notebook 00's table is a public function, or a name of Move or a law."""
+    """Every code name in notebook 00's table is public, or a name of a move, a diagram or a law."""
     cells = json.loads((ROOT / "notebooks" / "00_start_here.ipynb").read_text("utf-8"))["cells"]
     (table,) = [text for c in cells if "| In code |" in (text := "".join(c["source"]))]
     last_columns = [line.split("|")[-2] for line in table.splitlines() if line.startswith("| $")]
@@ -91,6 +128,6 @@ def test_the_notation_table_names_what_exists() -> None:
     law = importlib.import_module("cammotion.laws").LAWS["cycloidal"]
     move = cammotion.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     for name in names:
-        holder = law if name.startswith("law.") else move
         last = name.removeprefix("law.")
-        assert hasattr(holder, last) or hasattr(cammotion, last), name
+        holders = [law] if name.startswith("law.") else [move, cammotion.TimingDiagram, cammotion]
+        assert any(hasattr(holder, last) for holder in holders), name

@@ -8,6 +8,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+import motion_picture
 import pytest
 from packaging.markers import default_environment
 from packaging.requirements import Requirement
@@ -94,3 +95,9 @@ def test_one_pin_serves_each_direct_dependency(needed: Requirement, python: str)
 
 def test_the_environment_installs_the_package_itself() -> None:
     assert "\n-e .\n" in (ROOT / "environment.txt").read_text("utf-8")
+
+
+def test_the_moving_picture_is_what_the_package_draws() -> None:
+    """If not, tests/motion_picture.py draws it anew."""
+    assert motion_picture.PICTURE.read_text("utf-8") == motion_picture.animation().svg
+    assert "(notebooks/images/motion.svg)" in README

@@ -1,4 +1,5 @@
 from . import (
+    animation,
     arcs,
     checks,
     diagram,
@@ -15,6 +16,7 @@ from . import (
     timing_plots,
     turning,
 )
+from .animation import animate
 from .checks import InputError
 from .diagram import TimingDiagram
 from .explorers.move import explore_move
@@ -55,6 +57,8 @@ __all__ = [
     "Move",
     "Segment",
     "TimingDiagram",
+    "animate",
+    "animation",
     "arcs",
     "as_law",
     "beyond",

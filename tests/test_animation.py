@@ -1,0 +1,497 @@
+"""The machine in motion without a browser: its key frames, its texts, and what it refuses."""
+
+import base64
+import hashlib
+import itertools
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from bs4 import BeautifulSoup
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from notebook_lint import _svg_faults
+
+import cammotion as cm
+from cammotion.animation import Animation, animate
+from cammotion.animation.charts import _spread
+from cammotion.animation.keyframes import trace_acceleration
+from cammotion.animation.player import speeds_for
+from cammotion.animation.svg import text_px, wrapped
+from cammotion.checks import Floats
+
+MILL = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+DIE = cm.motion(
+    "die",
+    *(cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=55), cm.dwell(150)),
+    start_deg=150,
+)
+BEFORE = cm.TimingDiagram([MILL, DIE], rate_per_hour=2000)
+RULE = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
+AFTER = cm.widest_move(BEFORE, "die", RULE).diagram
+EARLY_DIE = cm.motion(
+    "die", cm.rise(50, over_deg=140), cm.dwell(100), cm.return_(50, over_deg=120), start_deg=65
+)
+COLLIDING = BEFORE.with_motion(EARLY_DIE)
+DRUM = cm.TimingDiagram(
+    [
+        cm.indexing_motion(
+            "drum", cm.return_(60, over_deg=120), cm.dwell(240), stops=5, start_deg=290, start_mm=7
+        ),
+        cm.motion(
+            "needle",
+            *(cm.return_(80, over_deg=60), cm.dwell(60), cm.rise(80, over_deg=80), cm.dwell(160)),
+            start_deg=-70,
+            start_mm=80,
+        ),
+    ],
+    rate_per_hour=600,
+)
+DRUM_RULE = cm.ClearanceRule(cm.within("needle", 50), only_while=cm.within("drum", 1))
+TWELVE = cm.TimingDiagram(
+    [
+        cm.indexing_motion(
+            "table", cm.dwell(200), cm.rise(300, over_deg=160), stops=4, start_deg=30
+        ),
+        *(
+            cm.motion(
+                f"slide {number}",
+                *(cm.rise(3**number / 9, over_deg=40), cm.dwell(20)),
+                *(cm.return_(3**number / 9, over_deg=100), cm.dwell(200)),
+                start_deg=31 * number,
+            )
+            for number in range(10)
+        ),
+        cm.motion("still", cm.dwell(360)),
+    ],
+    rate_per_hour=1500,
+)
+MACHINES: list[Any] = [
+    pytest.param(BEFORE, [RULE], id="before"),
+    pytest.param(AFTER, [RULE], id="after, over 360 deg"),
+    pytest.param(COLLIDING, [RULE], id="colliding"),
+    pytest.param(BEFORE, [], id="no rule"),
+    pytest.param(DRUM, [DRUM_RULE], id="backwards"),
+    pytest.param(TWELVE, [], id="twelve"),
+]
+ANGLES = np.linspace(0, 360, 3601)
+NASTY = "<script>alert(1)</script>\"'&]]>\x08\n‮é漢"
+
+
+def parse(svg: str) -> ElementTree.Element:
+    return ElementTree.fromstring(svg)  # noqa: S314 - our own
+
+
+def column_of(svg: str, number: int = 0) -> ElementTree.Element:
+    """Return what is drawn of a design."""
+    column = parse(svg).find(f".//*[@data-design='{number}']")
+    assert column is not None
+    return column
+
+
+def part_of(column: ElementTree.Element, part: str, motion: int) -> ElementTree.Element:
+    """Return a moving part by its name and the number of its motion."""
+    found = column.findall(f".//*[@data-part='{part}'][@data-motion='{motion}']")
+    assert found
+    return found[0]
+
+
+def moved(part: ElementTree.Element) -> Floats:
+    """Return how far a part has gone from its place at 0 deg, at ANGLES, in px or deg."""
+    animation = part.find("{*}animateTransform")
+    if animation is None:
+        return np.zeros_like(ANGLES)
+    times = np.array([float(time) for time in animation.attrib["keyTimes"].split(";")])
+    values = [float(value.split()[-1]) for value in animation.attrib["values"].split(";")]
+    assert times[0] == 0
+    assert times[-1] == 1
+    assert (np.diff(times) >= 0).all()
+    return np.interp(ANGLES, 360 * times, values)
+
+
+@pytest.mark.parametrize(("diagram", "rules"), MACHINES)
+def test_every_part_moves_as_its_formula_says(diagram: cm.TimingDiagram, rules: Any) -> None:
+    column = column_of(animate(diagram, rules=rules).svg)
+    for number, motion in enumerate(diagram.motions):
+        way = np.asarray(motion.position_mm(ANGLES)) - motion.position_mm(0)
+        if motion.stops is not None:
+            degs = moved(part_of(column, "turret", number))
+            wanted = way * 360 / (motion.stops * abs(motion.pitch_mm))
+            apart = (
+                degs - wanted + 180
+            ) % 360 - 180  # the diagram counts from 0 after a whole turn
+            assert np.abs(apart).max() < 0.2
+            continue
+        body = part_of(column, "body", number)
+        goes_down = bool(rules) and motion.name == "die"
+        shown = moved(body) / float(body.attrib["data-px-per-mm"]) * (1 if goes_down else -1)
+        assert np.abs(shown - way).max() < 0.1
+
+
+def test_a_turret_ends_its_turn_a_pitch_further() -> None:
+    for diagram, way in ((BEFORE, 15), (DRUM, -72), (TWELVE, 90)):
+        degs = moved(part_of(column_of(animate(diagram).svg), "turret", 0))
+        assert degs[-1] == pytest.approx(way, abs=1e-3)
+
+
+def test_a_dwell_needs_no_key_frames() -> None:
+    body = part_of(column_of(animate(BEFORE, rules=RULE).svg), "body", 1)
+    animation = body.find("{*}animateTransform")
+    assert animation is not None
+    times = [360 * float(time) for time in animation.attrib["keyTimes"].split(";")]
+    assert not [time for time in times if 0 < time < 149.99 or 205.01 < time < 304.99]
+
+
+@pytest.mark.parametrize(("diagram", "rules"), MACHINES)
+def test_the_dots_stay_on_their_curves(diagram: cm.TimingDiagram, rules: Any) -> None:
+    column = column_of(animate(diagram, rules=rules).svg)
+    (cursor,) = column.findall(".//*[@data-part='cursor']")
+    x = moved_across(cursor)
+    assert np.abs(x - ANGLES / 360 * x[-1]).max() < 1e-3
+    dots = column.findall(".//*[@data-part='dot']")
+    lines = [
+        line for line in column.findall(".//{*}path[@stroke-width='2']") if is_curve(line, x[-1])
+    ]
+    assert len(dots) == len(lines) > len(diagram.motions)
+    parents = {child: parent for parent in column.iter() for child in parent}
+    starts = [float(parents[dot].attrib["transform"].split()[-1].rstrip(")")) for dot in dots]
+    for dot, start, line in zip(dots, starts, lines, strict=True):
+        places = np.array(
+            [[float(n) for n in p.split(",")] for p in line.attrib["d"][1:].split(" L")]
+        )
+        is_jump = np.isin(np.round(x, 1), places[:-1, 0][np.diff(places[:, 0]) < 0.2])
+        apart = np.abs(start + moved(dot) - np.interp(x, places[:, 0], places[:, 1]))
+        assert apart[~is_jump].max() < 0.5
+
+
+def moved_across(cursor: ElementTree.Element) -> Floats:
+    animation = cursor.find("{*}animateTransform")
+    assert animation is not None
+    first, last = (float(value) for value in animation.attrib["values"].split(";"))
+    return np.interp(ANGLES, [0, 360], [first, last])
+
+
+def is_curve(line: ElementTree.Element, width: float) -> bool:
+    """Whether a line goes through the whole chart."""
+    places = line.attrib["d"].split(" L")
+    last = float(places[-1].split(",")[0])
+    return len(places) > 1 and places[0].startswith("M0.0,") and abs(last - width) < 0.1
+
+
+def test_the_acceleration_is_that_of_the_diagram() -> None:
+    trace = trace_acceleration(AFTER["die"], 2000)
+    wanted = np.asarray(AFTER.acceleration("die", ANGLES))
+    drawn = np.interp(ANGLES, trace.angles_deg, trace.values)
+    assert np.abs(drawn - wanted).max() < 2e-3 * AFTER.peak_acceleration("die")
+
+
+def test_a_jump_of_the_acceleration_is_drawn_as_one() -> None:
+    hard = cm.MotionLaw("parabola", cm.x**2 * (3 - 2 * cm.x))
+    press = cm.motion(
+        "press", cm.rise(10, over_deg=90, law=hard), cm.dwell(90), cm.return_(10, over_deg=180)
+    )
+    trace = trace_acceleration(press, 2000)
+    at_90 = trace.values[np.isclose(trace.angles_deg, 90)]
+    assert at_90[0] < -0.1
+    assert at_90[-1] == 0
+
+
+def test_both_designs_share_their_scales() -> None:
+    svg = animate({"no overlap": BEFORE, "overlap": AFTER}, rules=RULE).svg
+    scales = [part_of(column_of(svg, n), "body", 1).attrib["data-px-per-mm"] for n in (0, 1)]
+    assert scales[0] == scales[1]
+    heights = [
+        np.ptp(moved(column_of(svg, n).findall(".//*[@data-part='dot']")[-1])) for n in (0, 1)
+    ]
+    ratio = BEFORE.peak_acceleration("die") / AFTER.peak_acceleration("die")
+    assert heights[0] / heights[1] == pytest.approx(ratio, rel=5e-3)
+
+
+def test_the_die_waits_20_mm_above_a_pocket_31_mm_deep() -> None:
+    """The measures of the picture in notebook 00 follow from the rule and the stroke."""
+    column = column_of(animate(BEFORE, rules=RULE).svg)
+    body = part_of(column, "body", 1)
+    scale = float(body.attrib["data-px-per-mm"])
+    tool = body.findall("{*}rect")[1].attrib
+    tip, width = float(tool["y"]) + float(tool["height"]), float(tool["width"])
+    rim = part_of(column, "turret", 0).find("{*}path")
+    assert rim is not None
+    pocket = near_the_top(rim.attrib["d"])
+    assert -tip / scale == pytest.approx(24 * 100 / (2 * np.pi) + 20, abs=0.05)
+    assert -pocket[1][1] / scale == pytest.approx(24 * 100 / (2 * np.pi) - 31, abs=0.05)
+    assert (pocket[1][0] - pocket[0][0]) == pytest.approx(0, abs=0.1)
+    assert (pocket[2][0] - pocket[1][0] - width) / scale == pytest.approx(2 * 0.65, abs=0.05)
+
+
+def near_the_top(d: str) -> list[tuple[float, float]]:
+    """Return the corners of the pocket under the die, in px."""
+    ends = [tuple(map(float, part.split(",")[-2:])) for part in re.findall(r"[MLA]([^MLAZ]+)", d)]
+    first = next(
+        n for n, (x, y) in enumerate(ends) if -60 < x < 0 and abs(ends[n + 1][0] - x) < 0.1
+    )
+    return [(x, y) for x, y in ends[first : first + 4]]
+
+
+@pytest.mark.parametrize("count", range(1, 5))
+@pytest.mark.parametrize(("diagram", "rules"), MACHINES)
+def test_a_drawing_is_complete_and_loads_nothing(
+    diagram: cm.TimingDiagram, rules: Any, count: int
+) -> None:
+    animation = animate({f"design {n}": diagram for n in range(count)}, rules=rules)
+    assert list(_svg_faults(animation.svg)) == []
+    root = parse(animation.svg)
+    assert root.attrib["role"] == "img"
+    assert "design 0" in (root.findtext("{*}title") or "")
+    assert (root.findtext("{*}desc") or "").startswith("The machine in motion")
+    assert len(root.findall(".//*[@data-design]")) == count
+    sizes = {
+        float(text.attrib["font-size"]) for text in root.iter("{http://www.w3.org/2000/svg}text")
+    }
+    assert min(sizes) >= 11
+
+
+parts_of_a_turn = st.lists(st.integers(5, 100), min_size=4, max_size=4).map(
+    lambda parts: [part * 360 / sum(parts) for part in parts]
+)
+
+
+@st.composite
+def machines(draw: st.DrawFn) -> tuple[cm.TimingDiagram, cm.ClearanceRule]:
+    up, wait, down, rest = draw(parts_of_a_turn)
+    start, stroke = draw(st.floats(-400, 800)), draw(st.floats(0.5, 400))
+    die = cm.motion(
+        "die",
+        *(cm.rise(stroke, over_deg=up), cm.dwell(wait)),
+        *(cm.return_(stroke, over_deg=down), cm.dwell(rest)),
+        start_deg=start,
+    )
+    mill = cm.indexing_motion(
+        "mill",
+        *(cm.rise(draw(st.floats(1, 500)), over_deg=up), cm.dwell(360 - up)),
+        stops=draw(st.integers(1, 60)),
+        start_deg=-start,
+    )
+    return cm.TimingDiagram([mill, die], rate_per_hour=2000), cm.ClearanceRule(
+        cm.beyond("die", draw(st.floats(-50, 500))),
+        only_while=cm.within("mill", draw(st.floats(0, 100))),
+    )
+
+
+@settings(max_examples=50, deadline=None, derandomize=True)
+@given(machine=machines())
+def test_any_two_designs_are_small_and_exact(
+    machine: tuple[cm.TimingDiagram, cm.ClearanceRule],
+) -> None:
+    diagram, rule = machine
+    die = diagram["die"]
+    animation = animate({"one": diagram, "two": diagram}, rules=rule)
+    assert len(animation.svg.encode()) <= 60_000
+    assert list(_svg_faults(animation.svg)) == []
+    assert "nan" not in animation.svg
+    body = part_of(column_of(animation.svg), "body", 1)
+    shown = moved(body) / float(body.attrib["data-px-per-mm"])
+    way = np.asarray(die.position_mm(ANGLES)) - die.position_mm(0)
+    assert np.abs(shown - way).max() < 0.1
+    collides = bool(cm.find_violations(diagram, rule))
+    assert ("COLLISION" in animation.svg) == collides == ("COLLISION" in animation.description)
+
+
+def test_a_collision_is_shown_in_words_while_it_lasts() -> None:
+    (violation,) = cm.find_violations(COLLIDING, RULE)
+    animation = animate({"overlap": AFTER, "too early": COLLIDING}, rules=RULE)
+    assert str(violation) in animation.description
+    good, bad = column_of(animation.svg, 0), column_of(animation.svg, 1)
+    assert not good.findall(".//{*}animate")
+    said = "".join(text for text in bad.itertext())
+    assert "COLLISION from 126.5 to 135°" in said
+    assert "the die is 5.97 mm too deep at" in said
+    flags = bad.findall(".//{*}animate")
+    assert len(flags) == 3  # the die, the word, and what is said of it
+    for flag in flags:
+        assert flag.attrib["values"] == "hidden;visible;hidden"
+        _, start, end = (360 * float(time) for time in flag.attrib["keyTimes"].split(";"))
+        assert start == pytest.approx(violation.start_deg, abs=1e-3)
+        assert end == pytest.approx(violation.end_deg, abs=1e-3)
+
+
+def test_a_collision_over_the_end_of_the_turn_begins_visible() -> None:
+    early = cm.motion(
+        "die",
+        *(cm.rise(50, over_deg=60), cm.dwell(100), cm.return_(50, over_deg=60), cm.dwell(140)),
+        start_deg=250,
+    )
+    diagram = BEFORE.with_motion(early)
+    late_mill = cm.indexing_motion(
+        "mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24, start_deg=300
+    )
+    column = column_of(animate(diagram.with_motion(late_mill), rules=RULE).svg)
+    flags = column.findall(".//{*}animate")
+    assert flags
+    for flag in flags:
+        assert flag.attrib["values"].startswith("visible;hidden;")
+        assert flag.attrib["values"].endswith(";visible")
+
+
+def test_slides_collide_too() -> None:
+    arm = cm.motion("arm", cm.rise(30, over_deg=180), cm.return_(30, over_deg=180))
+    diagram = cm.TimingDiagram([DIE, arm], rate_per_hour=2000)
+    rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("arm", 5))
+    svg = animate(diagram, rules=rule).svg
+    assert "the die is 31 mm too deep" in svg
+    for motion in (0, 1):
+        assert part_of(column_of(svg), "body", motion).findall(".//{*}animate")
+
+
+def test_the_same_designs_give_the_same_bytes() -> None:
+    code = (
+        "import hashlib, sys; sys.path.insert(0, sys.argv[1]); import test_animation as t;"
+        "print(hashlib.sha256(t.animate({'a': t.AFTER, 'b': t.COLLIDING}, rules=t.RULE)"
+        ".svg.encode()).hexdigest())"
+    )
+    here = str(Path(__file__).parent)
+    ran = subprocess.run(
+        [sys.executable, "-c", code, here], capture_output=True, text=True, check=True
+    )
+    svg = animate({"a": AFTER, "b": COLLIDING}, rules=RULE).svg
+    assert ran.stdout.strip() == hashlib.sha256(svg.encode()).hexdigest()
+
+
+def test_whatever_a_user_types_stays_text() -> None:
+    mill = cm.indexing_motion(NASTY, cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+    die = cm.motion(NASTY + " die" * 40, *(cm.rise(50, over_deg=180), cm.return_(50, over_deg=180)))
+    rule = cm.ClearanceRule(cm.beyond(die.name, 19), only_while=cm.within(mill.name, 0.65))
+    diagram = cm.TimingDiagram([mill, die], rate_per_hour=2000)
+    for rules in (rule, ()):
+        animation = animate({NASTY: diagram}, rules=rules)
+        assert list(_svg_faults(animation.svg)) == []
+        root = parse(animation.svg)
+        values = [value for element in root.iter() for value in element.attrib.values()]
+        assert not any("alert" in value or "漢" in value for value in values)
+        assert "<script>alert(1)</script>\"'&]]>" in "".join(root.itertext())
+        page = BeautifulSoup(animation.player()._repr_mimebundle_()[0]["text/html"], "html.parser")
+        assert page.script is None
+        assert [tag.name for tag in page.find_all()] == ["figure", "img"]
+        assert "<script>" in str(page.img and page.img["alt"])
+
+
+def test_ids_mean_the_same_in_every_drawing() -> None:
+    """Two drawings in one page may share an id only if it is that of the same thing."""
+    seen: dict[str, bytes] = {}
+    for machine in MACHINES:
+        diagram, rules = machine.values
+        root = parse(animate(diagram, rules=rules).svg)
+        for element in root.iter():
+            if name := element.get("id"):
+                content = ElementTree.tostring(element)
+                assert seen.setdefault(name, content) == content
+    assert seen
+
+
+def test_a_reader_without_a_kernel_gets_the_moving_picture_and_words() -> None:
+    animation = animate({"no overlap": BEFORE, "overlap": AFTER}, rules=RULE)
+    data, _ = animation._repr_mimebundle_()
+    assert "application/vnd.jupyter.widget-view+json" in data
+    assert data["text/plain"] == animation.description
+    image = BeautifulSoup(data["text/html"], "html.parser").select_one("figure > img")
+    assert image is not None
+    assert image["alt"] == animation.description
+    picture = str(image["src"]).removeprefix("data:image/svg+xml;base64,")
+    assert base64.b64decode(picture).decode() == animation.svg
+
+
+def test_every_showing_says_the_same() -> None:
+    bundles = [animate(BEFORE, rules=RULE)._repr_mimebundle_()[0] for _ in range(2)]
+    for mime in ("text/plain", "text/html"):
+        assert bundles[0][mime] == bundles[1][mime]
+
+
+def test_the_player_gets_the_clock_of_the_drawing() -> None:
+    player = animate(BEFORE, rules=RULE, turn_s=9).player()
+    assert player.svg == animate(BEFORE, rules=RULE).svg
+    assert (player.turn_s, player.cycle_s, player.speed) == (9, 1.8, 0.2)
+    player.angle_deg = 75
+    for angle in (400, -1, np.nan, "75", None):
+        with pytest.raises(cm.InputError, match=r"^The cam angle .*: give .*180 deg"):
+            player.angle_deg = angle
+    assert player.angle_deg == 75
+
+
+@pytest.mark.parametrize("cycle_s", [1e-3, 0.2, 1.8, 60, 1e5])
+def test_every_machine_can_be_watched(cycle_s: float) -> None:
+    speeds = speeds_for(cycle_s)
+    assert 1.0 in speeds
+    assert speeds == sorted(speeds)
+    assert any(1 <= cycle_s / speed <= 40 for speed in speeds)
+
+
+def test_saving_never_overwrites_unasked(tmp_path: Path) -> None:
+    animation = animate(BEFORE, rules=RULE)
+    path = animation.save(tmp_path / "machine.svg")
+    assert path.read_text("utf-8") == animation.svg
+    path.write_text("mine")
+    with pytest.raises(cm.InputError, match=r"^The file machine\.svg is there already .*overwrite"):
+        animation.save(path)
+    assert path.read_text() == "mine"
+    animation.save(str(path), overwrite=True)
+    assert path.read_text("utf-8") == animation.svg
+    with pytest.raises(cm.InputError, match=r"cannot be written .*choose a folder"):
+        animation.save(tmp_path / "nowhere" / "machine.svg")
+    with pytest.raises(cm.InputError, match="The path of the file is None: give one"):
+        animation.save(None)  # type: ignore[arg-type]
+
+
+SLOWER = cm.TimingDiagram([MILL, DIE], rate_per_hour=1800)
+REFUSED: list[tuple[Any, dict[str, Any], str]] = [
+    (None, {}, "The designs to animate are None: give a TimingDiagram, or several"),
+    ({}, {}, r"The designs to animate are \{\}: give"),
+    ([BEFORE], {}, "The designs to animate are .*: give"),
+    ("before", {}, "The designs to animate are 'before': give"),
+    ({"a": BEFORE, "b": DIE}, {}, "The design 'b' is Motion.*: give a TimingDiagram"),
+    ({1: BEFORE}, {}, "The title of a design is 1: give one like"),
+    ({" \n": BEFORE}, {}, "The title of a design is .*: give one like"),
+    ({"a": BEFORE, "b": SLOWER}, {}, "machine rates .* 2000 and 1800 pieces/h; .*the same rate"),
+    (
+        BEFORE,
+        {"turn_s": 0},
+        r"The time of a turn in the animation is 0 s; .*: give .*9 s\.",
+    ),
+    (BEFORE, {"turn_s": np.nan}, r"The time of a turn in the animation is nan s"),
+    (BEFORE, {"turn_s": "9"}, "The time of a turn in the animation .* not '9'"),
+    (BEFORE, {"turn_s": [9, 9]}, r"The time of a turn .* single number here, not \[9, 9\]"),
+    (BEFORE, {"rules": None}, "The clearance rules are None: give one or a list"),
+    (BEFORE, {"rules": "die"}, "The clearance rules are .*: give one or a list"),
+    (BEFORE, {"rules": [RULE, 3]}, "The clearance rules are .*: give one or a list"),
+    (DRUM, {"rules": RULE}, "There is no motion '(die|mill)': use one of 'drum', 'needle'"),
+]
+
+
+@pytest.mark.parametrize(("designs", "options", "said"), REFUSED)
+def test_nonsense_is_refused_in_words(designs: Any, options: dict[str, Any], said: str) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        animate(designs, **options)
+
+
+def test_rules_may_come_one_by_one() -> None:
+    for rules in (RULE, [RULE], iter([RULE])):
+        assert isinstance(animate({"a": BEFORE, "b": AFTER}, rules=rules), Animation)
+
+
+def test_labels_keep_apart() -> None:
+    for places in itertools.permutations([0.0, 1.0, 99.0, 100.0]):
+        moved_places = sorted(_spread(places, 0, 100))
+        assert min(np.diff(moved_places)) >= 14
+        assert moved_places[0] >= 0
+        assert moved_places[-1] <= 100
+
+
+def test_lines_are_broken_between_words() -> None:
+    text = "the die is 5.97 mm too deep at 134.96 deg"
+    lines = wrapped(text, 100)
+    assert " ".join(lines) == text
+    assert len(lines) > 1
+    assert all(text_px(line) <= 100 for line in lines)
