@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from animation import measure_animation
 from browser import measure_redraws
+from exercises import measure_exercises
 from findings import Finding
 from kernel import measure_explorers, measure_ticks
 from overlap import measure_overlap
@@ -20,6 +21,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "explorers": measure_explorers,
     "animation": measure_animation,
     "browser": measure_redraws,
+    "exercises": measure_exercises,
     "import": measure_import,
     "law": measure_law,
     "lesson": measure_lesson,

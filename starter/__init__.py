@@ -5,7 +5,7 @@ From the ground up; a module imports only from those above it, and a test holds 
 
 paths         where everything is, and what we run on
 errors        a foreseen failure, and what the operating system refuses, in words
-processes     children: listen to them, wait for them, end them
+processes     children: listen to them, wait for them, end them; one of us at a time
 download      whether it is whole, and what environment.txt pins
 inspection    what is in .venv, and whether it is what the last installation left there
 installer     pip or uv at work: how far it is, and in words why it failed

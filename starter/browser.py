@@ -1,8 +1,13 @@
 """Say where JupyterLab is, and show it where there is a browser to show it in."""
 
+import contextlib
 import os
+import re
 import sys
+import tempfile
+import time
 import webbrowser
+from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import quote
 
@@ -10,6 +15,9 @@ from starter import notebooks
 from starter.paths import ON_WINDOWS
 
 FIRST_NOTEBOOK = "00_start_here.ipynb"
+PAGE = "open.html"
+PRIVATE, PRIVATE_NAME = ".lab-page-", re.compile(r"\.lab-page-\w{8}")
+SECONDS_OF_USE = 60  # a browser opens its page at once, or never
 REDIRECT = """<!DOCTYPE html>
 <title>JupyterLab</title>
 <meta http-equiv="refresh" content="0; url={url}">
@@ -22,6 +30,19 @@ def first_page(work: str) -> str:
     names = [path.name for path in notebooks.originals()]
     first = FIRST_NOTEBOOK if FIRST_NOTEBOOK in names else next(iter(names), "")
     return quote(f"/lab/tree/{work}/{first}" if first else "/lab")
+
+
+@contextlib.contextmanager
+def private_folder(work: Path) -> Iterator[Path]:
+    """Make a folder that only the user may look into; what a killed start left of one goes."""
+    for left_over in work.glob(f"{PRIVATE}*"):
+        if PRIVATE_NAME.fullmatch(left_over.name):
+            with contextlib.suppress(OSError):
+                if time.time() - left_over.stat().st_mtime > SECONDS_OF_USE:
+                    (left_over / PAGE).unlink(missing_ok=True)
+                    left_over.rmdir()
+    with tempfile.TemporaryDirectory(prefix=PRIVATE, dir=work, ignore_cleanup_errors=True) as made:
+        yield Path(made)
 
 
 def welcome(url: str, port: int, no_browser: bool, private: Path) -> None:
@@ -53,6 +74,6 @@ def find_obstacle(no_browser: bool) -> str:
 
 def show(url: str, private: Path) -> bool:
     """Open a page that leads on to the address: its token must not stand on a command line."""
-    page = private / "open.html"
+    page = private / PAGE
     page.write_text(REDIRECT.format(url=url), encoding="ascii")
     return webbrowser.open(page.as_uri())

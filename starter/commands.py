@@ -5,9 +5,7 @@ import io
 import secrets
 import signal
 import sys
-import tempfile
 from collections.abc import Callable
-from pathlib import Path
 
 from starter import (
     browser,
@@ -122,10 +120,8 @@ def open_lab(options: argparse.Namespace) -> int:
     process = lab.start(port, token, options.passed_on)
     try:
         url = f"http://127.0.0.1:{port}{browser.first_page(work.name)}?token={token}"
-        with tempfile.TemporaryDirectory(
-            prefix=".open-", dir=work, ignore_cleanup_errors=True
-        ) as private:
-            browser.welcome(url, port, options.no_browser, Path(private))
+        with browser.private_folder(work) as private:
+            browser.welcome(url, port, options.no_browser, private)
             code = processes.wait_for(process)
     finally:
         processes.stop(process)
@@ -150,10 +146,16 @@ def test(options: argparse.Namespace) -> int:
 
 
 def refresh_notebooks(options: argparse.Namespace) -> int:
-    """Execute the workbook's own notebooks anew."""
+    """Execute the workbook's own notebooks anew, with their solutions."""
     environment.ensure()
-    chosen = [notebooks.find(wanted) for wanted in options.notebooks]
-    refresh.refresh(chosen or notebooks.originals())
+    lessons = [notebooks.find(wanted) for wanted in options.notebooks]
+    numbers = {notebooks.number_of(path.stem) for path in lessons}
+    solutions = [
+        path
+        for path in notebooks.solutions()
+        if not lessons or notebooks.number_of(path.stem) in numbers
+    ]
+    refresh.refresh([*(lessons or notebooks.originals()), *solutions])
     return 0
 
 
@@ -175,7 +177,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], int], str]] = {
     "lab": (open_lab, "set up and open the notebooks; what follows -- goes to JupyterLab"),
     "setup": (set_up, "only set up, to have a computer ready for class"),
     "test": (test, "run linters and tests; with arguments, only pytest with these"),
-    "refresh": (refresh_notebooks, "execute the workbook's own notebooks anew"),
+    "refresh": (refresh_notebooks, "execute the workbook's own notebooks and their solutions anew"),
     "fresh": (lay_fresh_copy, "lay a fresh copy of a notebook beside yours"),
     "lock": (lock, "write environment.txt anew from pyproject.toml (needs uv)"),
 }

@@ -1,20 +1,28 @@
 """The learner's copies: laid, never overwritten, and said to be old when they are."""
 
+import contextlib
 import os
 import re
-from collections.abc import Iterator
+import secrets
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from starter import notebooks
+from starter import notebooks, processes
 from starter.errors import WorkbookError
 from starter.paths import ROOT, START, first_free
 
 DEFAULT_WORK = "work"
+# Narrow, so that no file of the learner's or of another program is taken for ours.
+PART = re.compile(r"\..+\.ipynb\.[0-9a-f]{16}\.part")
+OTHER = "Another start is copying notebooks"
 
 
 class Copy(NamedTuple):
-    """A notebook in the learner's folder; `told` if it says itself what it is a copy of."""
+    """A notebook in the learner's folder; `told` if it says itself what it is a copy of.
+
+    One that is unreadable has no version.
+    """
 
     name: str
     source: str
@@ -30,100 +38,137 @@ def work_folder(name: str) -> Path:
             "which starts with work and has only letters, digits, - and _."
         )
     folder = ROOT / name
-    if folder.exists() and not folder.is_dir():
-        raise WorkbookError(f"{name} is a file, and cannot be the folder of your copies.")
+    if os.path.lexists(folder) and not folder.is_dir():
+        raise WorkbookError(
+            f"{name} is a file, or a link to nowhere: it cannot be the folder of your copies. "
+            "Move it away, or give another name with --work."
+        )
     folder.mkdir(exist_ok=True)
     return folder
 
 
 def lay_missing(work: Path) -> None:
-    """Copy the notebooks that the learner does not have yet, and say which copies are old."""
-    for left_over in work.glob(".*.part"):
-        left_over.unlink(missing_ok=True)
-    missing = [path for path in notebooks.originals() if not os.path.lexists(work / path.name)]
-    for path in missing:
-        lay(path, work / path.name)
+    """Copy the notebooks that the learner does not have yet, and say what is with the others."""
+    originals = notebooks.originals()
+    with processes.only_one_in(work, OTHER):
+        remove_left_overs(work)
+        missing = [path for path in originals if not os.path.lexists(work / path.name)]
+        for path in missing:
+            lay(path, work / path.name)
     if missing:
-        print(f"Copied {len(missing)} notebooks to {work.name}/: these copies are yours.")
+        names = ", ".join(path.stem for path in missing)
+        what = f"all {len(missing)} notebooks" if missing == originals else names
+        print(f"Copied {what} to {work.name}/, which is yours to write in.")
     for notice in notices(work):
         print(notice)
 
 
-def lay(source: Path, target: Path) -> None:
-    """Copy a notebook, with a note of what it is a copy of; never overwrite."""
+def remove_left_overs(work: Path) -> None:
+    """Remove what a killed start was writing."""
+    for path in work.iterdir():
+        if PART.fullmatch(path.name):
+            with contextlib.suppress(OSError):  # in use, or closed to us: it does no harm
+                path.unlink()
+
+
+def lay(source: Path, target: Path) -> bool:
+    """Copy a notebook, with a note of what it is a copy of; return False if the name is taken."""
     content, version = notebooks.read_original(source)
     content.setdefault("metadata", {})["workbook"] = {"source": source.name, "version": version}
-    part = notebooks.part_of(target)
+    # A name of its own: where folders cannot be locked, two starts must not share a part.
+    part = target.with_name(f".{target.name}.{secrets.token_hex(8)}.part")
     try:
         notebooks.write(part, content)
-        move_without_overwriting(part, target)
+        return move_without_overwriting(part, target)
     finally:
-        part.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):  # a virus scanner looks at it: the next start will do
+            part.unlink(missing_ok=True)
 
 
 def lay_fresh(source: Path, work: Path) -> Path:
     """Lay a fresh copy of a notebook beside the learner's, and return its path."""
-    target = first_free(work / f"{source.stem}-fresh.ipynb")
-    lay(source, target)
-    return target
+    with processes.only_one_in(work, OTHER):
+        while True:
+            target = first_free(work / f"{source.stem}-fresh.ipynb")
+            if lay(source, target):
+                return target
 
 
-def move_without_overwriting(part: Path, target: Path) -> None:
-    """Give a complete file its name, unless the name is taken."""
+def move_without_overwriting(part: Path, target: Path) -> bool:
+    """Give a complete file its name; return False if the name is taken."""
     try:
         os.link(part, target)
     except FileExistsError:
-        return
+        return False
     except OSError:  # a file system without hard links
-        if not os.path.lexists(target):
-            part.rename(target)
+        if os.path.lexists(target):
+            return False
+        part.rename(target)
+    return True
 
 
 def notices(work: Path) -> list[str]:
-    """Say which of the learner's copies are unreadable, without a source, or old."""
+    """Say what is with the learner's copies that are unreadable, old, or of a notebook now gone."""
     versions = {path.name: notebooks.read_original(path).version for path in notebooks.originals()}
-    read = {path.stem: recognize(path) for path in sorted(work.glob("*.ipynb"))}
-    copies = [copy for copy in read.values() if copy]
-    unreadable = [name for name in read if read[name] is None]
-    gone = [copy.name for copy in copies if copy.told and copy.source not in versions]
-    return [
-        *(f"{name}: your copy is not readable as a notebook; it stays." for name in unreadable),
-        *(
-            f"{name}: is no longer part of the workbook (renamed or removed); your copy stays."
-            for name in gone
-        ),
-        *(age_notice(copy, work.name) for copy in old_ones(versions, copies)),
-    ]
+    copies = [recognize(path) for path in sorted(work.glob("[!.]*.ipynb"))]
+    ours = {copy.source for copy in copies if copy.told or not copy.version}
+    lines = []
+    for source in sorted(ours.union(versions)):
+        found = [copy for copy in copies if copy.source == source]
+        trouble = find_trouble(source, found, versions)
+        if trouble:
+            comfort = reassure(source, found, versions.get(source), work.name)
+            lines.append(f"{Path(source).stem}: {trouble} {comfort}")
+    return lines
 
 
-def recognize(path: Path) -> Copy | None:
+def recognize(path: Path) -> Copy:
     """Find out what a notebook in the learner's folder is a copy of."""
     notebook = notebooks.read(path)
     if notebook is None:
-        return None
+        return Copy(path.stem, path.name, version="", told=False)
     try:
         note = notebook.content["metadata"]["workbook"]
-        return Copy(path.stem, note["source"], note["version"], told=True)
+        return Copy(path.stem, str(note["source"]), str(note["version"]), told=True)
     except (KeyError, TypeError):
         return Copy(path.stem, path.name, notebook.version, told=False)
 
 
-def old_ones(versions: dict[str, str], copies: list[Copy]) -> Iterator[Copy]:
-    """Yield one copy of each notebook of which no copy has the current version."""
-    for source, version in versions.items():
-        found = [copy for copy in copies if copy.source == source]
-        if found and version not in {copy.version for copy in found}:
-            yield found[0]
+def find_trouble(source: str, found: list[Copy], versions: dict[str, str]) -> str:
+    """Say what is with the learner's copies of a notebook; nothing if one of them is current."""
+    if not all(copy.version for copy in found):
+        return "what you have by this name is not readable as a notebook."
+    if source not in versions:
+        return f"the workbook no longer has a notebook of this name{successor(source, versions)}."
+    if not found:  # although what was missing has been laid
+        return "what you have by this name is a copy of another notebook."
+    if versions[source] in {copy.version for copy in found}:
+        return ""
+    if found[0].told:
+        return "the workbook has a newer version than your copy."
+    return "your copy differs from the workbook's and does not tell its version."
 
 
-def age_notice(copy: Copy, work: str) -> str:
-    """Say that a copy is old, and how to get a fresh one."""
-    name = Path(copy.source).stem
-    trouble = (
-        "the workbook has a newer version than your copy."
-        if copy.told
-        else "your copy differs from the workbook's and does not tell its version."
-    )
+def successor(gone: str, names: Iterable[str]) -> str:
+    """Say, in brackets, where a notebook that is gone went: renumbered, renamed, or unknown."""
+    number, _, title = Path(gone).stem.partition("_")
+    stems = [Path(name).stem for name in names]
+    for stem in stems:
+        if title and stem.partition("_")[2] == title:
+            return f" (it is {stem} now)"
+    for stem in stems:
+        if notebooks.number_of(stem) == number:
+            return f" ({number} is {stem} now)"
+    return ""
+
+
+def reassure(source: str, found: list[Copy], version: str | None, work: str) -> str:
+    """Say that the learner's copies stay, and how to get a fresh one if there is one to get."""
+    stem = Path(source).stem
+    names = [copy.name for copy in found]
+    yours = "Yours" if names in ([], [stem]) else f"Yours ({', '.join(names)})"
+    if version in {None, *(copy.version for copy in found)}:
+        return f"{yours} is untouched."
     option = "" if work == DEFAULT_WORK else f" --work {work}"
-    command = f"{START} fresh {notebooks.number_of(name)}{option}"
-    return f"{name}: {trouble} Yours is untouched; `{command}` lays a fresh copy beside it."
+    command = f"{START} fresh {notebooks.number_of(stem)}{option}"
+    return f"{yours} is untouched; `{command}` lays a fresh copy beside it."

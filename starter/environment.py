@@ -1,14 +1,11 @@
 """Make, update or repair .venv, so that it is ready."""
 
-import contextlib
 import importlib.util
 import os
 import shutil
-import sys
-from collections.abc import Iterator
 from pathlib import Path
 
-from starter import download, inspection, installer
+from starter import download, inspection, installer, processes
 from starter.errors import WorkbookError
 from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, VENV, first_free
 
@@ -21,7 +18,7 @@ def ensure() -> None:
     download.check()
     if inspection.judge()[0] == "ready":
         return
-    with only_one_set_up():
+    with processes.only_one_in(ROOT, "Another set-up is at work in this folder"):
         state, reason = inspection.judge()
         if state == "changed":
             update(reason)
@@ -116,27 +113,3 @@ def clear_the_way() -> None:
         aside = first_free(VENV.with_name(".venv-old"))
         VENV.rename(aside)
         print(f"That .venv was not made by the workbook: it is kept as {aside.name}.")
-
-
-@contextlib.contextmanager
-def only_one_set_up() -> Iterator[None]:
-    """Let one set-up at a time work in this folder, where the system can lock a folder."""
-    if sys.platform == "win32":
-        yield
-        return
-    import fcntl
-
-    folder = os.open(ROOT, os.O_RDONLY)
-    # The installer inherits the lock: if we are killed, it still holds it until it ends too.
-    os.set_inheritable(folder, True)
-    try:
-        fcntl.flock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        print("Another set-up is at work in this folder: waiting until it ends.")
-        fcntl.flock(folder, fcntl.LOCK_EX)
-    except OSError:
-        pass  # some network folders know no locks
-    try:
-        yield
-    finally:
-        os.close(folder)

@@ -1,6 +1,7 @@
 """A foreseen failure, and what the operating system refuses, in words."""
 
 import errno
+from pathlib import Path
 
 from starter.paths import ROOT
 
@@ -21,8 +22,11 @@ def explain_os_error(error: OSError) -> str:
     if error.errno in (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)):
         return DISK_FULL
     if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
+        place = Path(str(error.filename or ROOT))
+        if place.suffix == ".part":  # a name that means nothing to the reader
+            place = place.parent
         return (
-            f"No permission to write {error.filename or ROOT}. Close what uses it, or put the "
+            f"No permission to write {place}. Close what uses it, or put the "
             "workbook into a folder of your own, and start again."
         )
     return f"The operating system refused: {error}"

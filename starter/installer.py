@@ -81,7 +81,7 @@ def run(command: list[str], describe: Callable[[list[str]], str]) -> None:
         stderr=subprocess.STDOUT,
         encoding="utf-8",
         errors="replace",
-        close_fds=False,  # it inherits the lock of environment.only_one_set_up
+        close_fds=False,  # it inherits the lock of environment.ensure
     )
     lines: list[str] = []
     reader = processes.listen(process.stdout, lines.append)

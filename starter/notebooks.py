@@ -18,8 +18,18 @@ class Notebook(NamedTuple):
 
 
 def originals() -> list[Path]:
-    """List the workbook's own notebooks, in order."""
-    return sorted(NOTEBOOKS.glob("*.ipynb"))
+    """List the workbook's own notebooks, in order; their solutions are not among them."""
+    return notebooks_in(NOTEBOOKS)
+
+
+def solutions() -> list[Path]:
+    """List the worked solutions, in order: no learner gets a copy of them."""
+    return notebooks_in(NOTEBOOKS / "solutions")
+
+
+def notebooks_in(folder: Path) -> list[Path]:
+    """List the notebooks of a folder; macOS puts a hidden `._name` beside each on some disks."""
+    return sorted(folder.glob("[!.]*.ipynb"))
 
 
 def find(wanted: str) -> Path:
@@ -42,7 +52,7 @@ def read(path: Path) -> Notebook | None:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
         cells = [(cell["cell_type"], "".join(cell["source"])) for cell in content["cells"]]
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
     return Notebook(content, hashlib.sha256(json.dumps(cells).encode()).hexdigest()[:16])
 

@@ -1,12 +1,14 @@
-"""Children: listen to them, wait for them with a line of progress, end them."""
+"""Children: listen to them, wait for them with a line of progress, end them; one at a time."""
 
 import contextlib
+import os
 import signal
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import IO
 
 SECONDS_BETWEEN_LINES = 10
@@ -62,3 +64,27 @@ def stop(process: "subprocess.Popen[str]", grace: float = 0) -> None:
 def tail(lines: list[str]) -> str:
     """Indent the last lines of a child's output."""
     return "".join(f"    {line.rstrip()[:200]}\n" for line in lines[-15:])
+
+
+@contextlib.contextmanager
+def only_one_in(folder: Path, other: str) -> Iterator[None]:
+    """Let one of us at a time work in a folder, where the system can lock a folder."""
+    if sys.platform == "win32":
+        yield
+        return
+    import fcntl
+
+    lock = os.open(folder, os.O_RDONLY)
+    # The installer inherits the lock: if we are killed, it still holds it until it ends too.
+    os.set_inheritable(lock, True)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        print(f"{other}: waiting until it ends.")
+        fcntl.flock(lock, fcntl.LOCK_EX)
+    except OSError:
+        pass  # some network folders know no locks
+    try:
+        yield
+    finally:
+        os.close(lock)

@@ -8,7 +8,7 @@ from typing import Any
 
 from starter import notebooks, processes
 from starter.errors import WorkbookError
-from starter.paths import VENV_PYTHON
+from starter.paths import NOTEBOOKS, VENV_PYTHON
 
 EXECUTION = ("record_timing=False", "timeout=300")
 NOTEBOOK_METADATA = {
@@ -23,7 +23,7 @@ def refresh(paths: list[Path]) -> None:
     executed = {}
     with tempfile.TemporaryDirectory(prefix="workbook-") as folder:
         for number, path in enumerate(paths, 1):
-            print(f"[{number}/{len(paths)}] {path.stem} ... ", end="", flush=True)
+            print(f"[{number}/{len(paths)}] {name_of(path)} ... ", end="", flush=True)
             started = time.monotonic()
             executed[path] = execute(path, Path(folder))
             print(f"{time.monotonic() - started:.1f} s")
@@ -51,10 +51,15 @@ def execute(path: Path, folder: Path) -> dict[str, Any]:
     content = notebooks.read_original(folder / path.name).content
     error = first_error(content)
     if error:
-        raise WorkbookError(f"failed\n{path.stem}: {error}\nNothing was replaced.")
+        raise WorkbookError(f"failed\n{name_of(path)}: {error}\nNothing was replaced.")
     for cell in content["cells"]:
         remove_traces(cell)
     return {**content, "metadata": NOTEBOOK_METADATA}
+
+
+def name_of(path: Path) -> str:
+    """Return what tells a lesson from its solution: 02_name or solutions/02_name."""
+    return path.relative_to(NOTEBOOKS).with_suffix("").as_posix()
 
 
 def first_error(content: dict[str, Any]) -> str:

@@ -66,6 +66,18 @@ def change(path: Path, source: str) -> None:
     path.write_text(json.dumps(content))
 
 
+def keep(folder: Path) -> dict[str, bytes | str]:
+    """Return all that is in a folder: the bytes of files, where links point, and what folders."""
+    return {
+        path.relative_to(folder).as_posix(): str(path.readlink())
+        if path.is_symlink()
+        else path.read_bytes()
+        if path.is_file()
+        else "a folder"
+        for path in folder.rglob("*")
+    }
+
+
 def run(root: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     """Start the workbook in `root` as a user would, from another folder."""
     return subprocess.run(

@@ -28,11 +28,12 @@ FLOORS = [
     {"motions"},
     {"diagram"},
     {"overlap", "tables"},
+    {"variants"},
     {"plots", "setup_check"},
     {"live", "server", "timing_plots"},
-    {"animation", "explorers"},
+    {"animation", "exercises", "explorers"},
 ]
-VIEWS = {"animation", "explorers", "live", "plots", "timing_plots"}
+VIEWS = {"animation", "exercises", "explorers", "live", "plots", "timing_plots"}
 VIEW_LIBRARIES = {"matplotlib", "mpl_toolkits", "ipywidgets", "anywidget", "drawsvg", "PIL"}
 
 

@@ -19,8 +19,9 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ("error", "words"),
     [
         (OSError(errno.ENOSPC, "full"), "disk is full"),
-        (PermissionError(errno.EACCES, "no", "/x/work"), "No permission to write /x/work"),
-        (OSError(errno.EROFS, "read-only", "/x"), "No permission to write /x"),
+        (PermissionError(errno.EACCES, "no", "/x/work"), f"to write {Path('/x/work')}. "),
+        (OSError(errno.EROFS, "read-only", "/x/.name.part"), f"write {Path('/x')}. "),
+        (OSError(errno.EROFS, "read-only", "/x"), f"No permission to write {Path('/x')}. "),
         (OSError(errno.EIO, "input/output error"), "refused"),
     ],
 )

@@ -94,6 +94,35 @@ def test_refresh_takes_those_named_or_all(
     assert sorted((root / "notebooks").iterdir()) == [first, second]
 
 
+@pytest.mark.parametrize(
+    ("chosen", "order"),
+    [
+        (
+            [],
+            ["00_start_here", "02_maximum_acceleration", "solutions/02_answers", "solutions/99_x"],
+        ),
+        (["2"], ["02_maximum_acceleration", "solutions/02_answers"]),
+        (["00"], ["00_start_here"]),
+    ],
+)
+def test_solutions_are_refreshed_after_their_lessons(
+    root: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    chosen: list[str],
+    order: list[str],
+) -> None:
+    """A number means the lesson and its solution."""
+    monkeypatch.setattr(refresh, "execute", lambda _path, _folder: notebook("new"))
+    (root / "notebooks" / "solutions").mkdir()
+    for name in ("99_x", "02_answers"):
+        (root / "notebooks" / "solutions" / f"{name}.ipynb").write_text(json.dumps(notebook("old")))
+    assert commands.run(["refresh", *chosen]) == 0
+    assert [line.split()[1] for line in capsys.readouterr().out.splitlines()] == order
+    for path in [*notebooks.originals(), *notebooks.solutions()]:
+        assert ("new" in path.read_text()) == (refresh.name_of(path) in order)
+
+
 def test_the_failing_cell_is_named() -> None:
     """An error that a cell announces by its tag is none."""
     content = notebook("1 / 0", output_type="error", ename="ZeroDivisionError", evalue="by zero")

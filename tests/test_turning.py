@@ -71,6 +71,12 @@ def test_where_a_curve_lingers_at_its_turn_it_is_as_good_as_there() -> None:
     assert (60 * turn - 7) ** 4 < 1e-12
 
 
+def test_a_flat_top_is_met_without_halving_for_ever() -> None:
+    """The acceleration of Freudenstein's 1-3-5 is flattest where it is largest: J'' is 0 there."""
+    waves = sympy.sin(2 * PI * x) + sympy.sin(6 * PI * x) / 6 + sympy.sin(10 * PI * x) / 50
+    assert turning_points(waves, x, 0, 1) == pytest.approx([0.25, 0.75], abs=1e-4)
+
+
 @pytest.mark.parametrize("law", MONOTONE, ids=str)
 def test_flat_ends_are_no_turns(law: MotionLaw) -> None:
     """At the ends of most laws V, A and even J are 0: halving an interval there could go on."""

@@ -3,6 +3,7 @@ from . import (
     arcs,
     checks,
     diagram,
+    exercises,
     explorers,
     kinematics,
     laws,
@@ -15,10 +16,12 @@ from . import (
     tables,
     timing_plots,
     turning,
+    variants,
 )
 from .animation import animate
 from .checks import InputError
 from .diagram import TimingDiagram
+from .exercises import ask, check, choose, hint, predict, progress, variant
 from .explorers.move import explore_move
 from .explorers.overlap import explore_overlap
 from .explorers.shares import explore_shares
@@ -61,18 +64,23 @@ __all__ = [
     "animation",
     "arcs",
     "as_law",
+    "ask",
     "beyond",
+    "check",
     "check_setup",
     "checks",
+    "choose",
     "cycle_time",
     "diagram",
     "dwell",
+    "exercises",
     "explore_move",
     "explore_overlap",
     "explore_shares",
     "explorers",
     "find_clearances",
     "find_violations",
+    "hint",
     "indexing_motion",
     "indexing_time",
     "kinematics",
@@ -90,6 +98,8 @@ __all__ = [
     "plot_peaks",
     "plot_timing",
     "plots",
+    "predict",
+    "progress",
     "read_segments",
     "return_",
     "rise",
@@ -99,6 +109,8 @@ __all__ = [
     "tables",
     "timing_plots",
     "turning",
+    "variant",
+    "variants",
     "widest_move",
     "with_angle",
     "within",

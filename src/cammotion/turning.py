@@ -2,9 +2,11 @@
 
 Samples can step over a turn. Interval arithmetic cannot: put a whole interval of x into an
 expression and it gives back an interval that certainly holds every value the expression takes
-there. If that of the slope leaves out zero, then the curve does not turn in the interval; if that
-of the second derivative does, then it turns there once at most. Otherwise the interval is halved,
-down to where the curve cannot change by more than `NEGLIGIBLE`, however it turns.
+there. So it can prove that some derivative of the curve is nowhere zero in an interval. Then the
+derivative before it only rises or only falls there, and is zero once at most, at a place that
+halving finds; between such places the one before that only rises or falls, and so on down to the
+slope, whose zeros are the turns. Where no derivative can be proved to keep its sign the interval
+is halved, at most to where the curve cannot change by more than `NEGLIGIBLE`, however it turns.
 """
 
 from collections.abc import Callable, Iterator
@@ -25,6 +27,7 @@ Branch = tuple[int, float, float]
 
 _KNOWN = ("sin", "cos", "tan", "exp", "log", "sqrt")
 _NAMES = {"mpf": iv.mpf, "pi": iv.pi, "E": iv.e} | {name: getattr(iv, name) for name in _KNOWN}
+_ORDERS = 6  # a slope with a zero of higher order is met by halving
 
 
 def turning_points(curve: sympy.Expr, symbol: sympy.Symbol, low: float, high: float) -> list[float]:
@@ -37,10 +40,7 @@ def turning_points(curve: sympy.Expr, symbol: sympy.Symbol, low: float, high: fl
     >>> turning_points(x * (1 - x) ** 2, x, 0, 1)  # up, and down from 1/3 on
     [0.3333333333333333]
     """
-    slope = sympy.factor(sympy.diff(curve, symbol))
-    slope_over = _enclose(slope, symbol)
-    bend_over = _enclose(sympy.diff(slope, symbol), symbol)
-    branches = _branches(slope_over, bend_over, low, high)
+    branches = _branches(_Slopes(curve, symbol), low, high)
     return [(end + start) / 2 for (s, _, end), (t, start, _) in pairwise(branches) if s != t]
 
 
@@ -58,49 +58,61 @@ def bisect(is_before: Callable[[float], bool], low: float, high: float) -> float
     return high
 
 
-def _enclose(expression: sympy.Expr, symbol: sympy.Symbol) -> Callable[[float, float], Interval]:
-    """Compile an expression into a function that encloses its values over an interval."""
-    unknown = sorted({f.func.__name__ for f in expression.atoms(sympy.Function)} - {*_KNOWN})
-    if unknown:
-        raise InputError(
-            f"The law uses the function {', '.join(unknown)}, whose turning points cannot be "
-            f"proved: use {', '.join(_KNOWN)}, powers and Piecewise."
-        )
-    function = sympy.lambdify(symbol, expression, modules=[_NAMES])
-    return lambda low, high: iv.convert(function(iv.mpf([low, high])))
+class _Slopes:
+    """The slope of a curve and its derivatives over intervals; each made when it is needed."""
+
+    def __init__(self, curve: sympy.Expr, symbol: sympy.Symbol) -> None:
+        slope = sympy.factor(sympy.diff(curve, symbol))
+        unknown = sorted({f.func.__name__ for f in slope.atoms(sympy.Function)} - {*_KNOWN})
+        if unknown:
+            raise InputError(
+                f"The law uses the function {', '.join(unknown)}, whose turning points cannot be "
+                f"proved: use {', '.join(_KNOWN)}, powers and Piecewise."
+            )
+        self._symbol = symbol
+        self._expressions = [slope]
+        self._functions: list[Callable[[Interval], Interval]] = []
+
+    def over(self, order: int, low: float, high: float) -> Interval:
+        """Enclose the slope (order 0), or a derivative of it, over an interval."""
+        while len(self._functions) <= order:
+            expression = self._expressions[-1]
+            self._functions.append(sympy.lambdify(self._symbol, expression, modules=[_NAMES]))
+            self._expressions.append(sympy.diff(expression, self._symbol))
+        return iv.convert(self._functions[order](iv.mpf([low, high])))
+
+    def sign(self, order: int, low: float, high: float) -> int:
+        """Return 1 or -1 where it is proved to keep this sign over the interval, 0 elsewhere."""
+        over = self.over(order, low, high)
+        return 1 if over.a > 0 else -1 if over.b < 0 else 0
+
+    def sign_between(self, low: float, high: float) -> int:
+        """Return the sign of a slope that does not change it; here and there it may touch zero."""
+        shares = (number / (_ORDERS + 2) for number in range(1, _ORDERS + 2))
+        places = (low + share * (high - low) for share in shares)
+        return next(filter(None, (self.sign(0, place, place) for place in places)), 0)
+
+    def zeros(self, order: int, ends: list[float]) -> list[float]:
+        """Return where it changes its sign, if between two of the `ends` it only rises or falls."""
+        signs = [self.sign(order, end, end) for end in ends]
+        return [
+            bisect(lambda place, s=sign: self.sign(order, place, place) == s, start, end)  # type: ignore[misc]
+            for (start, end), (sign, other) in zip(pairwise(ends), pairwise(signs), strict=True)
+            if sign * other < 0
+        ]
 
 
-def _branches(
-    slope: Callable[[float, float], Interval],
-    bend: Callable[[float, float], Interval],
-    low: float,
-    high: float,
-) -> Iterator[Branch]:
+def _branches(slopes: _Slopes, low: float, high: float) -> Iterator[Branch]:
     """Yield in order where the curve rises or falls; what is negligible is left out."""
-    over = slope(low, high)
-    if sign := _sign(over):
-        yield sign, low, high
-    elif _sign(bend(low, high)):
-        yield from _at_most_two(slope, low, high)
-    elif (high - low) * abs(over).b > NEGLIGIBLE:
+    order = next((n for n in range(_ORDERS) if slopes.sign(n, low, high)), None)
+    if order is not None:
+        ends = [low, high]
+        for lower in reversed(range(order)):
+            ends = [low, *slopes.zeros(lower, ends), high]
+        for start, end in pairwise(ends):
+            if sign := slopes.sign_between(start, end):
+                yield sign, start, end
+    elif (high - low) * abs(slopes.over(0, low, high)).b > NEGLIGIBLE:
         middle = (low + high) / 2
-        yield from _branches(slope, bend, low, middle)
-        yield from _branches(slope, bend, middle, high)
-
-
-def _at_most_two(
-    slope: Callable[[float, float], Interval], low: float, high: float
-) -> Iterator[Branch]:
-    """Yield the branches of a curve that bends one way only."""
-    first, last = _sign(slope(low, low)), _sign(slope(high, high))
-    if first * last < 0:
-        turn = bisect(lambda place: _sign(slope(place, place)) == first, low, high)
-        yield first, low, turn
-        yield last, turn, high
-    elif first or last:
-        yield first or last, low, high
-
-
-def _sign(over: Interval) -> int:
-    """Return 1 or -1 for an interval on one side of zero, 0 for one that touches it."""
-    return 1 if over.a > 0 else -1 if over.b < 0 else 0
+        yield from _branches(slopes, low, middle)
+        yield from _branches(slopes, middle, high)

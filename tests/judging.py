@@ -1,0 +1,43 @@
+"""Exercises by their kinds, machines to try them with, and how an answer is judged."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from cammotion.exercises.catalogue import EXERCISES
+from cammotion.exercises.expressions import ExpressionExercise
+from cammotion.exercises.kinds import ChoiceExercise, Exercise, NumberExercise, Slip
+from cammotion.variants import SOURCE, Machine, machine_for
+
+MACHINES = [SOURCE, *(machine_for(f"learner {n}") for n in range(20))]
+NUMBERS = [exercise for exercise in EXERCISES.values() if isinstance(exercise, NumberExercise)]
+CHOICES = [exercise for exercise in EXERCISES.values() if isinstance(exercise, ChoiceExercise)]
+(ACCELERATION,) = (e for e in EXERCISES.values() if isinstance(e, ExpressionExercise))
+
+
+def number_id(exercise: Exercise) -> str:
+    return exercise.number
+
+
+each_exercise = pytest.mark.parametrize("exercise", EXERCISES.values(), ids=number_id)
+each_number = pytest.mark.parametrize("exercise", NUMBERS, ids=number_id)
+each_choice = pytest.mark.parametrize("exercise", CHOICES, ids=number_id)
+
+
+def say(exercise: Exercise, answer: Any, machine: Machine = SOURCE) -> str:
+    """Return the reason that a wrong answer gets."""
+    verdict = exercise.judge(answer, machine)
+    assert verdict.state == "wrong", f"{answer!r} for {exercise.number}"
+    return verdict.text
+
+
+def is_right(exercise: Exercise, answer: Any, machine: Machine = SOURCE) -> bool:
+    return exercise.judge(answer, machine).state == "right"
+
+
+def reasons_of(exercise: Exercise) -> Iterator[str]:
+    """Return all reasons of an exercise for a wrong answer."""
+    slips: tuple[Slip, ...] = getattr(exercise, "slips", ())
+    yield from (slip.reason for slip in slips)
+    yield from getattr(exercise, "reasons", {}).values()

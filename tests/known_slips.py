@@ -1,0 +1,373 @@
+"""Wrong answers that a student could give, each computed the wrong way from a machine's numbers.
+
+What stands here knows nothing of the package: neither its laws nor the slips that it recognises.
+`said` is a pattern of which a fitting reason has to contain a match.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from cammotion.variants import Machine
+
+G = 9.80665
+
+
+@dataclass(frozen=True)
+class KnownSlip:
+    """A wrong answer to an exercise, how it comes about, and what a fitting reason speaks of."""
+
+    number: str
+    name: str
+    answer: Callable[[Machine], Any]
+    said: str
+
+
+def stroke(m: Machine) -> float:
+    """Return the stroke of the die in mm."""
+    return m.wait_mm + m.pocket_mm - m.gap_mm
+
+
+def die(m: Machine) -> float:
+    """Return the angle of the die without overlap."""
+    return (360 - m.mill_angle_deg - m.work_deg) / 2
+
+
+def later(m: Machine) -> float:
+    """Return the angle of the die with the quiet ends of the mill."""
+    return (360 - 0.8 * m.mill_angle_deg - m.work_deg) / 2
+
+
+def turn(m: Machine) -> float:
+    """Return the time of a turn in s."""
+    return 3600 / m.rate_per_hour
+
+
+def time(m: Machine, angle: float) -> float:
+    """Return the time of an angle in s."""
+    return angle / 360 * turn(m)
+
+
+def peak(m: Machine, angle: float, way: float | None = None, *, per_hour: float = 1) -> float:
+    """Return the peak acceleration in m/s²; `per_hour` spoils the rate."""
+    return 2 * math.pi * (way or stroke(m)) / 1000 / (time(m, angle) / per_hour) ** 2
+
+
+def law(x: float) -> float:
+    """Return the share of the stroke by the cycloid."""
+    return x - math.sin(2 * math.pi * x) / (2 * math.pi)
+
+
+def law_in_degrees(x: float) -> float:
+    """Return the share of the stroke as a calculator shows it that counts in degrees."""
+    return x - math.sin(math.radians(2 * math.pi * x)) / (2 * math.pi)
+
+
+def place(share: float, curve: Callable[[float], float] = law) -> float:
+    """Return x at which a curve reaches a share, by halving."""
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if curve(middle) < share else (low, middle)
+    return low
+
+
+def x_deep(m: Machine, margin: float = -1) -> float:
+    """Return x at which the die is as deep as it may be; `margin` times the margin comes on top."""
+    return place((m.wait_mm + margin * m.margin_mm) / stroke(m))
+
+
+def widest(m: Machine) -> float:
+    """Return the widest angle of the die."""
+    return later(m) / (1 - x_deep(m))
+
+
+def gain(m: Machine) -> float:
+    """Return how many times smaller the peak becomes."""
+    return (widest(m) / die(m)) ** 2
+
+
+def depth_x(m: Machine) -> float:
+    """Return which part of its move the die has done 30 degrees before it is down."""
+    return 1 - 30 / widest(m)
+
+
+def faster(m: Machine) -> float:
+    """Return the ratio of the rates in 02.4."""
+    return (m.rate_per_hour + 400) / m.rate_per_hour
+
+
+def slower(m: Machine) -> float:
+    """Return how many times slower the screen is in 04.2."""
+    return 9 / turn(m)
+
+
+def rest(m: Machine) -> float:
+    """Return the degrees in which the overlapped die rests at the top."""
+    return 360 - m.work_deg - 2 * widest(m)
+
+
+t, h_m, t_m, x = sympy.symbols("t h_m t_m x")
+X = t / t_m
+
+
+def without_return(t: float, h_m: float, t_m: float) -> None:
+    """Forget to return the acceleration."""
+    h_m / t_m**2 * (6 - 12 * t / t_m)
+
+
+KNOWN_SLIPS = [
+    KnownSlip("01.1", "both ways", lambda m: 360 - m.mill_angle_deg - m.work_deg, "both ways"),
+    KnownSlip("01.1", "work forgotten", lambda m: (360 - m.mill_angle_deg) / 2, "work"),
+    KnownSlip("01.1", "mill forgotten", lambda m: (360 - m.work_deg) / 2, "mill"),
+    KnownSlip("01.1", "in radians", lambda m: math.radians(die(m)), "radian"),
+    KnownSlip(
+        "01.1", "no brackets", lambda m: 360 - m.mill_angle_deg - m.work_deg / 2, "bracket|both"
+    ),
+    KnownSlip("01.1", "turned round", lambda m: -die(m), "sign"),
+    KnownSlip("01.1", "share of a turn", lambda m: die(m) / 360, "turn"),
+    KnownSlip("01.2", "whole turn", turn, "whole turn"),
+    KnownSlip("01.2", "in ms", lambda m: 1000 * time(m, m.work_deg), "millisecond|ms"),
+    KnownSlip("01.2", "in minutes", lambda m: time(m, m.work_deg) / 60, "minute"),
+    KnownSlip("01.2", "in hours", lambda m: m.work_deg / 360 / m.rate_per_hour, "hour"),
+    KnownSlip("01.2", "times degrees", lambda m: m.work_deg * turn(m), "degrees"),
+    KnownSlip(
+        "01.2",
+        "rate upside down",
+        lambda m: m.rate_per_hour / 3600 * m.work_deg / 360,
+        "upside down",
+    ),
+    KnownSlip("01.2", "the mill's time", lambda m: time(m, m.mill_angle_deg), "mill"),
+    KnownSlip("01.2", "the die's way", lambda m: time(m, die(m)), "each way"),
+    KnownSlip("01.2", "while not down", lambda m: time(m, 360 - m.work_deg), "not down|rest of"),
+    KnownSlip(
+        "01.3",
+        "no square",
+        lambda m: stroke(m) / m.pitch_mm * m.mill_angle_deg / die(m),
+        "square",
+    ),
+    KnownSlip("01.3", "no strokes", lambda m: (m.mill_angle_deg / die(m)) ** 2, "strokes"),
+    KnownSlip(
+        "01.3",
+        "mill by die",
+        lambda m: m.pitch_mm / stroke(m) * (die(m) / m.mill_angle_deg) ** 2,
+        "[Tt]urn it over",
+    ),
+    KnownSlip(
+        "01.3",
+        "angles upside down",
+        lambda m: stroke(m) / m.pitch_mm * (die(m) / m.mill_angle_deg) ** 2,
+        "upside down",
+    ),
+    KnownSlip("01.3", "strokes alone", lambda m: stroke(m) / m.pitch_mm, "strokes alone"),
+    KnownSlip(
+        "01.3",
+        "strokes upside down",
+        lambda m: m.pitch_mm / stroke(m) * (m.mill_angle_deg / die(m)) ** 2,
+        "strokes",
+    ),
+    KnownSlip(
+        "01.3",
+        "all squared",
+        lambda m: (stroke(m) / m.pitch_mm * m.mill_angle_deg / die(m)) ** 2,
+        "stroke",
+    ),
+    KnownSlip(
+        "01.3",
+        "third power",
+        lambda m: stroke(m) / m.pitch_mm * (m.mill_angle_deg / die(m)) ** 3,
+        "jerk",
+    ),
+    KnownSlip(
+        "01.3",
+        "in percent",
+        lambda m: 100 * stroke(m) / m.pitch_mm * (m.mill_angle_deg / die(m)) ** 2,
+        "percent",
+    ),
+    KnownSlip(
+        "02.1",
+        "no square",
+        lambda m: 2 * math.pi * stroke(m) / 1000 / time(m, die(m)),
+        "square",
+    ),
+    KnownSlip("02.1", "in mm", lambda m: 1000 * peak(m, die(m)), "mm"),
+    KnownSlip("02.1", "in cm", lambda m: 100 * peak(m, die(m)), "cm"),
+    KnownSlip("02.1", "2 pi lost", lambda m: peak(m, die(m)) / (2 * math.pi), "2 pi"),
+    KnownSlip("02.1", "2 pi twice", lambda m: peak(m, die(m)) * 2 * math.pi, "2 pi"),
+    KnownSlip("02.1", "pi for 2 pi", lambda m: peak(m, die(m)) / 2, "factor 2"),
+    KnownSlip("02.1", "mean", lambda m: 4 * stroke(m) / 1000 / time(m, die(m)) ** 2, "mean"),
+    KnownSlip(
+        "02.1",
+        "constant all the way",
+        lambda m: 2 * stroke(m) / 1000 / time(m, die(m)) ** 2,
+        "constant",
+    ),
+    KnownSlip("02.1", "whole turn", lambda m: peak(m, 360), "whole turn"),
+    KnownSlip("02.1", "velocity", lambda m: 2 * stroke(m) / 1000 / time(m, die(m)), "velocity"),
+    KnownSlip(
+        "02.1",
+        "jerk",
+        lambda m: 4 * math.pi**2 * stroke(m) / 1000 / time(m, die(m)) ** 3,
+        "jerk",
+    ),
+    KnownSlip("02.1", "in g", lambda m: peak(m, die(m)) / G, r"in g\b"),
+    KnownSlip("02.1", "the mill", lambda m: peak(m, m.mill_angle_deg, m.pitch_mm), "mill"),
+    KnownSlip("02.1", "both ways' angle", lambda m: peak(m, 2 * die(m)), "both ways|twice the"),
+    KnownSlip("02.1", "per minute", lambda m: peak(m, die(m), per_hour=60), "per minute"),
+    KnownSlip("02.1", "per second", lambda m: peak(m, die(m), per_hour=3600), "per second"),
+    KnownSlip("02.1", "angle in radians", lambda m: peak(m, math.radians(die(m))), "radian"),
+    KnownSlip("02.1", "time in ms", lambda m: peak(m, die(m)) / 1e6, r"\bms\b"),
+    KnownSlip("02.1", "upwards", lambda m: -peak(m, die(m)), "sign"),
+    KnownSlip(
+        "02.1",
+        "time rounded to 1/100 s",
+        lambda m: 2 * math.pi * stroke(m) / 1000 / round(time(m, die(m)), 2) ** 2,
+        "rounded",
+    ),
+    KnownSlip("02.2", "no chain rule", lambda _: h_m * (6 - 12 * X), "chain rule"),
+    KnownSlip("02.2", "chain rule once", lambda _: h_m / t_m * (6 - 12 * X), "once"),
+    KnownSlip("02.2", "velocity", lambda _: h_m / t_m * (6 * X - 6 * X**2), "velocity"),
+    KnownSlip("02.2", "displacement", lambda _: h_m * (3 * X**2 - 2 * X**3), "displacement"),
+    KnownSlip("02.2", "jerk", lambda _: -12 * h_m / t_m**3, "jerk"),
+    KnownSlip("02.2", "sign", lambda _: h_m / t_m**2 * (12 * X - 6), "sign"),
+    KnownSlip("02.2", "left in x", lambda _: h_m / t_m**2 * (6 - 12 * x), "contains x"),
+    KnownSlip("02.2", "t for x", lambda _: h_m / t_m**2 * (6 - 12 * t), "t/t_m"),
+    KnownSlip("02.2", "a cosine", lambda _: 6 * h_m / t_m**2 * sympy.cos(sympy.pi * X), "ends"),
+    KnownSlip(
+        "02.2",
+        "the cycloid's",
+        lambda _: 2 * sympy.pi * h_m / t_m**2 * sympy.sin(2 * sympy.pi * X),
+        "cycloid",
+    ),
+    KnownSlip("02.2", "factor 2 lost", lambda _: h_m / t_m**2 * (3 - 6 * X), "half"),
+    KnownSlip("02.2", "no stroke", lambda _: (6 - 12 * X) / t_m**2, "h_m"),
+    KnownSlip("02.2", "peak alone", lambda _: 6 * h_m / t_m**2, "peak"),
+    KnownSlip("02.2", "no return", lambda _: without_return, "return"),
+    KnownSlip("02.2", "a text", lambda _: "h_m/t_m**2*(6 - 12*t/t_m)", "quotes"),
+    KnownSlip("02.3", "weight", lambda m: m.die_mass_kg * G, "weight"),
+    KnownSlip(
+        "02.3", "weight added", lambda m: m.die_mass_kg * (peak(m, die(m)) + G), "weight was added"
+    ),
+    KnownSlip("02.3", "acceleration", lambda m: peak(m, die(m)), "the acceleration"),
+    KnownSlip(
+        "02.3",
+        "mean",
+        lambda m: m.die_mass_kg * 4 * stroke(m) / 1000 / time(m, die(m)) ** 2,
+        "mean",
+    ),
+    KnownSlip(
+        "02.3",
+        "no square",
+        lambda m: m.die_mass_kg * 2 * math.pi * stroke(m) / 1000 / time(m, die(m)),
+        "square",
+    ),
+    KnownSlip("02.3", "in kilograms", lambda m: m.die_mass_kg * peak(m, die(m)) / G, r"\bg\b"),
+    KnownSlip("02.3", "times g", lambda m: m.die_mass_kg * peak(m, die(m)) * G, r"\bg\b"),
+    KnownSlip("02.3", "mm/s²", lambda m: 1000 * m.die_mass_kg * peak(m, die(m)), "mm"),
+    KnownSlip("02.3", "in kN", lambda m: m.die_mass_kg * peak(m, die(m)) / 1000, "kN"),
+    KnownSlip(
+        "02.3",
+        "the mill",
+        lambda m: m.die_mass_kg * peak(m, m.mill_angle_deg, m.pitch_mm),
+        "mill",
+    ),
+    KnownSlip("02.4", "no square", faster, "counts twice|square"),
+    KnownSlip("02.4", "upside down", lambda m: 1 / faster(m) ** 2, "smaller|upside"),
+    KnownSlip("02.4", "the increase", lambda m: faster(m) ** 2 - 1, "by how much"),
+    KnownSlip("02.4", "percent", lambda m: 100 * (faster(m) ** 2 - 1), "percent"),
+    KnownSlip("02.4", "factor in percent", lambda m: 100 * faster(m) ** 2, "percent"),
+    KnownSlip("02.4", "third power", lambda m: faster(m) ** 3, "jerk"),
+    KnownSlip("02.4", "the new peak", lambda m: faster(m) ** 2 * peak(m, die(m)), "peak itself"),
+    KnownSlip("03.1", "constant velocity", lambda m: 0.1 * m.pitch_mm, "constant velocity"),
+    KnownSlip("03.1", "how far it came", lambda m: m.pitch_mm * law(0.9), "has come"),
+    KnownSlip("03.1", "share", lambda _: law(0.1), "share"),
+    KnownSlip("03.1", "percent", lambda _: 100 * law(0.1), "percent"),
+    KnownSlip("03.1", "degree mode", lambda m: m.pitch_mm * law_in_degrees(0.1), "radian"),
+    KnownSlip(
+        "03.1",
+        "not by 2 pi",
+        lambda m: m.pitch_mm * (0.1 - math.sin(0.2 * math.pi)),
+        "2 pi",
+    ),
+    KnownSlip("03.1", "series", lambda m: m.pitch_mm * 2 * math.pi**2 / 3 * 0.1**3, "series"),
+    KnownSlip(
+        "03.1",
+        "x of the whole turn",
+        lambda m: m.pitch_mm * law(0.1 * m.mill_angle_deg / 360),
+        "whole turn|of its move",
+    ),
+    KnownSlip("03.1", "in m", lambda m: m.pitch_mm * law(0.1) / 1000, "metres"),
+    KnownSlip("03.1", "0.65 %", lambda m: m.pitch_mm * 0.0065, "rounded"),
+    KnownSlip("03.2", "no overlap", die, "without overlap"),
+    KnownSlip("03.2", "ends twice", lambda m: die(m) + 0.2 * m.mill_angle_deg, "[Bb]oth quiet"),
+    KnownSlip("03.2", "one end", lambda m: (2 * die(m) + 0.1 * m.mill_angle_deg) / 2, "one of the"),
+    KnownSlip("03.2", "both ways", lambda m: 2 * later(m), "both ways"),
+    KnownSlip("03.2", "work forgotten", lambda m: (360 - 0.8 * m.mill_angle_deg) / 2, "work"),
+    KnownSlip("03.2", "effective angle", lambda m: 0.8 * m.mill_angle_deg, "effective"),
+    KnownSlip("03.3", "share", lambda m: (m.wait_mm - m.margin_mm) / stroke(m), "share"),
+    KnownSlip("03.3", "no margin", lambda m: x_deep(m, 0), "margin"),
+    KnownSlip("03.3", "margin added", lambda m: x_deep(m, 1), "margin was added"),
+    KnownSlip("03.3", "1 - x", lambda m: 1 - x_deep(m), "still to come"),
+    KnownSlip(
+        "03.3",
+        "law for its inverse",
+        lambda m: law((m.wait_mm - m.margin_mm) / stroke(m)),
+        "wrong way round",
+    ),
+    KnownSlip(
+        "03.3",
+        "degree mode",
+        lambda m: place((m.wait_mm - m.margin_mm) / stroke(m), law_in_degrees),
+        "radian",
+    ),
+    KnownSlip("03.3", "the depth", lambda m: m.wait_mm - m.margin_mm, "mm"),
+    KnownSlip("03.3", "percent", lambda m: 100 * x_deep(m), "percent"),
+    KnownSlip("03.3", "in degrees", lambda m: x_deep(m) * die(m), "degrees"),
+    KnownSlip("03.4", "by x", lambda m: later(m) / x_deep(m), "1 - x"),
+    KnownSlip("03.4", "times 1 - x", lambda m: later(m) * (1 - x_deep(m)), "larger"),
+    KnownSlip("03.4", "no quiet end", lambda m: die(m) / (1 - x_deep(m)), "quiet end"),
+    KnownSlip(
+        "03.4",
+        "share for x",
+        lambda m: later(m) / (1 - (m.wait_mm - m.margin_mm) / stroke(m)),
+        "share",
+    ),
+    KnownSlip("03.4", "no margin", lambda m: later(m) / (1 - x_deep(m, 0)), "margin"),
+    KnownSlip("03.4", "x = 1/2", lambda m: 2 * later(m), "half-way"),
+    KnownSlip("03.4", "the start", lambda m: m.mill_angle_deg + die(m) - widest(m), "start|begin"),
+    KnownSlip("03.5", "no square", lambda m: widest(m) / die(m), "square"),
+    KnownSlip("03.5", "new by old", lambda m: 1 / gain(m), "new by old"),
+    KnownSlip("03.5", "quiet ends alone", lambda m: (later(m) / die(m)) ** 2, "quiet ends"),
+    KnownSlip("03.5", "the peak", lambda m: peak(m, widest(m)), "peak itself"),
+    KnownSlip("03.5", "percent less", lambda m: 100 * (1 - 1 / gain(m)), "percent"),
+    KnownSlip("03.5", "difference", lambda m: peak(m, die(m)) - peak(m, widest(m)), "difference"),
+    KnownSlip("03.5", "third power", lambda m: gain(m) ** 1.5, "jerk"),
+    KnownSlip("04.1", "no overlap", lambda m: stroke(m) * law(1 - 30 / die(m)), "without overlap"),
+    KnownSlip("04.1", "still to go", lambda m: stroke(m) * law(1 - depth_x(m)), "still has to go"),
+    KnownSlip("04.1", "constant velocity", lambda m: stroke(m) * depth_x(m), "constant velocity"),
+    KnownSlip("04.1", "share", lambda m: law(depth_x(m)), "share"),
+    KnownSlip("04.1", "degree mode", lambda m: stroke(m) * law_in_degrees(depth_x(m)), "radian"),
+    KnownSlip(
+        "04.1",
+        "x of the turn",
+        lambda m: stroke(m) * law((m.mill_angle_deg + die(m) - 30) / 360),
+        "whole turn|its move",
+    ),
+    KnownSlip("04.2", "no square", slower, "counts twice|square"),
+    KnownSlip("04.2", "upside down", lambda m: 1 / slower(m) ** 2, "[Uu]pside down"),
+    KnownSlip("04.2", "third power", lambda m: slower(m) ** 3, "jerk"),
+    KnownSlip("04.2", "per minute", lambda m: (60 * slower(m)) ** 2, "per minute"),
+    KnownSlip("04.3", "in s", lambda m: time(m, rest(m)), r"in seconds"),
+    KnownSlip("04.3", "in degrees", rest, "in degrees"),
+    KnownSlip(
+        "04.3",
+        "one way",
+        lambda m: 1000 * time(m, 360 - m.work_deg - widest(m)),
+        "twice in a turn",
+    ),
+    KnownSlip("04.3", "the work", lambda m: 1000 * time(m, m.work_deg), "works"),
+    KnownSlip("04.3", "no work", lambda m: 1000 * time(m, 360 - 2 * widest(m)), "work"),
+]

@@ -1,0 +1,126 @@
+"""A learner works through notebook 03 in JupyterLab: the explorer and the exercises."""
+
+import json
+import shutil
+from collections.abc import Iterator
+
+import pytest
+from lab import ROOT, LabPage, require_chromium, running_browser, running_lab
+from machines import RULE, make_diagram
+from playwright.sync_api import Locator, expect
+
+import cammotion as cm
+
+WORK = "work-lesson-03-test"
+LESSON = "03_overlap.ipynb"
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
+    """Open notebook 03 by the link of notebook 00, and run all its cells."""
+    require_chromium()
+    home = tmp_path_factory.mktemp("jupyter")
+    try:
+        with running_browser() as browser, running_lab(home, WORK) as address:
+            lab = LabPage(browser, address)
+            lab.wait_for("00_start_here.ipynb")
+            lab.notebook.get_by_role("link", name="03 Overlap").click()
+            lab.wait_for(LESSON)
+            lab.command("notebook:run-all-cells")
+            yield lab
+    finally:
+        shutil.rmtree(ROOT / WORK, ignore_errors=True)
+
+
+@pytest.fixture
+def lesson(ran: LabPage) -> Iterator[LabPage]:
+    """Give the lesson, in which nothing may go wrong."""
+    yield ran
+    assert ran.troubles() == []
+    assert ran.complaints == []
+
+
+@pytest.fixture
+def output(lesson: LabPage) -> Locator:
+    """Give the output of the explorer."""
+    return lesson.output_of("cm.explore_overlap(")
+
+
+def set_to(output: Locator, name: str, value: float) -> None:
+    field = output.get_by_label(name)
+    field.fill(f"{value:g}")
+    field.press("Enter")
+
+
+def test_the_widest_move_is_found_by_a_button(output: Locator) -> None:
+    picture = output.get_by_role("img")
+    before = picture.screenshot()
+    output.get_by_role("button", name="Widest move of the die").press("Enter")
+    widest = cm.widest_move(make_diagram(), "die", RULE)
+    expect(output.get_by_role("status")).to_contain_text(f"die: {widest.angle_deg:.5g} deg")
+    expect(output.get_by_role("status")).to_contain_text("No collision.")
+    assert picture.screenshot() != before
+
+
+def test_a_collision_turns_up_at_once_and_is_named(output: Locator) -> None:
+    set_to(output, "die: angle Bm, deg", 130)
+    set_to(output, "die: start, deg", 75)
+    status = output.get_by_role("status")
+    expect(status).to_contain_text("COLLISION: the die is 2.14 mm too deep at 15.038 deg")
+    angle = output.get_by_role("slider").first
+    angle.press("Home")
+    expect(status).to_contain_text("die: 20 deg")
+    angle.press("ArrowRight")
+    expect(status).to_contain_text("die: 20.5 deg")
+    assert output.get_by_role("img").evaluate("image => image.naturalWidth") == 940
+
+
+def test_every_control_has_a_name(output: Locator) -> None:
+    for name in ("die: angle Bm, deg", "die: start, deg", "mill: angle, deg", "margin, mm"):
+        expect(output.get_by_label(name)).to_be_visible()
+
+
+def kept() -> dict[str, dict[str, dict[str, object]]]:
+    """Read the learner's progress off the disk."""
+    content: dict[str, dict[str, dict[str, object]]] = json.loads(
+        (ROOT / WORK / "progress.json").read_text("utf-8")
+    )
+    return content
+
+
+def test_a_choice_is_made_by_keyboard_and_answered_with_a_reason(lesson: LabPage) -> None:
+    control = lesson.output_of('cm.choose("03.6")')
+    expect(control.get_by_role("status")).to_have_count(0)  # nothing is chosen beforehand
+    wrong = control.get_by_role("button", name="(b) The left edge of the forbidden region")
+    right = control.get_by_role("button", name="(a) The lower edge of the forbidden region")
+    wrong.press("Space")
+    said = control.get_by_role("status")
+    expect(said).to_contain_text("03.6: Not yet. The left edge says how exactly the mill")
+    wrong.press("Shift+Tab")
+    expect(right).to_be_focused()
+    right.press("Enter")
+    expect(said).to_contain_text("03.6: Right. Safety has a price")
+    assert kept()["exercises"]["03.6"]["state"] == "right"
+
+
+def test_a_prediction_is_kept_and_shown_again(lesson: LabPage) -> None:
+    field = lesson.output_of('cm.predict("03.share"').get_by_role("textbox")
+    expect(field).to_have_value("")
+    field.fill("3 percent")
+    field.press("Tab")
+    cell = lesson.notebook.locator(".jp-CodeCell", has_text="share_guess.said")
+    cell.locator(".cm-content").click()
+    lesson.command("notebook:run-cell")
+    expect(cell.locator(".jp-OutputArea-output")).to_contain_text("You predicted 3 percent.")
+    assert kept()["predictions"]["03.share"]["text"] == "3 percent"
+
+
+def test_an_answer_is_checked_where_it_stands(lesson: LabPage) -> None:
+    cell = lesson.notebook.locator(".jp-CodeCell", has_text="answer_1 = None")
+    cell.locator(".cm-content").click()
+    lesson.page.keyboard.press("ControlOrMeta+a")
+    lesson.page.keyboard.type("answer_1 = 10")
+    for _ in range(2):
+        lesson.command("notebook:run-cell-and-select-next")
+    said = lesson.output_of('cm.check("03.1"').get_by_role("status")
+    expect(said).to_contain_text("03.1: Not yet. This would be so at constant velocity.")

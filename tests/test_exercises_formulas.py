@@ -1,0 +1,104 @@
+"""Formulas as answers: the right one in any form, and why another one is wrong."""
+
+import functools
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+from judging import ACCELERATION, is_right, say
+
+from cammotion.variants import SOURCE
+
+t, h_m, t_m = sympy.symbols("t h_m t_m")
+FORMULA = h_m / t_m**2 * (6 - 12 * t / t_m)
+
+
+def as_function(t: float, h_m: float, t_m: float) -> float:
+    return h_m / t_m**2 * (6 - 12 * t / t_m)
+
+
+def in_another_order(h_m: float, t_m: float, t: float) -> float:
+    return as_function(t, h_m, t_m)
+
+
+def with_numpy(t: Any, h_m: Any, t_m: Any) -> Any:
+    return np.asarray(np.multiply(h_m / t_m**2, 6 - 12 * np.divide(t, t_m)))
+
+
+class WithCall:
+    """A formula as an object."""
+
+    def __call__(self, *place: float) -> float:
+        """Return the acceleration."""
+        return as_function(*place)
+
+
+def with_symbols(**assumed: bool) -> sympy.Expr:
+    """Return the formula in symbols with assumptions."""
+    return FORMULA.subs({s: sympy.Symbol(s.name, **assumed) for s in (t, h_m, t_m)})
+
+
+def derived() -> sympy.Expr:
+    """Derive the formula as a lesson does."""
+    t, h_m, t_m = sympy.symbols("t h_m t_m", positive=True)
+    return sympy.diff(h_m * (3 * (t / t_m) ** 2 - 2 * (t / t_m) ** 3), t, 2)
+
+
+RIGHT_FORMULAS: dict[str, Any] = {
+    "expanded": sympy.expand(FORMULA),
+    "factored": 6 * h_m * (t_m - 2 * t) / t_m**3,
+    "positive symbols": with_symbols(positive=True),
+    "real symbols": with_symbols(real=True),
+    "derived": derived(),
+    "lambda": lambda t, h, tm: h / tm**2 * (6 - 12 * t / tm),
+    "def": as_function,
+    "named, in another order": in_another_order,
+    "with NumPy": with_numpy,
+    "vectorised": np.vectorize(as_function),
+    "lambdified": sympy.lambdify((t, h_m, t_m), FORMULA),
+    "an object": WithCall(),
+    "partly applied": functools.partial(as_function),
+    "returns SymPy": lambda *place: FORMULA.subs(zip((t, h_m, t_m), place, strict=True)),
+}
+
+
+@pytest.mark.parametrize("formula", RIGHT_FORMULAS.values(), ids=RIGHT_FORMULAS)
+def test_the_right_formula_in_every_sensible_form(formula: Any) -> None:
+    assert is_right(ACCELERATION, formula), ACCELERATION.judge(formula, SOURCE)
+
+
+ODD_FORMULAS: list[tuple[Any, str]] = [
+    (FORMULA * (1 + sympy.Rational(1, 1000)), r"1\.001 times what it should be"),
+    (-FORMULA, "not the sign"),
+    (6 * h_m / t_m**2 * sympy.cos(sympy.pi * t / t_m), "right at both ends and wrong between"),
+    (FORMULA + t, "another formula"),
+    (sympy.Symbol("hm") * FORMULA, "contains hm. Write an expression in t, h_m, t_m"),
+    (str(FORMULA), "without quotes"),
+    ([FORMULA], "several values .*list"),
+    (sympy.Matrix([FORMULA]), "several values"),
+    (sympy.Eq(h_m, FORMULA), "is no formula"),
+    (True, "is no formula"),
+    (3.0, "another formula"),
+    (sympy.sqrt(-h_m), "real, finite"),
+    (sympy.zoo + t, "divided by zero"),
+    (lambda t, h_m, t_m: None, "returns nothing. Has return been forgotten"),  # noqa: ARG005
+    (lambda t, h_m, t_m: "3", "what your function returns. This is a text"),  # noqa: ARG005
+    (lambda t, h_m, t_m: [t], "what your function returns. This may hold several"),  # noqa: ARG005
+    (lambda t, h_m, t_m: FORMULA, "what your function returns. There still is h_m"),  # noqa: ARG005
+    (lambda t: t, "stopped with TypeError"),
+    (lambda t, h_m, t_m: 1 / 0, "stopped with ZeroDivisionError"),  # noqa: ARG005
+    (print, "returns nothing"),
+]
+
+
+@pytest.mark.parametrize(("formula", "said"), ODD_FORMULAS)
+def test_a_wrong_formula_is_told_why(formula: Any, said: str, capsys: Any) -> None:
+    assert re.search(said, say(ACCELERATION, formula))
+    capsys.readouterr()  # what print has printed
+
+
+def test_each_slip_in_the_formula_gets_its_own_reason() -> None:
+    for slip in ACCELERATION.slips:
+        assert say(ACCELERATION, slip.answer(SOURCE)) == slip.reason

@@ -1,0 +1,296 @@
+"""Whatever is given as an answer: no exception, always a sentence, nothing wrong taken as right."""
+
+import math
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import cycle
+from typing import Any, NoReturn
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+from judging import ACCELERATION, CHOICES, NUMBERS
+from machines import examples
+
+from cammotion.exercises.catalogue import EXERCISES
+from cammotion.exercises.kinds import ChoiceExercise, Exercise, NumberExercise, Verdict
+from cammotion.variants import SOURCE, machine_for
+
+MACHINE = machine_for("fuzz")
+FAST = [exercise for exercise in NUMBERS if exercise.number < "04"]
+SOLUTIONS = {exercise: exercise.solution(MACHINE) for exercise in FAST}
+IN_TURN = cycle(FAST)
+BATCH = 20
+
+
+def refuse(*_: Any, **__: Any) -> NoReturn:
+    raise RuntimeError("no")
+
+
+def make_hostile(*names: str, base: type = object) -> Any:
+    """Return an object that raises when one of its methods is called."""
+    return type("Hostile", (base,), dict.fromkeys(names, refuse))()
+
+
+class NoClass:
+    """An object that raises when it is asked for its class."""
+
+    @property  # type: ignore[misc]
+    def __class__(self) -> Any:
+        raise RuntimeError("no")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Held:
+    """Holds an object that hypothesis must not look at."""
+
+    answer: Any
+
+
+@dataclass(frozen=True)
+class Near:
+    """An answer that is near to the right one of an exercise, or right."""
+
+    exercise: NumberExercise
+    answer: Any
+
+
+@dataclass
+class Frame:
+    """What pandas gives: a column that can be iterated over and made an array."""
+
+    values: tuple[float, ...] = (4.154,)
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        return np.array(self.values)
+
+
+class Endless:
+    """A collection that never ends."""
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(int, 1)
+
+
+HOSTILE = [
+    *[
+        make_hostile(name)
+        for name in (
+            *("__float__", "__complex__", "__eq__", "__repr__", "__str__", "__len__", "__iter__"),
+            *("__bool__", "__hash__", "__getattr__", "__call__", "__index__", "__array__"),
+            *("_sympy_", "__getattribute__"),
+        )
+    ],
+    make_hostile("__complex__", "__float__", "__repr__", "__hash__", base=float),
+    make_hostile("__float__", "__index__", "__repr__", base=int),
+    make_hostile("strip", "casefold", "__eq__", "__hash__", "__repr__", "__getitem__", base=str),
+    make_hostile("__len__", "__iter__", "__repr__", base=list),
+    sympy.Symbol("q"),
+    NoClass(),
+    Frame(),
+    Endless(),
+    math,
+    int,
+    object,
+    refuse,
+    print,
+    np.sin,
+    sympy.sin,
+    NotImplemented,
+    Verdict("right", ""),
+]
+DTYPES = "?bhilqBHILQefdgFDGSUVOMm"
+ARRAYS = [np.zeros(shape, dtype) for dtype in DTYPES for shape in ((), (1,), (0,), (3,), (2, 2))]
+ODD_SYMPY = [
+    *(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I, sympy.true, sympy.EmptySet),
+    *(sympy.Integer(10) ** 400, sympy.Rational(1, 3), sympy.sqrt(-2), sympy.Symbol("t") / 0),
+    *(sympy.Matrix([[1, 2]]), sympy.Eq(sympy.Symbol("t"), 2), sympy.Interval(0, 1)),
+    sympy.Piecewise((1, sympy.Symbol("t") < 1)),
+    sympy.Integral(sympy.Symbol("t"), (sympy.Symbol("t"), 0, 1)),
+    sympy.Function("f")(1),
+    sympy.Function("f"),
+    sympy.Lambda(sympy.Symbol("t"), 1),
+    sympy.Derivative(sympy.Symbol("t"), sympy.Symbol("t")),
+    sympy.FiniteSet(1, 2),
+    sympy.Tuple(1, 2),
+    sympy.O(sympy.Symbol("t")),
+]
+
+near_one = st.floats(0.98, 1.02) | st.sampled_from([1, -1, 1000, 2 * math.pi, 0.5, 0.9959, 1.0041])
+near_right = st.builds(
+    lambda exercise, factor, as_type: Near(exercise, as_type(SOLUTIONS[exercise] * factor)),
+    st.sampled_from(FAST),
+    near_one,
+    st.sampled_from([float, np.float64, np.array, sympy.Float, Fraction, complex]),
+)
+plain = st.one_of(
+    st.none(),
+    st.just(...),
+    st.booleans(),
+    st.integers(),
+    st.integers(-(10**400), 10**400),
+    st.floats(),
+    st.complex_numbers(),
+    st.fractions(),
+    st.decimals(),
+    st.text(),
+    st.characters(categories=["Cs", "Cc", "Nd"]),
+    st.binary(),
+    st.sampled_from("abcdABCD"),
+    st.dates(),
+)
+hashable = st.integers() | st.text(max_size=3) | st.floats()
+ANYTHING = st.one_of(
+    plain,
+    near_right,
+    near_right,
+    st.sampled_from([Held(answer) for answer in HOSTILE]),
+    st.sampled_from(ARRAYS),
+    st.sampled_from(ODD_SYMPY),
+    st.lists(plain, max_size=3),
+    st.recursive(st.integers(), lambda inner: st.lists(inner, max_size=2), max_leaves=5),
+    st.tuples(plain),
+    st.sets(hashable, max_size=3),
+    st.dictionaries(hashable, plain, max_size=2),
+)
+
+
+def read(answer: Any) -> complex:
+    """Read a number that was taken as right, in another way than the package does."""
+    return complex(np.asarray(answer, dtype=object).item())
+
+
+def let_go(answer: Any) -> Any:
+    return answer.answer if type(answer) in {Held, Near} else answer
+
+
+def assert_sound(exercise: Exercise, answer: Any) -> None:
+    verdict = exercise.judge(answer, MACHINE)
+    assert verdict.state in {"open", "right", "wrong"}
+    assert verdict.text.strip()
+    assert len(verdict.text) < 500
+    if verdict.state == "right" and isinstance(exercise, NumberExercise):
+        right = exercise.solution(MACHINE)
+        assert abs(read(answer) - right) <= exercise.tolerance * right / (1 - exercise.tolerance)
+    if verdict.state == "right" and isinstance(exercise, ChoiceExercise):
+        assert exercise.answer in str(answer).casefold()
+
+
+@given(st.lists(ANYTHING, min_size=BATCH, max_size=BATCH))
+@examples(10_000 // BATCH)
+def test_ten_thousand_answers_of_every_type(answers: list[Any]) -> None:
+    for drawn in answers:
+        exercise = drawn.exercise if type(drawn) is Near else next(IN_TURN)
+        assert_sound(exercise, let_go(drawn))
+        assert_sound(CHOICES[0], let_go(drawn))
+
+
+@pytest.mark.parametrize("exercise", EXERCISES.values(), ids=lambda exercise: exercise.number)
+def test_every_odd_object_is_answered_by_every_exercise(exercise: Exercise) -> None:
+    for answer in (*HOSTILE, *ARRAYS, *ODD_SYMPY):
+        assert_sound(exercise, answer)
+
+
+T, H_M, T_M = sympy.symbols("t h_m t_m")
+RIGHT = H_M / T_M**2 * (6 - 12 * T / T_M)
+PLACES = [{T: 0.3 * t_m, H_M: h_m, T_M: t_m} for h_m in (0.5, 1.3) for t_m in (0.7, 1.9)]
+formulas = st.recursive(
+    st.sampled_from([T, H_M, T_M, sympy.Integer(2), sympy.pi, RIGHT]),
+    lambda inner: st.builds(
+        lambda combine, one, other: combine(one, other),
+        st.sampled_from(
+            [
+                lambda one, other: one + other,
+                lambda one, other: one * other,
+                lambda one, other: one / other,
+                lambda one, other: one - other,
+                lambda one, _: one**2,
+                lambda one, _: sympy.sin(one),
+                lambda one, _: sympy.log(one),
+                lambda one, other: sympy.Piecewise((one, T < 1), (other, True)),
+            ]
+        ),
+        inner,
+        inner,
+    ),
+    max_leaves=4,
+)
+
+
+@given(formulas)
+@examples(150)
+def test_no_wrong_formula_is_taken_as_right(formula: Any) -> None:
+    verdict = ACCELERATION.judge(formula, SOURCE)
+    assert verdict.text.strip()
+    if verdict.state == "right":
+        for place in PLACES:
+            assert complex(formula.subs(place)) == pytest.approx(complex(RIGHT.subs(place)))
+
+
+@given(ANYTHING)
+@examples(200)
+def test_functions_that_return_anything(answer: Any) -> None:
+    verdict = ACCELERATION.judge(lambda *_: let_go(answer), MACHINE)
+    assert verdict.state == "wrong"
+    assert verdict.text.strip()
+
+
+RAISED = [RuntimeError("no"), RecursionError(), MemoryError(), StopIteration(), AssertionError()]
+
+
+@pytest.mark.parametrize("error", RAISED, ids=repr)
+def test_functions_that_raise(error: Exception) -> None:
+    def raising(*_: float) -> float:
+        raise error
+
+    assert f"stopped with {type(error).__name__}" in ACCELERATION.judge(raising, MACHINE).text
+
+
+@pytest.mark.parametrize("leave", [KeyboardInterrupt, SystemExit])
+def test_who_wants_to_leave_may(leave: type[BaseException]) -> None:
+    def leaving(*_: float) -> float:
+        raise leave
+
+    with pytest.raises(leave):
+        ACCELERATION.judge(leaving, MACHINE)
+
+
+def nested(depth: int) -> list[Any]:
+    """Return lists within lists, deeper than Python can go."""
+    inner: list[Any] = []
+    for _ in range(depth):
+        inner = [inner]
+    return inner
+
+
+HUGE: dict[str, Callable[[], Any]] = {
+    "list": lambda: [1.0] * 10**6,
+    "nested list": lambda: nested(10**5),
+    "array": lambda: np.zeros(10**7),
+    "text": lambda: "a" * 10**6,
+    "dict": lambda: dict.fromkeys(range(10**5)),
+    "bytes": lambda: b"a" * 10**6,
+}
+
+
+@pytest.mark.parametrize("make", HUGE.values(), ids=HUGE)
+@pytest.mark.parametrize("exercise", [NUMBERS[0], CHOICES[0], ACCELERATION], ids=lambda e: e.number)
+def test_a_huge_answer_is_judged_without_being_looked_through(
+    exercise: Exercise, make: Callable[[], Any]
+) -> None:
+    answer = make()
+    started = time.perf_counter()
+    verdict = exercise.judge(answer, MACHINE)
+    assert time.perf_counter() - started < 0.1
+    assert verdict.state == "wrong"
+    assert len(verdict.text) < 300

@@ -1,0 +1,55 @@
+"""Choices by their letters, the ladder of hints, and whether every sentence is one."""
+
+import re
+
+import pytest
+from judging import MACHINES, each_choice, each_exercise, is_right, reasons_of, say
+
+from cammotion.exercises.kinds import ChoiceExercise, Exercise, NumberExercise
+from cammotion.variants import machine_for
+
+
+@each_choice
+def test_a_choice_by_its_letter(exercise: ChoiceExercise) -> None:
+    right = exercise.answer
+    for spelling in ("{}", "{}.", "{})", "({})", " {} ", "( {} )", "{}:", "'{}'", "{}\n"):
+        for letter in (right, right.upper(), chr(ord(right) + 0xFEE0)):  # the last is full-width
+            assert is_right(exercise, spelling.format(letter)), spelling.format(letter)
+    reasons = {say(exercise, letter) for letter in exercise.options if letter != right}
+    assert reasons == {*exercise.reasons.values()}
+    assert len(reasons) == len(exercise.options) - 1
+    assert {*exercise.reasons} == exercise.options.keys() - {right}
+
+
+@pytest.mark.parametrize("nonsense", ["e", "aa", "?", "all of them", 1, 2.5, ["a"], {"a"}, b"a"])
+@each_choice
+def test_a_choice_that_is_none_is_told_the_letters(
+    exercise: ChoiceExercise, nonsense: object
+) -> None:
+    assert f"one of the letters {', '.join(exercise.options)}" in say(exercise, nonsense)
+
+
+@each_exercise
+def test_there_are_three_hints_and_none_holds_the_answer(exercise: Exercise) -> None:
+    assert len({*exercise.hints}) == 3
+    if isinstance(exercise, NumberExercise):
+        said = [*exercise.hints, *(slip.reason for slip in exercise.slips)]
+        held = {*re.findall(r"\d+(?:\.\d+)?", " ".join(said))}
+        for machine in (machine_for(f"hints {n}") for n in range(50)):
+            right = exercise.solution(machine)
+            usual = {f"{right:.{digits}g}" for digits in range(2, 9)}
+            usual |= {f"{right:.{digits}f}" for digits in range(2, 7)}
+            assert not held & usual, machine.who
+    if isinstance(exercise, ChoiceExercise):
+        assert not any(exercise.options[exercise.answer] in hint for hint in exercise.hints)
+        assert not any(f"({exercise.answer})" in hint for hint in exercise.hints)
+
+
+@each_exercise
+def test_every_sentence_is_a_sentence(exercise: Exercise) -> None:
+    for machine in MACHINES:
+        assert exercise.question(machine)[-1] in "?.", exercise.question(machine)
+        assert not re.search(r"\.\d{6}|e[-+]\d\d|None|nan", exercise.question(machine))
+    for said in (exercise.right, *exercise.hints, *reasons_of(exercise)):
+        assert re.match(r"[A-Z(]", said), said
+        assert said[-1] in "?.", said

@@ -1,0 +1,207 @@
+"""A machine for each learner: always solvable, always in range, the same for the same name."""
+
+import math
+import os
+import subprocess
+import sys
+import unicodedata
+from dataclasses import asdict, replace
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+from known_slips import die, law, place, rest, stroke, widest
+
+import cammotion as cm
+from cammotion.checks import Floats
+from cammotion.exercises.catalogue import EXERCISES
+from cammotion.exercises.kinds import NumberExercise
+from cammotion.overlap import find_violations, with_angle
+from cammotion.variants import SOURCE, Machine, machine_for
+
+RANGES = {
+    "rate_per_hour": (1200, 3000),
+    "pitch_mm": (80, 130),
+    "stops": (16, 32),
+    "mill_angle_deg": (120, 170),
+    "work_deg": (70, 120),
+    "wait_mm": (15, 30),
+    "pocket_mm": (20, 40),
+    "gap_mm": (1, 1),
+    "margin_mm": (1, 3),
+    "die_mass_kg": (5, 30),
+}
+CHEAP = ("01.1", "01.2", "01.3", "02.3", "02.4", "03.2", "04.2")
+NEVER_CHANGED: dict[str | int, tuple[float, ...]] = {
+    "Anna": (2700, 120, 16, 150, 110, 27, 36, 1, 2, 29),
+    7: (2400, 110, 16, 170, 80, 22, 25, 1, 1.5, 19),
+    "Jörg Müller": (1600, 90, 16, 160, 120, 19, 39, 1, 1, 27),
+}
+"""What a name has led to since the first day; a notebook of last year has to stay right."""
+
+
+@pytest.fixture(scope="module")
+def machines() -> list[Machine]:
+    """Return 10,000 machines, of names and of numbers."""
+    return [machine_for(who) for n in range(5000) for who in (n, f"Learner {n}")]
+
+
+@pytest.fixture(scope="module")
+def sample(machines: list[Machine]) -> list[Machine]:
+    return machines[::50]
+
+
+def column(machines: list[Machine], name: str) -> Floats:
+    """Return a property of all machines."""
+    return np.array([getattr(machine, name) for machine in machines], dtype=float)
+
+
+def numbers_of(machine: Machine) -> tuple[float, ...]:
+    return tuple(getattr(machine, name) for name in RANGES)
+
+
+def test_every_number_is_in_its_range(machines: list[Machine]) -> None:
+    for name, (low, high) in RANGES.items():
+        values = column(machines, name)
+        assert low <= values.min()
+        assert values.max() <= high
+        assert {low, high} <= {*values}, name
+
+
+def test_the_die_always_has_room(machines: list[Machine]) -> None:
+    angles = column(machines, "die_angle_deg")
+    assert angles.min() >= 40
+    left = 360 - column(machines, "mill_angle_deg") - column(machines, "work_deg")
+    assert np.array_equal(angles, left / 2)
+    assert (column(machines, "margin_mm") < column(machines, "wait_mm")).all()
+
+
+def test_the_widest_move_always_leaves_a_rest_at_the_top(machines: list[Machine]) -> None:
+    share = column(machines, "limit_mm") / column(machines, "stroke_mm")
+    low, high = np.zeros_like(share), np.ones_like(share)
+    for _ in range(50):  # the cycloid's inverse, by halving
+        middle = (low + high) / 2
+        below = middle - np.sin(2 * np.pi * middle) / (2 * np.pi) < share
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    widest_deg = column(machines, "overlapped_deg") / (1 - low)
+    assert (widest_deg > column(machines, "die_angle_deg")).all()
+    assert (360 - column(machines, "work_deg") - 2 * widest_deg).min() >= 4 - 1e-9
+
+
+def test_hardly_any_two_are_alike(machines: list[Machine]) -> None:
+    assert len({*machines}) >= 9990
+    assert SOURCE not in machines
+
+
+def test_the_widest_move_keeps_its_rule_and_a_wider_one_breaks_it(sample: list[Machine]) -> None:
+    for machine in sample:
+        angle = machine.widest_deg
+        assert angle == pytest.approx(widest(machine), abs=1e-6)
+        assert 2 * angle + machine.work_deg <= 360 - 4 + 1e-9
+        for wider, breaks in ((0.0, False), (0.01, True)):
+            moved = with_angle(machine.die, angle + wider)
+            diagram = cm.TimingDiagram((machine.mill, moved), machine.rate_per_hour)
+            assert bool(find_violations(diagram, [machine.rule])) is breaks, (machine.who, wider)
+
+
+def test_every_answer_is_finite_and_positive(machines: list[Machine]) -> None:
+    for number in CHEAP:
+        answers = np.array([EXERCISES[number].solution(machine) for machine in machines])
+        assert np.isfinite(answers).all(), number
+        assert answers.min() > 0, number
+
+
+def test_every_exercise_is_solvable_with_a_sample(sample: list[Machine]) -> None:
+    for exercise in EXERCISES.values():
+        if isinstance(exercise, NumberExercise):
+            answers = np.array([exercise.solution(machine) for machine in sample])
+            assert np.isfinite(answers).all(), exercise.number
+            assert answers.min() > 0, exercise.number
+
+
+def test_the_numbers_agree_with_those_done_by_hand(sample: list[Machine]) -> None:
+    for machine in sample:
+        assert machine.stroke_mm == stroke(machine)
+        assert machine.die_angle_deg == die(machine)
+        assert machine.limit_mm == machine.wait_mm - machine.margin_mm
+        x = place(machine.limit_mm / machine.stroke_mm)
+        assert law(x) == pytest.approx(machine.limit_mm / machine.stroke_mm)
+        assert rest(machine) > 0
+
+
+@pytest.mark.parametrize("who", [*NEVER_CHANGED], ids=str)
+def test_a_name_leads_to_the_same_numbers_for_ever(who: str | int) -> None:
+    assert numbers_of(machine_for(who)) == NEVER_CHANGED[who]
+
+
+def test_the_numbers_do_not_depend_on_the_hash_of_a_run() -> None:
+    code = (
+        "from cammotion.variants import machine_for\n"
+        f"for who in {[*NEVER_CHANGED]!r}:\n"
+        f"    print([getattr(machine_for(who), name) for name in {[*RANGES]!r}])"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        env=os.environ | {"PYTHONHASHSEED": "1", "PYTHONUTF8": "1"},
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=True,
+    )
+    assert run.stdout.splitlines() == [str([*numbers]) for numbers in NEVER_CHANGED.values()]
+
+
+@pytest.mark.parametrize(
+    "spelling",
+    [
+        "jörg müller",
+        "JÖRG MÜLLER",
+        "  Jörg Müller\n",
+        unicodedata.normalize("NFD", "Jörg Müller"),
+        "\uff2aörg Müller",  # with a full-width J
+    ],
+)
+def test_spellings_of_a_name(spelling: str) -> None:
+    assert machine_for(spelling) == machine_for("Jörg Müller")
+
+
+@pytest.mark.parametrize("seven", ["7", " 7 ", "\uff17", np.int64(7), sympy.Integer(7)])
+def test_spellings_of_a_number(seven: Any) -> None:
+    assert machine_for(seven) == machine_for(7)
+
+
+@pytest.mark.parametrize("nobody", ["", "   ", "\n\t", "\u3000"])
+def test_without_a_name_the_numbers_are_the_sources(nobody: str) -> None:
+    assert machine_for(nobody) == SOURCE == machine_for()
+    assert asdict(SOURCE) == asdict(Machine())
+
+
+@pytest.mark.parametrize("who", [0, -7, 2**64, "\ud800", "a\0b", "x" * 100_000, "🙂", "王"])
+def test_odd_names_get_a_machine_too(who: str | int) -> None:
+    assert machine_for(who) != SOURCE
+
+
+@pytest.mark.parametrize(
+    "who", [None, 7.0, math.nan, True, False, [], ["Anna"], {}, b"Anna", object(), Ellipsis, 7j]
+)
+def test_what_is_neither_name_nor_number_is_refused_in_words(who: object) -> None:
+    with pytest.raises(cm.InputError, match=r"name or a whole number, not .*: give .* or 17\.$"):
+        machine_for(who)
+
+
+def test_a_number_too_long_to_be_written_out_is_refused_in_words() -> None:
+    with pytest.raises(cm.InputError, match="too long: give a shorter one, for example 17"):
+        machine_for(10**5000)
+
+
+def test_a_machine_says_its_numbers() -> None:
+    said = str(machine_for("Anna"))
+    assert said.startswith("The machine of Anna: ")
+    assert f"{machine_for('Anna').rate_per_hour} pieces per hour" in said
+    assert f"a stroke of {machine_for('Anna').stroke_mm:g} mm" in said
+    assert str(SOURCE).startswith("The machine of the source: 2000 pieces per hour")
+
+
+def test_who_it_is_does_not_make_another_machine() -> None:
+    assert replace(machine_for("Anna"), who="Bert") == machine_for("Anna")
