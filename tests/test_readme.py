@@ -24,8 +24,8 @@ COMMAND = re.compile(r"(?:python3?|py) workbook\.py([^`\n]*)")
 
 
 def texts() -> dict[str, str]:
-    """Return all prose that may name a command: README, and the Markdown of the notebooks."""
-    found = {"README.md": README}
+    """Return all prose that may name a command: README, the teacher's page, and the notebooks."""
+    found = {"README.md": README, "teaching.md": (ROOT / "docs/teaching.md").read_text("utf-8")}
     for path in notebooks.originals():
         cells = json.loads(path.read_text("utf-8"))["cells"]
         prose = ["".join(c["source"]) for c in cells if c["cell_type"] == "markdown"]

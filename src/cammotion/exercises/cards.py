@@ -86,6 +86,13 @@ class Feedback(Card):
         return (f"{self.number}: {_WORDS[self.verdict.state]}", self.verdict.text)
 
 
+class Unseen(Feedback):
+    """Feedback that shows nothing: nbgrader tries to read points out of what a cell shows."""
+
+    def _ipython_display_(self) -> None:
+        """Show nothing."""
+
+
 @dataclass(frozen=True, repr=False)
 class Hint(Card):
     """One step of the ladder of hints."""

@@ -4,7 +4,7 @@ import os
 from typing import Any
 
 from cammotion.checks import InputError, shorten
-from cammotion.exercises.cards import Feedback, Hint, Line, Progress, Question
+from cammotion.exercises.cards import Feedback, Hint, Line, Progress, Question, Unseen
 from cammotion.exercises.catalogue import EXERCISES, find_exercise
 from cammotion.exercises.controls import ChoiceControl, PredictionControl
 from cammotion.exercises.kinds import ChoiceExercise, State, Verdict
@@ -163,7 +163,7 @@ def _judge(number: str, answer: Any) -> Feedback:
     if GRADING in os.environ:
         if verdict.state != "right":
             raise AssertionError(f"{number}: {verdict.text}")
-        return Feedback(number, verdict)
+        return Unseen(number, verdict)
     if verdict.state != "open":
         _DESK.note(number, answer, verdict)
     return Feedback(number, verdict, _DESK.store.complaint)

@@ -1,6 +1,7 @@
 """Exercises whose answer is a formula: an expression of SymPy or a function of the learner's."""
 
 import inspect
+import warnings
 from collections.abc import Callable, Iterable, Sequence, Sized
 from dataclasses import dataclass
 from functools import lru_cache
@@ -101,7 +102,8 @@ class ExpressionExercise(Exercise):
         """Call a function of the learner's, whatever it does."""
         ordered = places[_order(function, self.variables)]
         try:
-            results = [function(*place) for place in ordered.T.tolist()]
+            with warnings.catch_warnings(action="ignore"):  # a warning would cost points
+                results = [function(*place) for place in ordered.T.tolist()]
         except Exception as raised:
             raise OddAnswerError(
                 f"Your function stopped with {type(raised).__name__} ({shorten(str(raised))}) when "

@@ -1,0 +1,311 @@
+"""A class is graded by the real nbgrader, with the commands and settings of docs/teaching.md.
+
+nbgrader lives in an environment of its own, .venv-nbgrader. REQUIRE_NBGRADER=1 makes it.
+"""
+
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import cammotion as cm
+from cammotion.exercises.catalogue import EXERCISES
+from cammotion.exercises.expressions import ExpressionExercise
+from cammotion.variants import Machine, machine_for
+
+ROOT = Path(__file__).parent.parent
+PAGE = (ROOT / "docs" / "teaching.md").read_text("utf-8")
+REQUIREMENT = re.findall(r"nbgrader==[\d.]+", PAGE)[0]
+ENVIRONMENT = ROOT / ".venv-nbgrader"
+PROGRAMS = ENVIRONMENT / ("Scripts" if os.name == "nt" else "bin")
+SUFFIX = ".exe" if os.name == "nt" else ""
+PYTHON = PROGRAMS / f"python{SUFFIX}"
+SECONDS_FOR_A_CELL = 8  # not the page's 30, to have done with the endless loop
+
+ORIGINALS = {path.name[:2]: path for path in (ROOT / "notebooks").glob("0[1-4]_*.ipynb")}
+GRADED = "01"  # the lesson that the class hands in
+
+Change = Callable[[str], str | None]
+Notebook = dict[str, Any]
+
+
+def require_nbgrader() -> None:
+    """Install nbgrader if it is asked for; skip where it is neither asked for nor there."""
+    if os.environ.get("REQUIRE_NBGRADER") == "1":
+        install()
+    elif not (PROGRAMS / f"nbgrader{SUFFIX}").exists():
+        pytest.skip(
+            f"NOT TESTED with nbgrader: there is no {ENVIRONMENT.name}. To make it: "
+            "REQUIRE_NBGRADER=1 python3 workbook.py test tests/test_nbgrader.py"
+        )
+
+
+def install() -> None:
+    """Make the environment, or bring it up to date; this takes long only the first time."""
+    uv = shutil.which("uv")
+    if not PYTHON.exists():
+        no_pip = ["--without-pip"] if uv else []
+        run([sys.executable, "-m", "venv", *no_pip, str(ENVIRONMENT)], ROOT)
+    tool = [uv, "pip", "install", "-p"] if uv else []
+    tool += [str(PYTHON)] if uv else [str(PYTHON), "-m", "pip", "install"]
+    run([*tool, "-q", "-r", "environment.txt", REQUIREMENT], ROOT)
+
+
+def run(command: list[str], folder: Path, **environment: str) -> str:
+    """Run a command and return what it prints; fail with all that it said if it fails."""
+    ran = subprocess.run(
+        command,
+        cwd=folder,
+        env=os.environ | environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=600,
+    )
+    assert ran.returncode == 0, f"{shlex.join(command)}\n{ran.stdout}{ran.stderr}"
+    return ran.stdout
+
+
+def block(containing: str) -> str:
+    """Return the one block of Python of the teacher's page that contains a text."""
+    blocks = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    (found,) = [text for text in blocks if containing in text]
+    return str(found)
+
+
+class Course:
+    """The folder of a teacher's course."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        own = ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR")
+        self._environment = {name: str(folder / "own" / name) for name in own}
+        # As in an activated environment: nbgrader looks for its alembic on the PATH.
+        self._environment["PATH"] = f"{PROGRAMS}{os.pathsep}{os.environ['PATH']}"
+        config = block("get_config").replace("timeout = 30", f"timeout = {SECONDS_FOR_A_CELL}")
+        assert f"timeout = {SECONDS_FOR_A_CELL}" in config
+        (folder / "nbgrader_config.py").write_text(config, "utf-8")
+        (folder / "marks.py").write_text(block("grades.csv"), "utf-8")
+        for lesson, original in ORIGINALS.items():
+            write(read(original), folder / "source" / lesson / original.name)
+
+    def run(self, command: str) -> str:
+        """Run a command of the teacher's page, as it stands there."""
+        assert re.search(rf"^{re.escape(command)}$|`{re.escape(command)}`", PAGE, re.MULTILINE)
+        program, *arguments = shlex.split(command)
+        return run([str(PROGRAMS / program), *arguments], self.folder, **self._environment)
+
+    def marks(self) -> dict[str, tuple[float, str]]:
+        """Return what marks.py says of each student: the score, and whose numbers they are."""
+        said = self.run("python marks.py")
+        found = re.findall(rf"^{GRADED} (.+): (.+), numbers of (.*)$", said, re.MULTILINE)
+        return {student: (float(score), whose) for student, score, whose in found}
+
+    def right(self, student: str) -> list[str]:
+        """Return the exercises of a graded hand-in whose checks did not end in an error."""
+        cells = read(self.folder / "autograded" / student / GRADED / ORIGINALS[GRADED].name)
+        return [
+            cell["metadata"]["nbgrader"]["grade_id"].removeprefix("check-").replace("-", ".")
+            for cell in cells["cells"]
+            if "nbgrader" in cell["metadata"]
+            and all(output["output_type"] != "error" for output in cell["outputs"])
+        ]
+
+
+def read(path: Path) -> Notebook:
+    """Read a notebook, the source of each cell as one text."""
+    content: Notebook = json.loads(path.read_text("utf-8"))
+    for cell in content["cells"]:
+        cell["source"] = "".join(cell["source"])
+    return content
+
+
+def write(notebook: Notebook, path: Path) -> None:
+    path.parent.mkdir(parents=True)
+    path.write_text(json.dumps(notebook), "utf-8")
+
+
+def only_what_counts(notebook: Notebook) -> Notebook:
+    """Leave the imports and the exercises; what is between costs time and gives no points."""
+    codes = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    first = next(at for at, cell in enumerate(codes) if "cm.variant(" in cell["source"])
+    return {**notebook, "cells": [codes[0], *codes[first:]]}
+
+
+def numbers_of(lesson: str) -> list[str]:
+    return [number for number in EXERCISES if number.startswith(f"{lesson}.")]
+
+
+def solution(number: str, machine: Machine) -> str:
+    """Return the right answer to an exercise as code."""
+    exercise = EXERCISES[number]
+    if isinstance(exercise, ExpressionExercise):
+        return f"lambda {', '.join(exercise.variables)}: {exercise.solution(machine)}"
+    return repr(exercise.solution(machine))
+
+
+def answering(who: str, numbers: Iterable[str], whose: str | None = None) -> Change:
+    """Return a change: put in a name, and right answers to some exercises.
+
+    They are right for the numbers of `whose`, if that is another than `who`.
+    """
+    machine = machine_for(who if whose is None else whose)
+    answers = {f"answer_{number[3:]}": solution(number, machine) for number in numbers}
+
+    def change(source: str) -> str:
+        name, _, value = source.partition(" = ")
+        if name in answers and value.startswith("None"):
+            return f"{name} = {answers[name]}"
+        return source.replace('cm.variant("")', f'cm.variant("{who}")')
+
+    return change
+
+
+def then(change: Change, special: Mapping[str, str | None]) -> Change:
+    """Return a change that also replaces cells, known by how they begin; None deletes one."""
+
+    def change_more(source: str) -> str | None:
+        start = next((start for start in special if source.startswith(start)), None)
+        return change(source) if start is None else special[start]
+
+    return change_more
+
+
+def changed(notebook: Notebook, change: Change) -> Notebook:
+    """Return a notebook with the sources of its code cells changed."""
+    cells = []
+    for cell in notebook["cells"]:
+        source = change(cell["source"]) if cell["cell_type"] == "code" else cell["source"]
+        if source is not None:
+            cells.append({**cell, "source": source})
+    return {**notebook, "cells": cells}
+
+
+def with_copied_check(notebook: Notebook) -> Notebook:
+    """Copy the first check to the top, metadata and all, as JupyterLab does."""
+    first = next(cell for cell in notebook["cells"] if "nbgrader" in cell["metadata"])
+    return {**notebook, "cells": [{**first, "id": "copied"}, *notebook["cells"]]}
+
+
+ALL = numbers_of(GRADED)
+RIGHT_FOR_ANYBODY = [
+    number
+    for number in ALL
+    if (exercise := EXERCISES[number])
+    .judge(exercise.solution(machine_for("right")), machine_for("cheat"))
+    .state
+    == "right"
+]
+CLASS: dict[str, tuple[Change, list[str]]] = {
+    "right": (answering("right", ALL), ALL),
+    "half": (answering("half", ALL[::2]), ALL[::2]),
+    "empty": (str, []),
+    "broken": (
+        then(
+            answering("broken", ALL),
+            {"answer_1 ": "answer_1 = = 55", "answer_2 ": "answer_2 = no_such_name"},
+        ),
+        ALL[2:],
+    ),
+    "endless": (
+        then(answering("endless", ALL), {"answer_1 ": "while True:\n    pass"}),
+        ALL[1:],
+    ),
+    "cheat": (  # a neighbour's answers, a check that is changed and one that is deleted
+        then(
+            answering("cheat", ALL, whose="right"),
+            {'cm.check("01.1"': "'right!'", 'cm.check("01.2"': None},
+        ),
+        RIGHT_FOR_ANYBODY,
+    ),
+}
+"""What each student hands in, and what is right of it. The names are those in `cm.variant`."""
+
+
+def hand_in(course: Course) -> None:
+    """Let the class hand in: one a whole notebook under another name, the others by a platform."""
+    original = ORIGINALS[GRADED]
+    archive, platform = course.folder / "downloaded" / GRADED / "archive", course.folder / "lms"
+    for student, (change, _) in CLASS.items():
+        notebook = changed(read(original), change)
+        if student == "right":
+            target = archive / student / f"{original.stem}-Copy1.ipynb"
+            write(with_copied_check(notebook), target)
+        else:
+            target = platform / f"{student}_17_assignsubmission_file" / original.name
+            write(only_what_counts(notebook), target)
+    shutil.make_archive(str(archive / "all"), "zip", platform)
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
+    """Grade the class, as the teacher's page says."""
+    require_nbgrader()
+    made = Course(tmp_path_factory.mktemp("course"))
+    made.run('nbgrader generate_assignment "*"')
+    hand_in(made)
+    made.run("nbgrader zip_collect 01")
+    made.run('nbgrader autograde "*"')
+    made.run("nbgrader export")
+    return made
+
+
+@pytest.mark.parametrize("student", CLASS)
+def test_each_student_gets_the_points_that_are_due(course: Course, student: str) -> None:
+    _, due = CLASS[student]
+    whose = '""' if student == "empty" else f'"{student}"'
+    assert course.marks()[student] == (len(due), whose)
+    assert course.right(student) == due
+
+
+def test_nobody_else_is_graded(course: Course) -> None:
+    assert course.marks().keys() == CLASS.keys()
+
+
+def test_the_numbers_of_another_are_wrong() -> None:
+    """Or the points of the cheat would prove nothing."""
+    assert RIGHT_FOR_ANYBODY == ["01.4"]  # the choice
+
+
+@pytest.mark.parametrize("lesson", ORIGINALS)
+def test_the_release_is_the_lesson_with_its_checks_locked(course: Course, lesson: str) -> None:
+    released = read(course.folder / "release" / lesson / ORIGINALS[lesson].name)["cells"]
+    original = read(ORIGINALS[lesson])["cells"]
+    assert [cell["source"] for cell in released] == [cell["source"] for cell in original]
+    locked = [cell for cell in released if cell["metadata"].get("editable") is False]
+    assert len(locked) == len(numbers_of(lesson))
+
+
+@pytest.mark.parametrize("first", [0, 1])
+@pytest.mark.parametrize("lesson", ORIGINALS)
+def test_each_lesson_can_be_graded(
+    lesson: str, first: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every second answer of each lesson, executed as nbgrader does, but without it."""
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    answered = numbers_of(lesson)[first::2]
+    notebook = changed(read(ORIGINALS[lesson]), answering("Anna", answered))
+    names: dict[str, Any] = {}
+    right, refusals = [], []
+    for cell in only_what_counts(notebook)["cells"]:
+        try:
+            exec(cell["source"], names)  # noqa: S102 - our own
+        except AssertionError as refusal:
+            refusals.append(str(refusal))
+        else:
+            right += re.findall(r'cm\.check\("(.*?)"', cell["source"])
+    cm.variant()
+    assert right == answered
+    assert refusals == [f"{n}: not answered yet" for n in numbers_of(lesson) if n not in answered]
+
+
+def test_ci_requires_it() -> None:
+    assert "REQUIRE_NBGRADER=1" in (ROOT / ".ci" / "run").read_text("utf-8")
