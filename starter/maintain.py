@@ -7,6 +7,8 @@ from starter.errors import WorkbookError
 from starter.paths import ROOT, VENV_PYTHON
 
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
+# Two or more files of tests at a time, each file in one process: its fixtures are made once.
+IN_PARALLEL = ("-n", "auto", "--maxprocesses", "4", "--dist", "loadfile")
 
 
 def test(arguments: list[str]) -> int:
@@ -19,7 +21,7 @@ def test(arguments: list[str]) -> int:
     if failed:
         print(f"Failed before pytest: {', '.join(failed)}")
     print("pytest" if arguments else "[4/4] pytest")
-    code = run_module("pytest", *arguments)
+    code = run_module("pytest", *(arguments or IN_PARALLEL))
     return code or (1 if failed else 0)
 
 

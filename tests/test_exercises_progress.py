@@ -147,7 +147,7 @@ def test_a_choice_is_kept_and_no_new_try_when_it_is_shown_again() -> None:
 ODD_CHOICES: list[Any] = ["z", 1, [1], {"b"}, object(), 2j, "\ud800", b"b", float("nan")]
 
 
-@pytest.mark.parametrize("answer", ODD_CHOICES, ids=ascii)
+@pytest.mark.parametrize("answer", ODD_CHOICES, ids=lambda answer: type(answer).__name__)
 def test_what_is_no_choice_is_not_kept_as_one(work: Path, answer: object) -> None:
     cm.check("01.4", "a")
     assert not cm.check("01.4", answer).is_right

@@ -55,11 +55,14 @@ def test_arguments_are_passed_on() -> None:
         commands.parse(["setup", "--", "--debug"])
 
 
+ALL_TESTS = " ".join(["pytest", *maintain.IN_PARALLEL])
+
+
 @pytest.mark.parametrize(
     ("arguments", "failing", "code", "steps"),
     [
-        ([], "", 0, ["ruff check .", "ruff format --check .", "mypy", "pytest"]),
-        ([], "mypy", 1, ["ruff check .", "ruff format --check .", "mypy", "pytest"]),
+        ([], "", 0, ["ruff check .", "ruff format --check .", "mypy", ALL_TESTS]),
+        ([], "mypy", 1, ["ruff check .", "ruff format --check .", "mypy", ALL_TESTS]),
         (["-k", "laws"], "", 0, ["pytest -k laws"]),
         (["-k", "laws"], "pytest -k laws", 1, ["pytest -k laws"]),
     ],
