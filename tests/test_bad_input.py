@@ -199,7 +199,9 @@ LAW_USERS: list[Call] = [
 @pytest.mark.parametrize("law", ["cyclodial", "", None, 3, math.nan, [], ["cycloidal"]])
 @pytest.mark.parametrize("call", LAW_USERS)
 def test_an_unknown_law_is_refused_with_the_known_ones(call: Call, law: object) -> None:
-    with pytest.raises(cm.InputError, match=r"^There is no motion law .*: use one of 'cycloidal'"):
+    with pytest.raises(
+        cm.InputError, match=r"^There is no motion law .*: use one of 'constant acceleration'"
+    ):
         call(law)
 
 

@@ -20,7 +20,8 @@ PACKAGE = ROOT / "src" / "cammotion"
 FLOORS = [
     {"checks"},
     {"files"},
-    {"turning"},
+    {"turning", "zones"},
+    {"motion_law"},
     {"laws"},
     {"kinematics"},
     {"arcs"},

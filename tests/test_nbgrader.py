@@ -54,6 +54,8 @@ def install() -> None:
     if not PYTHON.exists():
         no_pip = ["--without-pip"] if uv else []
         run([sys.executable, "-m", "venv", *no_pip, str(ENVIRONMENT)], ROOT)
+    if not uv:  # the environment may have been made by uv, which leaves pip out
+        run([str(PYTHON), "-m", "ensurepip"], ROOT)
     tool = [uv, "pip", "install", "-p"] if uv else []
     tool += [str(PYTHON)] if uv else [str(PYTHON), "-m", "pip", "install"]
     run([*tool, "-q", "-r", "environment.txt", REQUIREMENT], ROOT)

@@ -8,6 +8,7 @@ from . import (
     kinematics,
     laws,
     live,
+    motion_law,
     motions,
     overlap,
     plots,
@@ -17,6 +18,7 @@ from . import (
     timing_plots,
     turning,
     variants,
+    zones,
 )
 from .animation import animate
 from .checks import InputError
@@ -33,7 +35,8 @@ from .kinematics import (
     peak_jerk,
     peak_velocity,
 )
-from .laws import LAWS, MotionLaw, as_law, x
+from .laws import LAWS, as_law, fifth_degree_linear, polynomial, scca
+from .motion_law import MotionLaw
 from .motions import Motion, indexing_motion, motion
 from .overlap import (
     ClearanceRule,
@@ -50,6 +53,7 @@ from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
 from .tables import read_segments, write_curves, write_segments
 from .timing_plots import plot_clearance, plot_timing
+from .zones import x
 
 __all__ = [
     "LAWS",
@@ -78,6 +82,7 @@ __all__ = [
     "explore_overlap",
     "explore_shares",
     "explorers",
+    "fifth_degree_linear",
     "find_clearances",
     "find_violations",
     "hint",
@@ -87,6 +92,7 @@ __all__ = [
     "laws",
     "live",
     "motion",
+    "motion_law",
     "motions",
     "overlap",
     "peak_acceleration",
@@ -98,11 +104,13 @@ __all__ = [
     "plot_peaks",
     "plot_timing",
     "plots",
+    "polynomial",
     "predict",
     "progress",
     "read_segments",
     "return_",
     "rise",
+    "scca",
     "segments",
     "setup_check",
     "smallest_clearance",
@@ -117,4 +125,5 @@ __all__ = [
     "write_curves",
     "write_segments",
     "x",
+    "zones",
 ]

@@ -1,264 +1,183 @@
-"""Motion laws: one expression S(x) each; everything else is derived from it, nothing is typed.
+"""The catalogue of motion laws, and the families from which further ones are made.
 
-With x = t/tm the time and S = h/hm the displacement, both made dimensionless, a law runs from
-S(0) = 0 to S(1) = 1. The motion of a machine follows by scaling:
-
-    h = hm S,   v = hm/tm V,   a = hm/tm^2 A,   j = hm/tm^3 J,
-
-with V, A and J the first three derivatives of S. Their largest magnitudes are the peak factors
-Cv, Ca and Cj.
+Names clash in this field. Each law lists the other names under which it is known; what is a
+different law in spite of a like name is said where it is made.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from functools import cached_property
-from itertools import pairwise
-from types import MappingProxyType
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
-import numpy as np
 import sympy
-from numpy.typing import ArrayLike
 
-from cammotion.checks import Floats, InputError, Numbers, Quantity, one_of
-from cammotion.turning import bisect, turning_points
+from cammotion.checks import InputError, Quantity, one_of, shorten
+from cammotion.motion_law import MotionLaw, exact, mirrored
+from cammotion.zones import Zone, x
 
-x = sympy.Symbol("x")
-"""The dimensionless time t/tm, the variable of every law."""
+__all__ = ["LAWS", "MotionLaw", "as_law", "fifth_degree_linear", "polynomial", "scca", "x"]
 
-_TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
-_WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
-
-_ROUNDING = 1e-12  # by so much the ends of a law may miss 0 and 1
-
-_JERK = 3  # the highest derivative a law is asked for
+_half, _pi = sympy.Rational(1, 2), sympy.pi
+_PART = Quantity("zone of the SCCA law", "", example=0.25, high=1.0, low_included=True)
+_ROUNDING = 1e-9
+_BOUNDARY_COUNTS = (3, 4)
+_BOUNDARY = Quantity("boundary value", "", example=0, low=-1e9)
 
 
-class Branch(NamedTuple):
-    """A part of a law over which S only rises or only falls (or stands): x and S at its ends."""
+def scca(
+    b: float, c: float, d: float, *, name: str = "", also_called: tuple[str, ...] = ()
+) -> MotionLaw:
+    """Return a law of the family sine - constant - cosine acceleration.
 
-    low: float
-    high: float
-    s_low: float
-    s_high: float
-    curve: Callable[[float], float]
+    The acceleration rises as a sine over b/2 of the time, is constant over c/2 and falls as a
+    cosine over d/2, to the middle; the second half mirrors the first. b, c and d are dimensionless,
+    from 0 to 1, and add up to 1. With b = 0 or d = 0 that zone is left out, and the acceleration
+    jumps there. Raises InputError for others.
 
-    def solve(self, s: float) -> float:
-        """Return the x at which S = s, a value between those at the ends."""
-        rising = self.s_high > self.s_low
-        return bisect(lambda x: (self.curve(x) < s) == rising, self.low, self.high)
-
-
-@dataclass(frozen=True, eq=False)
-class MotionLaw:
-    """A motion law: its name and its one expression `s` in the symbol `x`, 0 <= x <= 1.
-
-    `also_called` lists the other names under which the field knows the same law.
-
-    >>> parabola_up = MotionLaw("square", x**2)
-    >>> parabola_up.v
-    2*x
-    >>> parabola_up(0.5)
-    0.25
+    >>> print(f"{scca(0.25, 0.5, 0.25).Ca:.5f}")  # 8 pi / (2 + pi)
+    4.88812
     """
-
-    name: str
-    s: sympy.Expr
-    also_called: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        expression = isinstance(self.s, sympy.Expr)
-        others = sorted(map(str, self.s.free_symbols - {x})) if expression else []
-        if not expression or others:
-            said = f"has the symbol {', '.join(others)}" if others else f"is {self.s!r}"
-            raise InputError(
-                f"The expression of the law {self.name!r} {said}; it has to be a SymPy expression "
-                "in cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
-            )
-
-    @cached_property
-    def v(self) -> sympy.Expr:
-        """The dimensionless velocity V = dS/dx."""
-        return sympy.diff(self.s, x)
-
-    @cached_property
-    def a(self) -> sympy.Expr:
-        """The dimensionless acceleration A = dV/dx."""
-        return sympy.diff(self.v, x)
-
-    @cached_property
-    def j(self) -> sympy.Expr:
-        """The dimensionless jerk J = dA/dx."""
-        return sympy.diff(self.a, x)
-
-    def __call__(self, x: ArrayLike, derivative: int = 0) -> Numbers:
-        """Return S (or V, A, J for derivative 1, 2, 3) at `x`.
-
-        `x` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape
-        and no unit. Raises InputError for an `x` outside the motion or another derivative.
-
-        >>> LAWS["cycloidal"]([0, 0.25, 0.5], derivative=1)
-        array([0., 1., 2.])
-        """
-        if not (isinstance(derivative, int) and 0 <= derivative <= _JERK):
-            raise InputError(
-                f"The derivative is {derivative!r}; it has to be 0 for S, 1 for V, 2 for A "
-                "or 3 for J."
-            )
-        values = self._functions[derivative](_TIME.array(x))
-        return values if np.ndim(values) else float(values)
-
-    @cached_property
-    def Cv(self) -> float:  # noqa: N802 (the field's symbol)
-        """The velocity factor: the largest abs(V)."""
-        return self._peak(1)
-
-    @cached_property
-    def Ca(self) -> float:  # noqa: N802
-        """The acceleration factor: the largest abs(A).
-
-        >>> print(f"{LAWS['cycloidal'].Ca:.9f}")  # 2 pi
-        6.283185307
-        """
-        return self._peak(2)
-
-    @cached_property
-    def Cj(self) -> float:  # noqa: N802
-        """The jerk factor: the largest abs(J)."""
-        return self._peak(3)
-
-    @cached_property
-    def branches(self) -> tuple[Branch, ...]:
-        """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
-        return tuple(
-            Branch(low, high, _value(zone, low), _value(zone, high), _compile(zone, "math"))
-            for zone, start, end in _zones(self.s)
-            for low, high in pairwise([start, *turning_points(zone, x, start, end), end])
+    parts = [exact(_PART.number(part)) for part in (b, c, d)]
+    if abs(sum(parts) - 1) > _ROUNDING:
+        raise InputError(
+            f"The zones of the SCCA law, {b:g} + {c:g} + {d:g}, add up to {float(sum(parts)):g}: "
+            "let b, c and d add up to 1."
         )
+    b_, c_ = parts[0], parts[1]
+    d_ = 1 - b_ - c_
+    peak = 4 * _pi**2 / ((_pi**2 - 8) * (b_**2 - d_**2) - 2 * _pi * (_pi - 2) * b_ + _pi**2)
+    first, second = b_ / 2, (b_ + c_) / 2  # where the zones end
+    v_1, s_1 = peak * b_ / _pi, peak * b_ / _pi * (b_ / 2 - b_ / _pi)
+    v_2 = v_1 + peak * c_ / 2
+    s_2 = s_1 + v_1 * c_ / 2 + peak * c_**2 / 8
+    zones = []
+    if b_:
+        sine = peak * b_ / _pi * (x - b_ / _pi * sympy.sin(_pi * x / b_))
+        zones.append(Zone(sine, 0.0, float(first)))
+    if c_:
+        u = x - first
+        zones.append(Zone(s_1 + v_1 * u + peak * u**2 / 2, float(first), float(second)))
+    if d_:
+        w = x - second
+        cosine = s_2 + v_2 * w + peak * (d_ / _pi) ** 2 * (1 - sympy.cos(_pi * w / d_))
+        zones.append(Zone(cosine, float(second), 0.5))
+    return MotionLaw(name or f"SCCA({b:g}, {c:g}, {d:g})", mirrored(zones), also_called)
 
-    @property
-    def is_monotone(self) -> bool:
-        """Whether S rises from the start to the end and never falls."""
-        return all(branch.s_high >= branch.s_low for branch in self.branches)
 
-    def inverse(self, s: ArrayLike) -> Numbers:
-        """Return the first x at which the law has come to S = s.
+def polynomial(start: Sequence[float], end: Sequence[float], *, name: str = "") -> MotionLaw:
+    """Return the polynomial law with given values at both ends, solved exactly.
 
-        `s` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape.
-        It is solved for until the last bit of x. Raises InputError for an `s` out of range, and
-        for a law that turns on its way and so passes some places more than once, and for one that
-        does not go from 0 to 1.
+    `start` and `end` hold s, v, a and, if wanted, j, all dimensionless, at x = 0 and x = 1. A law
+    begins at s = 0 and ends at s = 1; its degree is the number of values less one. Raises
+    InputError for other values, and for a curve that leaves [0, 1] on its way, as it easily does
+    with a velocity at an end.
 
-        >>> print(f"{LAWS['cycloidal'].inverse(19 / 50):.5f}")
-        0.43927
-        """
-        places = _WAY.array(s)
-        self.check_way()
-        if not self.is_monotone:
-            raise InputError(
-                f"The law {self.name!r} turns back on its way, so that it passes some places more "
-                "than once: use where_above, which returns every interval."
-            )
-        roots = [self._first(place) for place in places.flat]
-        return np.reshape(roots, places.shape) if places.ndim else roots[0]
-
-    def where_above(self, s: float) -> list[tuple[float, float]]:
-        """Return the intervals of x in which S > s, in order; solved for, not sampled.
-
-        >>> LAWS["cycloidal"].where_above(0.5)
-        [(0.5, 1.0)]
-        """
-        return _joined(self._parts(s, 1))
-
-    def where_below(self, s: float) -> list[tuple[float, float]]:
-        """Return the intervals of x in which S < s; else like `where_above`."""
-        return _joined(self._parts(s, -1))
-
-    def check_way(self) -> None:
-        """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
-        start, end = self.branches[0].s_low, self.branches[-1].s_high
-        if max(abs(start), abs(end - 1)) > _ROUNDING:
-            raise InputError(
-                f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
-                "from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
-            )
-
-    def __repr__(self) -> str:
-        return f"MotionLaw({self.name!r})"
-
-    @cached_property
-    def _functions(self) -> tuple[Callable[[Floats], Floats], ...]:
-        """S, V, A and J, compiled for arrays."""
-        return tuple(_compile(curve, "numpy") for curve in (self.s, self.v, self.a, self.j))
-
-    def _peak(self, derivative: int) -> float:
-        """Return the largest magnitude: it lies at an end, at a joint, or where the curve turns."""
-        curve = (self.s, self.v, self.a, self.j)[derivative]
-        return max(
-            abs(_value(zone, place))
-            for zone, start, end in _zones(curve)
-            for place in (start, *turning_points(zone, x, start, end), end)
+    >>> polynomial((0, 0, 0), (1, 0, 0)).s
+    6*x**5 - 15*x**4 + 10*x**3
+    """
+    values = [_boundary(side, which) for which, side in (("start", start), ("end", end))]
+    if values[0][0] != 0 or values[1][0] != 1:
+        raise InputError(
+            f"The polynomial goes from s = {float(values[0][0]):g} to {float(values[1][0]):g}; a "
+            "motion law goes from 0 to 1: scale the values."
         )
-
-    def _first(self, s: float) -> float:
-        branch = next((branch for branch in self.branches if s <= branch.s_high), self.branches[-1])
-        if s <= branch.s_low:
-            return branch.low
-        return branch.high if s >= branch.s_high else branch.solve(s)
-
-    def _parts(self, s: float, side: int) -> Iterator[tuple[float, float]]:
-        """Yield where S is above s (side 1) or below (-1), branch by branch."""
-        for branch in self.branches:
-            low, high = side * (branch.s_low - s), side * (branch.s_high - s)
-            if min(low, high) >= 0 < max(low, high):
-                yield branch.low, branch.high
-            elif high > 0:
-                yield branch.solve(s), branch.high
-            elif low > 0:
-                yield branch.low, branch.solve(s)
+    curve = _through(values[0], values[1], sympy.Integer(0), sympy.Integer(1))
+    degree = len(values[0]) + len(values[1]) - 1
+    law = MotionLaw(name or f"polynomial of degree {degree}", curve)
+    heights = [s for branch in law.branches for s in (branch.s_low, branch.s_high)]
+    worst = max(heights, key=lambda s: max(-s, s - 1))
+    if max(-worst, worst - 1) > _ROUNDING:
+        side = "dips below 0" if worst < 0 else "rises above 1"
+        raise InputError(
+            f"The polynomial {side}, to S = {worst:.4g}: choose end velocities nearer to 1, or "
+            "join a straight line with fifth_degree_linear."
+        )
+    return law
 
 
-def _joined(parts: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the intervals with those that touch made one."""
-    found: list[tuple[float, float]] = []
-    for low, high in parts:
-        if found and found[-1][1] == low:
-            low = found.pop()[0]
-        found.append((low, high))
-    return found
+def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
+    """Return a straight line in the middle, joined at both ends by polynomials of degree five.
+
+    `share` is the part of the time with constant velocity, from 0 on and below 1. The velocity is
+    2/(1 + share), so that over each end the mean velocity is half of it; velocity and acceleration
+    are continuous. Raises InputError for another share.
+
+    >>> print(f"{fifth_degree_linear(0.5).Cv:.4f}")
+    1.3333
+    """
+    limits = Quantity("share of the straight line", "", example=0.5, high=0.99, low_included=True)
+    part = exact(limits.number(share))
+    velocity, joint = 2 / (1 + part), (1 - part) / 2
+    height = _half - velocity * part / 2
+    rest, moving = (sympy.Integer(0),) * 3, (height, velocity, sympy.Integer(0))
+    zones = [Zone(_through(rest, moving, sympy.Integer(0), joint), 0.0, float(joint))]
+    if part:
+        zones.append(Zone(_half + velocity * (x - _half), float(joint), 0.5))
+    title = name or f"fifth degree + linear, {float(part):.4g} constant velocity"
+    return MotionLaw(title, mirrored(zones))
 
 
-def _zones(curve: sympy.Expr) -> list[tuple[sympy.Expr, float, float]]:
-    """Cut a curve over [0, 1] at its joints into smooth expressions, each with its interval."""
-    if not curve.has(sympy.Piecewise):
-        return [(curve, 0.0, 1.0)]
-    pieces = sympy.piecewise_fold(curve).as_expr_set_pairs(sympy.Interval(0, 1))
-    zones = [(piece, float(where.inf), float(where.sup)) for piece, where in pieces]
-    return sorted((zone for zone in zones if zone[1] < zone[2]), key=lambda zone: zone[1])
+class Catalogue(Mapping[str, MotionLaw]):
+    """Laws by their names, each made when it is first asked for."""
+
+    def __init__(self, makers: Mapping[str, Callable[[], MotionLaw]]) -> None:
+        self._makers = dict(makers)
+        self._made: dict[str, MotionLaw] = {}
+
+    def __getitem__(self, name: str) -> MotionLaw:
+        if name not in self._made:
+            self._made[name] = self._makers[name]()
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._makers)
+
+    def __len__(self) -> int:
+        return len(self._makers)
 
 
-def _value(curve: sympy.Expr, place: float) -> float:
-    """Return the exact value, rounded once: at an end S is 0 or 1 and nothing beside it."""
-    return float(curve.subs(x, sympy.Rational(place)))
+def _sines(first: Any, third: Any, fifth: Any = 0) -> sympy.Expr:
+    """Return x less sines of one, three and five periods, with these amplitudes over 2 pi."""
+    amplitudes = {1: first, 3: third, 5: fifth}
+    return x - sum(a * sympy.sin(2 * n * _pi * x) for n, a in amplitudes.items()) / (2 * _pi)
 
 
-def _compile(curve: sympy.Expr, library: str) -> Callable[[Any], Any]:
-    if not curve.free_symbols:  # lambdify would return one number, whatever the shape
-        return lambda places: np.full(np.shape(places), float(curve))
-    function: Callable[[Any], Any] = sympy.lambdify(x, curve, library)
-    return function
+def _ratio(over: int, under: int) -> sympy.Rational:
+    return sympy.Rational(over, under)
 
 
-def _catalogue(*laws: MotionLaw) -> Mapping[str, MotionLaw]:
-    return MappingProxyType({law.name: law for law in laws})
+def _named(name: str, s: sympy.Expr, *others: str) -> Callable[[], MotionLaw]:
+    return lambda: MotionLaw(name, s, others)
 
 
-LAWS: Mapping[str, MotionLaw] = _catalogue(
-    MotionLaw(
-        "cycloidal",
-        x - sympy.sin(2 * sympy.pi * x) / (2 * sympy.pi),
-        also_called=("inclined sine", "Bestehorn"),
-    ),
+def _mcv50() -> MotionLaw:
+    half = LAWS["modified sine"].with_constant_velocity(0.5)
+    return MotionLaw("MCV50", half.s, ("modified sine with 50 % constant velocity",))
+
+
+_m = _ratio(1125, 1192)
+
+LAWS: Mapping[str, MotionLaw] = Catalogue(
+    {
+        "constant acceleration": lambda: scca(
+            0, 1, 0, name="constant acceleration", also_called=("parabolic",)
+        ),
+        "simple harmonic": _named("simple harmonic", (1 - sympy.cos(_pi * x)) / 2, "cosine"),
+        "cycloidal": _named("cycloidal", _sines(1, 0), "inclined sine", "Bestehorn"),
+        "modified trapezoid": lambda: scca(
+            0.25, 0.5, 0.25, name="modified trapezoid", also_called=("modified trapezoidal",)
+        ),
+        "modified sine": lambda: scca(
+            0.25, 0, 0.75, name="modified sine", also_called=("modified sine curve",)
+        ),
+        "3-4-5 polynomial": lambda: polynomial((0,) * 3, (1, 0, 0), name="3-4-5 polynomial"),
+        "4-5-6-7 polynomial": lambda: polynomial((0,) * 4, (1, 0, 0, 0), name="4-5-6-7 polynomial"),
+        "Gutman 1-3": _named("Gutman 1-3", _sines(_ratio(15, 16), _ratio(1, 48))),
+        "Freudenstein 1-3": _named("Freudenstein 1-3", _sines(_ratio(27, 28), _ratio(1, 84))),
+        "Freudenstein 1-3-5": _named(
+            "Freudenstein 1-3-5", _sines(_m, _m * _ratio(1, 54), _m * _ratio(1, 1250))
+        ),
+        "cubic": _named("cubic", 3 * x**2 - 2 * x**3, "2-3 polynomial"),
+        "MCV50": _mcv50,
+    }
 )
 """The catalogue: every known law under its name."""
 
@@ -270,3 +189,31 @@ def as_law(law: str | MotionLaw) -> MotionLaw:
     MotionLaw('cycloidal')
     """
     return law if isinstance(law, MotionLaw) else LAWS[one_of("motion law", law, LAWS)]
+
+
+def _boundary(given: Any, which: str) -> tuple[sympy.Rational, ...]:
+    values = _BOUNDARY.array(given)
+    if values.ndim != 1 or len(values) not in _BOUNDARY_COUNTS:
+        raise InputError(
+            f"The values at the {which} are {shorten(given)}: give s, v and a there, and j if you "
+            "like, for example (0, 0, 0)."
+        )
+    return tuple(exact(float(value)) for value in values)
+
+
+def _through(
+    start: Sequence[sympy.Rational],
+    end: Sequence[sympy.Rational],
+    low: sympy.Rational,
+    high: sympy.Rational,
+) -> sympy.Expr:
+    """Return the polynomial with these values and derivatives at two places."""
+    size = len(start) + len(end)
+    powers = [x**power for power in range(size)]
+    rows, values = [], []
+    for place, given in ((low, start), (high, end)):
+        for order, value in enumerate(given):
+            rows.append([sympy.diff(power, x, order).subs(x, place) for power in powers])
+            values.append(value)
+    factors = sympy.Matrix(rows).LUsolve(sympy.Matrix(values))
+    return sympy.Add(*(factor * power for factor, power in zip(factors, powers, strict=True)))

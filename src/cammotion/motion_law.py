@@ -1,0 +1,343 @@
+"""A motion law: one expression S(x); everything else is derived from it, nothing is typed.
+
+With x = t/tm the time and S = h/hm the displacement, both made dimensionless, a law runs from
+S(0) = 0 to S(1) = 1. The motion of a machine follows by scaling:
+
+    h = hm S,   v = hm/tm V,   a = hm/tm^2 A,   j = hm/tm^3 J,
+
+with V, A and J the first three derivatives of S. Their largest magnitudes are the peak factors
+Cv, Ca and Cj.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+import sympy
+from numpy.typing import ArrayLike
+
+from cammotion.checks import Floats, InputError, Numbers, Quantity
+from cammotion.turning import bisect, turning_points
+from cammotion.zones import Zone, compile_curve, compile_zones, cut, derive, join, x
+
+_TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
+_WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
+
+_SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
+
+_ROUNDING = 1e-12  # by so much the ends of a law may miss 0 and 1
+_JUMP = 1e-9  # what is smaller at a joint is rounding
+
+_JERK = 3  # the highest derivative a law is asked for
+
+
+class Branch(NamedTuple):
+    """A part of a law over which S only rises or only falls (or stands): x and S at its ends."""
+
+    low: float
+    high: float
+    s_low: float
+    s_high: float
+    curve: Callable[[float], float]
+
+    def solve(self, s: float) -> float:
+        """Return the x at which S = s, a value between those at the ends."""
+        rising = self.s_high > self.s_low
+        return bisect(lambda x: (self.curve(x) < s) == rising, self.low, self.high)
+
+
+@dataclass(frozen=True, eq=False)
+class MotionLaw:
+    """A motion law: its name and its one expression `s` in the symbol `x`, 0 <= x <= 1.
+
+    `also_called` lists the other names under which the field knows the same law.
+
+    >>> parabola_up = MotionLaw("square", x**2)
+    >>> parabola_up.v
+    2*x
+    >>> parabola_up(0.5)
+    0.25
+    """
+
+    name: str
+    s: sympy.Expr
+    also_called: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        expression = isinstance(self.s, sympy.Expr)
+        others = sorted(map(str, self.s.free_symbols - {x})) if expression else []
+        if not expression or others:
+            said = f"has the symbol {', '.join(others)}" if others else f"is {self.s!r}"
+            raise InputError(
+                f"The expression of the law {self.name!r} {said}; it has to be a SymPy expression "
+                "in cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
+            )
+
+    @property
+    def v(self) -> sympy.Expr:
+        """The dimensionless velocity V = dS/dx."""
+        return join(self._zones(1))
+
+    @property
+    def a(self) -> sympy.Expr:
+        """The dimensionless acceleration A = dV/dx."""
+        return join(self._zones(2))
+
+    @property
+    def j(self) -> sympy.Expr:
+        """The dimensionless jerk J = dA/dx; the impulses of `jerk_impulses` are not in it."""
+        return join(self._zones(3))
+
+    def __call__(self, x: ArrayLike, derivative: int = 0) -> Numbers:
+        """Return S (or V, A, J for derivative 1, 2, 3) at `x`.
+
+        `x` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape
+        and no unit. Raises InputError for an `x` outside the motion or another derivative.
+
+        >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3)([0, 0.5, 1], derivative=1)
+        array([0. , 1.5, 0. ])
+        """
+        if not (isinstance(derivative, int) and 0 <= derivative <= _JERK):
+            raise InputError(
+                f"The derivative is {derivative!r}; it has to be 0 for S, 1 for V, 2 for A "
+                "or 3 for J."
+            )
+        if derivative not in self._functions:
+            self._functions[derivative] = compile_zones(self._zones(derivative))
+        values = self._functions[derivative](_TIME.array(x))
+        return values if np.ndim(values) else float(values)
+
+    @property
+    def Cv(self) -> float:  # noqa: N802 (the field's symbol)
+        """The velocity factor: the largest abs(V); infinite where S jumps."""
+        return self._peak(1)
+
+    @property
+    def Ca(self) -> float:  # noqa: N802
+        """The acceleration factor: the largest abs(A); infinite where V jumps.
+
+        >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).Ca:.3f}")
+        6.000
+        """
+        return self._peak(2)
+
+    @property
+    def Cj(self) -> float:  # noqa: N802
+        """The jerk factor: the largest abs(J); infinite where A jumps, also from or to a dwell."""
+        return self._peak(3)
+
+    @cached_property
+    def Cq(self) -> float:  # noqa: N802
+        """The torque factor of the inertia: the largest abs(V A)."""
+        pairs = zip(self._zones(1), self._zones(2), strict=True)
+        return _largest(v._replace(curve=v.curve * a.curve) for v, a in pairs)
+
+    @cached_property
+    def Cj_inside(self) -> float:  # noqa: N802
+        """The largest abs(J) away from the jumps of A."""
+        return _largest(self._zones(3))
+
+    @cached_property
+    def jerk_impulses(self) -> tuple[tuple[float, float], ...]:
+        """Where A jumps, and by how much; before the move and after it A is 0.
+
+        >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).jerk_impulses
+        ((0.0, 6.0), (1.0, 6.0))
+        """
+        return self._jumps(2)
+
+    @cached_property
+    def is_symmetric(self) -> bool:
+        """Whether the second half is the first half turned about the middle."""
+        places = np.mod(np.arange(1, 40) * np.sqrt(2), 1)
+        return bool(np.allclose(self(places), 1 - self(1 - places), rtol=0, atol=_ROUNDING))
+
+    def with_constant_velocity(self, share: float) -> "MotionLaw":
+        """Return the law with a share of constant velocity put into the middle of it.
+
+        `share` is the part of the time, from 0 on and below 1. Raises InputError for another one,
+        and for a law that is not symmetric.
+
+        >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).with_constant_velocity(0.5).Cv:.3f}")
+        1.200
+        """
+        part = exact(_SHARE.number(share))
+        if not self.is_symmetric:
+            raise InputError(
+                f"The law {self.name!r} is not symmetric, so that it has no middle: give a law "
+                "whose second half mirrors the first."
+            )
+        if not part:
+            return self
+        half = sympy.Rational(1, 2)
+        steepest = self.v.subs(x, half)
+        velocity = 1 / (part + (1 - part) / steepest)
+        ends = (1 - part) / 2
+        scale = velocity * (1 - part) / steepest
+        zones = [
+            Zone(
+                scale * zone.curve.subs(x, x / (1 - part)),
+                zone.low * float(1 - part),
+                min(zone.high, 0.5) * float(1 - part),
+            )
+            for zone in self._zones(0)
+            if zone.low < half
+        ]
+        zones.append(Zone(half + velocity * (x - half), float(ends), 0.5))
+        return MotionLaw(f"{self.name}, {float(part):.4g} constant velocity", mirrored(zones))
+
+    @cached_property
+    def branches(self) -> tuple[Branch, ...]:
+        """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
+        return tuple(
+            Branch(low, high, zone.value(low), zone.value(high), compile_curve(zone.curve, "math"))
+            for zone in self._zones(0)
+            for low, high in pairwise([zone.low, *_turns(zone), zone.high])
+        )
+
+    @property
+    def is_monotone(self) -> bool:
+        """Whether S rises from the start to the end and never falls."""
+        return all(branch.s_high >= branch.s_low for branch in self.branches)
+
+    def inverse(self, s: ArrayLike) -> Numbers:
+        """Return the first x at which the law has come to S = s.
+
+        `s` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape.
+        It is solved for until the last bit of x. Raises InputError for an `s` out of range, and
+        for a law that turns on its way and so passes some places more than once, and for one that
+        does not go from 0 to 1.
+
+        >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).inverse(0.104):.5f}")
+        0.20000
+        """
+        places = _WAY.array(s)
+        self.check_way()
+        if not self.is_monotone:
+            raise InputError(
+                f"The law {self.name!r} turns back on its way, so that it passes some places more "
+                "than once: use where_above, which returns every interval."
+            )
+        roots = [self._first(place) for place in places.flat]
+        return np.reshape(roots, places.shape) if places.ndim else roots[0]
+
+    def where_above(self, s: float) -> list[tuple[float, float]]:
+        """Return the intervals of x in which S > s, in order; solved for, not sampled.
+
+        >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).where_above(0.5)
+        [(0.5, 1.0)]
+        """
+        return _joined(self._parts(s, 1))
+
+    def where_below(self, s: float) -> list[tuple[float, float]]:
+        """Return the intervals of x in which S < s; else like `where_above`."""
+        return _joined(self._parts(s, -1))
+
+    def check_way(self) -> None:
+        """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
+        start, end = self.branches[0].s_low, self.branches[-1].s_high
+        if max(abs(start), abs(end - 1)) > _ROUNDING:
+            raise InputError(
+                f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
+                "from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
+            )
+
+    def __repr__(self) -> str:
+        return f"MotionLaw({self.name!r})"
+
+    @cached_property
+    def _functions(self) -> dict[int, Callable[[Floats], Floats]]:
+        """S, V, A and J compiled for arrays, each when it is first asked for."""
+        return {}
+
+    @cached_property
+    def _derived(self) -> list[tuple[Zone, ...]]:
+        """The zones of S, V, ..., as far as they have been asked for."""
+        return [cut(self.s)]
+
+    def _zones(self, derivative: int) -> tuple[Zone, ...]:
+        while len(self._derived) <= derivative:
+            self._derived.append(derive(self._derived[-1]))
+        return self._derived[derivative]
+
+    def _peak(self, derivative: int) -> float:
+        """Return the largest magnitude of a curve, infinity where the one before it jumps."""
+        if derivative not in self._peaks:
+            jumps = any(self._jumps(lower) for lower in range(derivative))
+            self._peaks[derivative] = math.inf if jumps else _largest(self._zones(derivative))
+        return self._peaks[derivative]
+
+    @cached_property
+    def _peaks(self) -> dict[int, float]:
+        return {}
+
+    def _jumps(self, derivative: int) -> tuple[tuple[float, float], ...]:
+        """Return where a curve jumps and by how much; outside of the move it stands still."""
+        zones = self._zones(derivative)
+        starts = [zone.value(zone.low) for zone in zones]
+        ends = [zone.value(zone.high) for zone in zones]
+        after = 1.0 if derivative == 0 else 0.0
+        places = [*(zone.low for zone in zones), 1.0]
+        sizes = np.subtract([*starts, after], [0.0, *ends])
+        return tuple(
+            (place, float(size))
+            for place, size in zip(places, sizes, strict=True)
+            if abs(size) > _JUMP
+        )
+
+    def _first(self, s: float) -> float:
+        branch = next((branch for branch in self.branches if s <= branch.s_high), self.branches[-1])
+        if s <= branch.s_low:
+            return branch.low
+        return branch.high if s >= branch.s_high else branch.solve(s)
+
+    def _parts(self, s: float, side: int) -> Iterator[tuple[float, float]]:
+        """Yield where S is above s (side 1) or below (-1), branch by branch."""
+        for branch in self.branches:
+            low, high = side * (branch.s_low - s), side * (branch.s_high - s)
+            if min(low, high) >= 0 < max(low, high):
+                yield branch.low, branch.high
+            elif high > 0:
+                yield branch.solve(s), branch.high
+            elif low > 0:
+                yield branch.low, branch.solve(s)
+
+
+def _joined(parts: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the intervals with those that touch made one."""
+    found: list[tuple[float, float]] = []
+    for low, high in parts:
+        if found and found[-1][1] == low:
+            low = found.pop()[0]
+        found.append((low, high))
+    return found
+
+
+def mirrored(half: Iterable[Zone]) -> sympy.Expr:
+    """Return the expression whose second half is the first one turned about (1/2, 1/2)."""
+    zones = list(half)
+    turned = (Zone(1 - z.curve.subs(x, 1 - x), 1 - z.high, 1 - z.low) for z in reversed(zones))
+    return join([*zones, *turned])
+
+
+def exact(number: float) -> sympy.Rational:
+    """Return the simple fraction that a float stands for: 1/3 for 0.333..."""
+    fraction = Fraction(number).limit_denominator(10**6)
+    is_near = math.isclose(fraction, number, rel_tol=1e-14, abs_tol=1e-15)
+    return sympy.Rational(fraction if is_near else Fraction(number))
+
+
+def _turns(zone: Zone) -> list[float]:
+    return turning_points(zone.curve, x, zone.low, zone.high)
+
+
+def _largest(zones: Iterable[Zone]) -> float:
+    """Return the largest magnitude: it lies at an end of a zone or where the curve turns."""
+    return max(
+        abs(zone.value(place)) for zone in zones for place in (zone.low, *_turns(zone), zone.high)
+    )
