@@ -143,13 +143,16 @@ def test_twelve_mechanisms_get_a_lane_each() -> None:
     assert texts(ax) == list(TWELVE.names)
 
 
-def test_the_movement_of_an_indexing_motion_counts_from_the_stop_it_left() -> None:
+def test_the_movement_of_an_indexing_motion_counts_from_the_nearest_stop() -> None:
     """Also where its move crosses 360 deg, and where it goes backwards."""
     whole, half = (cm.rise(100, over_deg=150), cm.dwell(210)), (75, 255)
     late = cm.indexing_motion("late", *whole, stops=4, start_deg=285)
-    assert movement(late, np.array([0.0, *half])) == pytest.approx([50, 100, 100])
-    assert movement(late, np.array([359.9999]))[0] == pytest.approx(150, abs=1e-3)
+    assert movement(late, np.array([0.0, *half])) == pytest.approx([-50, 0, 0], abs=1e-9)
+    assert movement(late, np.array([359.9999]))[0] == pytest.approx(50, abs=1e-3)
     assert np.all(np.diff(movement(late, np.arange(360.0))) >= -1e-9)
+    nearly = cm.indexing_motion("nearly", *whole, stops=4, start_deg=225)
+    assert movement(nearly, np.array([0.0, 15, 200]))[0] == pytest.approx(-0.6451, abs=1e-4)
+    assert movement(nearly, np.array([0.0, 15, 200]))[1:] == pytest.approx([0, 0], abs=1e-9)
     back = cm.indexing_motion("back", cm.return_(60, over_deg=90), cm.dwell(270), stops=6)
     assert movement(back, np.array([0, 45, 90, 200])) == pytest.approx([0, -30, -60, -60])
 

@@ -141,17 +141,15 @@ def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) 
 
 
 def movement(motion: Motion, angle_deg: Floats) -> Floats:
-    """Return the position in mm; of an indexing motion, from the stop where it is at 0 deg.
-
-    If it is between two stops there, from the one that it has left.
-    """
+    """Return the position in mm; of an indexing motion, from the stop it is nearest at 0 deg."""
     positions = np.asarray(motion.position_mm(angle_deg))
     if motion.stops is None:
         return positions
     pitch, at_zero = motion.pitch_mm, float(motion.position_mm(0.0)) - motion.start_mm
     pitches = (positions - motion.start_mm - at_zero) / pitch
     since_zero = np.mod(pitches.round(12), motion.stops)  # a rounding below 0 is no turn back
-    return np.asarray(pitch * (since_zero + np.mod(at_zero / pitch, 1)))
+    off_stop = at_zero / pitch - np.round(at_zero / pitch)
+    return np.asarray(pitch * (since_zero + off_stop))
 
 
 def curve_angles(motion: Motion) -> Floats:
