@@ -15,9 +15,10 @@ from known_slips import die, law, place, rest, stroke, widest
 
 import cammotion as cm
 from cammotion.checks import Floats
+from cammotion.clearance import find_violations
 from cammotion.exercises.catalogue import EXERCISES
 from cammotion.exercises.kinds import NumberExercise
-from cammotion.overlap import find_violations, with_angle
+from cammotion.overlap import with_angle
 from cammotion.variants import SOURCE, Machine, machine_for
 
 RANGES = {

@@ -2,6 +2,7 @@ from . import (
     animation,
     arcs,
     checks,
+    clearance,
     diagram,
     exercises,
     explorers,
@@ -22,6 +23,14 @@ from . import (
 )
 from .animation import animate
 from .checks import InputError
+from .clearance import (
+    ClearanceRule,
+    beyond,
+    find_clearances,
+    find_violations,
+    smallest_clearance,
+    within,
+)
 from .diagram import TimingDiagram
 from .exercises import ask, check, choose, hint, predict, progress, variant
 from .explorers.move import explore_move
@@ -38,16 +47,7 @@ from .kinematics import (
 from .laws import LAWS, as_law, fifth_degree_linear, polynomial, scca
 from .motion_law import MotionLaw
 from .motions import Motion, indexing_motion, motion
-from .overlap import (
-    ClearanceRule,
-    beyond,
-    find_clearances,
-    find_violations,
-    smallest_clearance,
-    widest_move,
-    with_angle,
-    within,
-)
+from .overlap import widest_move, with_angle
 from .plots import plot_curves, plot_inverse_square, plot_peaks
 from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
@@ -74,6 +74,7 @@ __all__ = [
     "check_setup",
     "checks",
     "choose",
+    "clearance",
     "cycle_time",
     "diagram",
     "dwell",

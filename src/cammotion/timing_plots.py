@@ -11,10 +11,10 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.arcs import Arc
 from cammotion.checks import Floats, InputError, one_of
+from cammotion.clearance import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.diagram import TimingDiagram, as_diagram
 from cammotion.kinematics import DEG_PER_TURN
 from cammotion.motions import Motion
-from cammotion.overlap import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.plots import CURVES, colour, style_axes, style_line, write
 from cammotion.segments import Segment
 

@@ -13,11 +13,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from cammotion.checks import InputError, shorten
+from cammotion.clearance import ClearanceRule, beyond, within
 from cammotion.diagram import TimingDiagram
 from cammotion.kinematics import DEG_PER_TURN
 from cammotion.laws import LAWS
 from cammotion.motions import Motion, indexing_motion, motion
-from cammotion.overlap import ClearanceRule, beyond, widest_move, within
+from cammotion.overlap import widest_move
 from cammotion.segments import dwell, return_, rise
 
 QUIET_SHARE = 0.1

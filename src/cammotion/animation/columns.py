@@ -23,9 +23,9 @@ from cammotion.animation.dies import find_dies
 from cammotion.animation.keyframes import Trace, trace_acceleration, trace_position
 from cammotion.animation.scene import draw_scene, scene_height
 from cammotion.arcs import Arc, arcs
+from cammotion.clearance import ClearanceRule, Violation, find_violations
 from cammotion.diagram import TimingDiagram
 from cammotion.kinematics import DEG_PER_TURN
-from cammotion.overlap import ClearanceRule, Violation, find_violations
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
 ALARMS, ALARM_PX = 3, 38  # so many are written below the machine

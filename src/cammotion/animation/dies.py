@@ -9,9 +9,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from cammotion.animation.keyframes import Trace, trace_position
+from cammotion.clearance import ClearanceRule
 from cammotion.diagram import TimingDiagram
 from cammotion.motions import Motion
-from cammotion.overlap import ClearanceRule
 
 MARGIN_MM = 1.0  # less for a die that hardly moves
 

@@ -18,9 +18,9 @@ from cammotion.animation import svg
 from cammotion.animation.columns import INNER_PX, Design, Layout
 from cammotion.animation.player import Player
 from cammotion.checks import InputError, Quantity, shorten
+from cammotion.clearance import ClearanceRule, as_rules
 from cammotion.diagram import TimingDiagram
 from cammotion.files import write_new
-from cammotion.overlap import ClearanceRule, as_rules
 
 TURN = Quantity("time of a turn in the animation", "s", example=9)
 COLUMNS = 2  # more designs come below: smaller, they could not be read

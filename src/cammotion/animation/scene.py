@@ -11,9 +11,9 @@ from cammotion.animation.dies import find_dies
 from cammotion.animation.keyframes import trace_position
 from cammotion.animation.turret import Turret, panel_height
 from cammotion.arcs import Arc
+from cammotion.clearance import ClearanceRule
 from cammotion.diagram import TimingDiagram
 from cammotion.motions import Motion
-from cammotion.overlap import ClearanceRule
 from cammotion.plots import colour
 
 SLIDE_PX = 124

@@ -10,20 +10,19 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from cammotion.checks import Floats, InputError, Quantity
-from cammotion.diagram import TimingDiagram
-from cammotion.kinematics import DEG_PER_TURN
-from cammotion.live import Explorer, LiveFigure, NumberControl
-from cammotion.motions import Motion
-from cammotion.motions import motion as make_motion
-from cammotion.overlap import (
+from cammotion.clearance import (
     ClearanceRule,
     Violation,
     as_rules,
     find_violations,
     smallest_clearance,
-    widest_move,
-    with_angle,
 )
+from cammotion.diagram import TimingDiagram
+from cammotion.kinematics import DEG_PER_TURN
+from cammotion.live import Explorer, LiveFigure, NumberControl
+from cammotion.motions import Motion
+from cammotion.motions import motion as make_motion
+from cammotion.overlap import widest_move, with_angle
 from cammotion.plots import REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.segments import dwell, return_, rise
 from cammotion.timing_plots import (
