@@ -11,7 +11,8 @@ import numpy as np
 import sympy
 
 from cammotion.checks import Floats, shorten
-from cammotion.exercises.kinds import COMMON_RATIOS, Exercise, OddAnswerError, Slip, to_number
+from cammotion.exercises.kinds import Exercise, OddAnswerError, Slip, to_number
+from cammotion.exercises.reasons import COMMON_RATIOS
 from cammotion.variants import Machine
 
 _PLACES = 24

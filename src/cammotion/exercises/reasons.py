@@ -1,0 +1,77 @@
+"""Ratios of a wrong answer to the right one that betray what has happened."""
+
+import math
+from collections.abc import Mapping
+
+COMMON_RATIOS: Mapping[float, str] = {
+    -1.0: "The size is right, but not the sign.",
+    2 * math.pi: "This is 2 pi times too large. There is a factor 2 pi too many.",
+    1 / (2 * math.pi): "This is 2 pi times too small. Has the factor 2 pi been lost?",
+    math.pi: "This is pi times too large. There is a factor pi too many.",
+    1 / math.pi: "This is pi times too small. Has a factor pi been lost?",
+    2.0: "This is twice as much as it should be. Is there a factor 2 too many?",
+    1 / 2: "This is half of what it should be. Is there a factor 2 missing?",
+    4.0: (
+        "This is four times as much as it should be. Dividing by the square of a time that is only "
+        "half as long gives this."
+    ),
+    1 / 4: (
+        "This is a quarter of what it should be. Dividing by the square of a time that is twice as "
+        "long gives this."
+    ),
+    1e6: "This is a million times too large. Are mm, or ms, squared on the way?",
+    1e-6: "This is a million times too small. Are mm, or ms, squared on the way?",
+    math.pi / 180: "Degrees were made radians here, but the formula counts in degrees.",
+    180 / math.pi: "This was multiplied by 180/pi, as if radians had to be made degrees.",
+}
+"""Ratios of an answer to the right one, and what has usually happened where one is met."""
+
+_TOO_FAST: Mapping[float, str] = {
+    3600.0: (
+        "This is 3600 times too large, 60 squared. Were pieces per hour taken for pieces per "
+        "minute?"
+    ),
+    3600.0**2: (
+        "This is 3600 squared times too large. Were pieces per hour taken for pieces per second?"
+    ),
+}
+_TIMES: Mapping[float, str] = {
+    3600.0: "This is 3600 times too large. Was an hour made seconds twice?",
+    1 / 3600: (
+        "This is 3600 times too small: the time in hours, or pieces per hour taken for pieces per "
+        "second."
+    ),
+    60.0: "This is 60 times too large. An hour has 60 minutes, and 3600 seconds.",
+    1 / 60: (
+        "This is 60 times too small: the time in minutes, or pieces per hour taken for pieces per "
+        "minute."
+    ),
+}
+UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
+    "": {
+        100.0: "This is a hundred times too large. Is it in percent?",
+        1000.0: "This is a thousand times too large. Is one length in mm, the other in metres?",
+        1 / 1000: "This is a thousand times too small. Is one length in mm, the other in metres?",
+    },
+    "deg": {1 / 360: "This is a part of a turn. Multiply it by the 360 degrees of a turn."},
+    "m/s²": {
+        1000.0: "This is a thousand times too large. Is a length in mm where metres belong?",
+        1 / 1000: "This is a thousand times too small. Was a length divided by 1000 twice?",
+        100.0: "This is a hundred times too large. Is a length in cm where metres belong?",
+        **_TOO_FAST,
+    },
+    "mm": {
+        1000.0: "This is a thousand times too large. Was a length taken for metres?",
+        1 / 1000: "This is a thousand times too small: it is in metres. mm are asked for.",
+        1 / 10: "This is a tenth of what it should be: it is in cm. mm are asked for.",
+    },
+    "ms": {**_TIMES, 1 / 1000: "This is in seconds. Milliseconds are asked for."},
+    "N": {
+        1000.0: "This is a thousand times too large. Is a length in mm where metres belong?",
+        1 / 1000: "This is a thousand times too small: it is in kN. Newtons are asked for.",
+        100.0: "This is a hundred times too large. Is a length in cm where metres belong?",
+        **_TOO_FAST,
+    },
+    "s": {**_TIMES, 1000.0: "This is in milliseconds. Seconds are asked for."},
+}
+"""The same by the unit of the answer: a thousand is mm for m in a length, and ms in a time."""
