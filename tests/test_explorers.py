@@ -51,10 +51,10 @@ def test_every_corner_of_the_overlap(overlap: OverlapExplorer) -> None:
         assert ("COLLISION" in overlap.text) == bool(violations)
         assert ("No collision" in overlap.text) == (not violations)
         for line, name in zip(overlap._lines, ("mill", "die"), strict=True):
-            angles, heights = line.get_data()
+            angles, heights = data(line).T
             low, high = overlap._time.get_ylim()
             assert low <= np.min(heights) <= np.max(heights) <= high
-            moved = np.asarray(diagram.position_mm(name, angles)) - np.asarray(heights)
+            moved = np.asarray(diagram.position_mm(name, angles)) - heights
             assert np.allclose(moved / 100, np.round(moved / 100))  # of the mill, whole pitches
 
 
@@ -66,7 +66,7 @@ def test_a_collision_turns_up_at_once_and_is_named(overlap: OverlapExplorer) -> 
     for marks in (*overlap._marks, overlap._broken_path):
         marked = data(marks)
         assert np.isnan(marked).all(axis=1).sum() == 2  # one break after each of two arcs
-    angles = overlap._marks[1].get_xdata()
+    angles = data(overlap._marks[1])[:, 0]
     assert np.nanmin(angles) == pytest.approx(15.0383, abs=1e-4)
     assert np.nanmax(angles) == pytest.approx(134.9617, abs=1e-4)
     overlap.start.value = 82
