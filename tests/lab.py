@@ -138,6 +138,21 @@ def running_browser() -> Iterator[Browser]:
         browser.close()
 
 
+@contextmanager
+def opened_lesson(home: Path, work: str, link: str, lesson: str) -> Iterator["LabPage"]:
+    """Open a lesson by the starter's address and the link of notebook 00; do not run it."""
+    require_chromium()
+    try:
+        with running_browser() as browser, running_lab(home, work) as address:
+            lab = LabPage(browser, address)
+            lab.wait_for("00_start_here.ipynb")
+            lab.notebook.get_by_role("link", name=link).click()
+            lab.wait_for(lesson)
+            yield lab
+    finally:
+        shutil.rmtree(ROOT / work, ignore_errors=True)
+
+
 class LabPage:
     """JupyterLab in a page of its own; what goes wrong there is collected in `complaints`."""
 

@@ -15,6 +15,7 @@ import pytest
 from bs4 import BeautifulSoup
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machines import RULE, make_diagram, make_die, make_mill
 from notebook_lint import _svg_faults
 
 import cammotion as cm
@@ -25,14 +26,8 @@ from cammotion.animation.player import speeds_for
 from cammotion.animation.svg import text_px, wrapped
 from cammotion.checks import Floats
 
-MILL = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-DIE = cm.motion(
-    "die",
-    *(cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=55), cm.dwell(150)),
-    start_deg=150,
-)
-BEFORE = cm.TimingDiagram([MILL, DIE], rate_per_hour=2000)
-RULE = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
+MILL, DIE = make_mill(), make_die()
+BEFORE = make_diagram(MILL, DIE)
 AFTER = cm.widest_move(BEFORE, "die", RULE).diagram
 EARLY_DIE = cm.motion(
     "die", cm.rise(50, over_deg=140), cm.dwell(100), cm.return_(50, over_deg=120), start_deg=65

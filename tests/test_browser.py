@@ -1,10 +1,9 @@
 """What only a browser shows: a learner works through notebook 02 in JupyterLab, and comes back."""
 
-import shutil
 from collections.abc import Iterator
 
 import pytest
-from lab import ROOT, LabPage, require_chromium, running_browser, running_lab
+from lab import LabPage, opened_lesson
 from playwright.sync_api import Locator, expect
 
 import cammotion as cm
@@ -19,17 +18,9 @@ expect.set_options(timeout=10_000)
 @pytest.fixture(scope="module")
 def opened(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
     """Notebook 02, reached by the starter's address and notebook 00's link, and not run yet."""
-    require_chromium()
     home = tmp_path_factory.mktemp("jupyter")
-    try:
-        with running_browser() as browser, running_lab(home, WORK) as address:
-            lab = LabPage(browser, address)
-            lab.wait_for("00_start_here.ipynb")
-            lab.notebook.get_by_role("link", name="02 Maximum acceleration").click()
-            lab.wait_for(LESSON)
-            yield lab
-    finally:
-        shutil.rmtree(ROOT / WORK, ignore_errors=True)
+    with opened_lesson(home, WORK, "02 Maximum acceleration", LESSON) as lab:
+        yield lab
 
 
 @pytest.fixture(scope="module")

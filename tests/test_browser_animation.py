@@ -21,9 +21,10 @@ from lab import (
     running_browser,
     running_lab,
 )
+from machines import RULE
 from PIL import Image
 from playwright.sync_api import Browser, Locator, Page, expect
-from test_animation import AFTER, BEFORE, COLLIDING, MACHINES, RULE
+from test_animation import AFTER, BEFORE, COLLIDING, MACHINES
 
 import cammotion as cm
 from cammotion.animation import animate

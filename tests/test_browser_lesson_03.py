@@ -1,11 +1,10 @@
 """A learner works through notebook 03 in JupyterLab: the explorer and the exercises."""
 
 import json
-import shutil
 from collections.abc import Iterator
 
 import pytest
-from lab import ROOT, LabPage, require_chromium, running_browser, running_lab
+from lab import ROOT, LabPage, opened_lesson
 from machines import RULE, make_diagram
 from playwright.sync_api import Locator, expect
 
@@ -18,18 +17,10 @@ LESSON = "03_overlap.ipynb"
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
     """Open notebook 03 by the link of notebook 00, and run all its cells."""
-    require_chromium()
     home = tmp_path_factory.mktemp("jupyter")
-    try:
-        with running_browser() as browser, running_lab(home, WORK) as address:
-            lab = LabPage(browser, address)
-            lab.wait_for("00_start_here.ipynb")
-            lab.notebook.get_by_role("link", name="03 Overlap").click()
-            lab.wait_for(LESSON)
-            lab.command("notebook:run-all-cells")
-            yield lab
-    finally:
-        shutil.rmtree(ROOT / WORK, ignore_errors=True)
+    with opened_lesson(home, WORK, "03 Overlap", LESSON) as lab:
+        lab.command("notebook:run-all-cells")
+        yield lab
 
 
 @pytest.fixture

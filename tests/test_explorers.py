@@ -168,3 +168,18 @@ def test_shares_need_a_mill_and_a_die(diagram: Any) -> None:
 def test_the_overlap_needs_a_rule_of_its_kind(rule: cm.ClearanceRule) -> None:
     with pytest.raises(cm.InputError, match="cannot be explored: give one in which"):
         cm.explore_overlap(DIAGRAM, rule, contact_mm=20)
+
+
+def test_a_die_that_turns_back_at_once_can_be_explored() -> None:
+    """It has no dwell at the bottom, which the explorer would have to keep."""
+    die = cm.motion(
+        "die",
+        cm.rise(50, over_deg=55),
+        cm.return_(50, over_deg=55),
+        cm.dwell(250),
+        start_deg=200,
+    )
+    explorer = cm.explore_overlap(make_diagram(make_mill(), die), RULE, contact_mm=20)
+    explorer.widen()
+    assert "No collision" in explorer.text
+    assert explorer.angle.value > 55

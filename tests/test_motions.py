@@ -306,3 +306,13 @@ def test_motions_are_told_apart_by_what_they_are() -> None:
     assert Motion("die", list(DIE.segments)) == DIE
     with pytest.raises(AttributeError):
         DIE.name = "punch"  # type: ignore[misc]
+
+
+def test_a_shifted_motion_does_the_same_later() -> None:
+    angles = np.linspace(-360, 720, 271)
+    for motion in (make_die(), make_mill()):
+        later = motion.shifted(33.5)
+        assert later.start_deg == motion.start_deg + 33.5
+        assert later.offset_mm(angles + 33.5) == pytest.approx(motion.offset_mm(angles), abs=1e-9)
+    with pytest.raises(cm.InputError, match="The cam angle is nan"):
+        make_die().shifted(float("nan"))

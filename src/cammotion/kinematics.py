@@ -21,6 +21,7 @@ RATE = Quantity("machine rate", "pieces/h", example=2000)
 SECONDS_PER_HOUR = 3600
 DEG_PER_TURN = 360
 MM_PER_M = 1000
+STANDARD_GRAVITY = 9.80665  # m/s2, by definition
 
 
 def cycle_time(rate_per_hour: ArrayLike) -> Numbers:

@@ -8,7 +8,7 @@ each turn takes it one pitch on, from stop to stop, until the stops have closed 
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -94,6 +94,14 @@ class Motion:
         """The lowest and the highest position in a turn, the first one of an indexing motion."""
         places = [s.position_mm(angle) for s in self.segments for angle in s.turning_degs]
         return float(min(places)), float(max(places))
+
+    def shifted(self, angle_deg: float) -> "Motion":
+        """Return the same motion, begun so many deg later, or earlier if below 0."""
+        way = CAM_ANGLE.number(angle_deg)
+        segments = (
+            replace(s, from_deg=s.from_deg + way, to_deg=s.to_deg + way) for s in self.segments
+        )
+        return replace(self, segments=tuple(segments))
 
     def position_mm(self, angle_deg: ArrayLike) -> Numbers:
         """Return the position in mm at a cam angle in deg, a number or an array of any shape.

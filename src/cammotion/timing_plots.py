@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
@@ -300,6 +301,4 @@ def _side(condition: Condition, limits: tuple[float, float]) -> tuple[float, flo
 
 
 def _pale(name: str) -> tuple[float, ...]:
-    from matplotlib.colors import to_rgb
-
     return tuple(0.75 + 0.25 * part for part in to_rgb(name))

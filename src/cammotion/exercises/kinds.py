@@ -13,10 +13,10 @@ import sympy
 
 from cammotion.checks import shorten
 from cammotion.exercises.reasons import COMMON_RATIOS, UNIT_RATIOS
+from cammotion.kinematics import STANDARD_GRAVITY
 from cammotion.variants import Machine
 
 State = Literal["open", "right", "wrong"]
-STANDARD_GRAVITY = 9.80665  # m/s2, by definition
 _NEAR = 0.02  # so near to the right answer it is the rounding
 _AROUND_A_LETTER = " \t\n().:'\""
 _NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share

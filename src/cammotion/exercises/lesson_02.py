@@ -5,9 +5,10 @@ import math
 import sympy
 
 from cammotion.exercises.expressions import ExpressionExercise
-from cammotion.exercises.kinds import STANDARD_GRAVITY, ChoiceExercise, NumberExercise, Slip
+from cammotion.exercises.kinds import ChoiceExercise, NumberExercise, Slip
 from cammotion.kinematics import (
     MM_PER_M,
+    STANDARD_GRAVITY,
     cycle_time,
     indexing_time,
     peak_acceleration,

@@ -9,11 +9,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from cammotion.checks import InputError
-from cammotion.kinematics import Move
+from cammotion.kinematics import STANDARD_GRAVITY, Move
 from cammotion.live import Explorer, LiveFigure, NumberControl, round_up
 from cammotion.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
-
-STANDARD_GRAVITY = 9.80665  # m/s2, by definition
 
 
 class MoveExplorer(Explorer):

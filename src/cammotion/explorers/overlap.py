@@ -21,10 +21,8 @@ from cammotion.diagram import TimingDiagram
 from cammotion.kinematics import DEG_PER_TURN
 from cammotion.live import Explorer, LiveFigure, NumberControl
 from cammotion.motions import Motion
-from cammotion.motions import motion as make_motion
 from cammotion.overlap import widest_move, with_angle
 from cammotion.plots import REFERENCE_STYLE, style_axes, style_line, write
-from cammotion.segments import dwell, return_, rise
 from cammotion.timing_plots import (
     COLLISION,
     clearance_path,
@@ -51,8 +49,8 @@ class OverlapExplorer(Explorer):
         self._die, self._mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
         self._refusal = ""
         (down, up), (index,) = self._die.moves, self._mill.moves
-        self._work_deg = up.from_deg - down.to_deg
-        die, mill, most = self._die.name, self._mill.name, (DEG_PER_TURN - self._work_deg) / 2
+        die, mill = self._die.name, self._mill.name
+        most = (DEG_PER_TURN - (up.from_deg - down.to_deg)) / 2
         margin = contact_mm - rule.when.limit_mm
         start = down.from_deg % DEG_PER_TURN
         self.angle = NumberControl(f"{die}: angle Bm, deg", down.angle_deg, 20, most, 0.5)
@@ -77,15 +75,8 @@ class OverlapExplorer(Explorer):
     @property
     def diagram(self) -> TimingDiagram:
         """The timing diagram that the controls show."""
-        angle, rest = self.angle.value, DEG_PER_TURN - self._work_deg - 2 * self.angle.value
-        down, up = self._die.moves
-        parts = [
-            rise(down.change_mm, over_deg=angle, law=down.law or "cycloidal"),
-            dwell(self._work_deg),
-            return_(-up.change_mm, over_deg=angle, law=up.law or "cycloidal"),
-            *([dwell(rest)] if rest > 0 else []),
-        ]
-        die = make_motion(self._die.name, *parts, start_deg=self.start.value, start_mm=down.from_mm)
+        die = with_angle(self._die, self.angle.value)
+        die = die.shifted(self.start.value - die.start_deg)
         mill = with_angle(self._mill, self.mill_angle.value)
         return self.reference.with_motion(mill).with_motion(die)
 
