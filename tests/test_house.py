@@ -22,6 +22,7 @@ FLOORS = [
     {"files"},
     {"turning", "zones"},
     {"motion_law"},
+    {"scca_family"},
     {"laws"},
     {"kinematics"},
     {"arcs"},

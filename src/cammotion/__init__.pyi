@@ -13,6 +13,7 @@ from . import (
     motions,
     overlap,
     plots,
+    scca_family,
     segments,
     setup_check,
     tables,
@@ -44,11 +45,12 @@ from .kinematics import (
     peak_jerk,
     peak_velocity,
 )
-from .laws import LAWS, as_law, fifth_degree_linear, polynomial, scca
+from .laws import LAWS, as_law, fifth_degree_linear, polynomial
 from .motion_law import MotionLaw
 from .motions import Motion, indexing_motion, motion
 from .overlap import widest_move, with_angle
 from .plots import plot_curves, plot_inverse_square, plot_peaks
+from .scca_family import scca
 from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
 from .tables import read_segments, write_curves, write_segments
@@ -112,6 +114,7 @@ __all__ = [
     "return_",
     "rise",
     "scca",
+    "scca_family",
     "segments",
     "setup_check",
     "smallest_clearance",
