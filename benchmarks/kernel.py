@@ -31,7 +31,7 @@ def measure_ticks() -> list[Finding]:
 
 
 def measure_explorers() -> list[Finding]:
-    """Move every control of the explorers of notebooks 01 and 03 over its range, in one kernel."""
+    """Move every control of the other explorers over its range, in one kernel."""
     times = json.loads(run_in_kernel(SETUP, "time_explorers_as_json()"))
     for name, own in times.items():
         say(f"{name}: median {statistics.median(own):.1f} ms of {len(own)} ticks")
@@ -88,6 +88,7 @@ def time_explorers_as_json() -> str:
     explorers = {
         "explore_shares": cm.explore_shares(diagram),
         "explore_overlap": cm.explore_overlap(diagram, rule, contact_mm=20),
+        "explore_scca": cm.explore_scca(),
     }
     times: dict[str, list[float]] = {name: [] for name in explorers}
     for name, explorer in explorers.items():

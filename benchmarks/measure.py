@@ -13,8 +13,10 @@ from browser import measure_redraws
 from exercises import measure_exercises
 from findings import Finding
 from kernel import measure_explorers, measure_ticks
+from laws import measure_first_use, measure_laws, measure_rival
+from limits import measure_limits
 from overlap import measure_overlap
-from package import measure_import, measure_law, measure_lesson, measure_setup, measure_test
+from package import measure_import, measure_lesson, measure_setup, measure_test
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "tick": measure_ticks,
@@ -23,8 +25,11 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "browser": measure_redraws,
     "exercises": measure_exercises,
     "import": measure_import,
-    "law": measure_law,
+    "law": measure_laws,
+    "law-rival": measure_rival,
+    "first-use": measure_first_use,
     "lesson": measure_lesson,
+    "limits": measure_limits,
     "overlap": measure_overlap,
     "setup": measure_setup,
     "test": measure_test,

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from pathlib import Path
 from statistics import median
 
-import numpy as np
 from execution import execute, make_notebook, read_notebook
 from findings import Finding, ratio_of_medians, say
 
@@ -60,28 +59,6 @@ def measure_import() -> list[Finding]:
         Finding("import cammotion : import numpy", ratio_of_medians(own, yardstick), 1.2, "x"),
         Finding("of SymPy and Matplotlib, loaded by it", len(HEAVY & {*loaded}), 0, ""),
     ]
-
-
-def measure_law() -> list[Finding]:
-    """Compute s, v, a, j of the cycloidal law at 100,000 points, and by hand."""
-    from cammotion.laws import LAWS
-
-    law, x = LAWS["cycloidal"], np.linspace(0, 1, 100_000)
-
-    def compute() -> None:
-        for derivative in range(4):
-            law(x, derivative)
-
-    def compute_by_hand() -> None:
-        w = 2 * np.pi
-        x - np.sin(w * x) / w
-        1 - np.cos(w * x)
-        w * np.sin(w * x)
-        w**2 * np.cos(w * x)
-
-    compute()  # the first call compiles
-    own, by_hand = time_by_turns(compute, compute_by_hand, rounds=50)
-    return [Finding("s, v, a, j of a law : by hand", ratio_of_medians(own, by_hand), 1.5, "x")]
 
 
 def measure_lesson() -> list[Finding]:

@@ -12,6 +12,7 @@ from machines import RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
 from cammotion.explorers.overlap import OverlapExplorer
+from cammotion.explorers.scca import SccaExplorer
 from cammotion.explorers.shares import ShareExplorer
 from cammotion.live import Explorer
 
@@ -26,6 +27,11 @@ def overlap() -> OverlapExplorer:
 @pytest.fixture
 def shares() -> ShareExplorer:
     return cm.explore_shares(DIAGRAM)
+
+
+@pytest.fixture
+def scca() -> SccaExplorer:
+    return cm.explore_scca()
 
 
 def set_controls(explorer: Explorer, places: tuple[str, ...]) -> None:
@@ -130,7 +136,7 @@ def test_the_best_share_of_a_turn_without_overlap(shares: ShareExplorer) -> None
     assert peaks_said(shares.text) == pytest.approx([2.167, 2.167])
 
 
-@pytest.mark.parametrize("explorer", ["overlap", "shares"])
+@pytest.mark.parametrize("explorer", ["overlap", "shares", "scca"])
 def test_a_reader_without_a_kernel_gets_picture_and_text(
     explorer: str, request: pytest.FixtureRequest
 ) -> None:
@@ -183,3 +189,118 @@ def test_a_die_that_turns_back_at_once_can_be_explored() -> None:
     explorer.widen()
     assert "No collision" in explorer.text
     assert explorer.angle.value > 55
+
+
+def limits_of(scca: SccaExplorer) -> list[tuple[float, float]]:
+    axes: list[Any] = [line.axes for line in scca._lines]
+    return [ax.get_ylim() for ax in axes]
+
+
+def check_scca(scca: SccaExplorer) -> None:
+    """Compare what is drawn and said with the law itself."""
+    law = scca.law
+    for order, (line, limits) in enumerate(zip(scca._lines, limits_of(scca), strict=True)):
+        x, heights = data(line).T
+        inside = np.isfinite(heights) & (np.min(np.abs(x - joints(scca)), axis=0) > 1e-6)
+        assert heights[inside] == pytest.approx(law(x[inside], order), rel=1e-9, abs=1e-9)
+        low, high = limits
+        assert order == 3 or low <= np.min(heights) <= np.max(heights) <= high
+    said = scca.text.splitlines()[1]
+    for factor in ("Cv", "Ca", "Cq"):
+        assert f"{factor} = {getattr(law, factor):.4g}" in said
+    assert (f"Cj = {law.Cj:.4g}," if np.isfinite(law.Cj) else "Cj infinite (A jumps ") in said
+
+
+def joints(scca: SccaExplorer) -> Any:
+    b, c, _ = scca.curves.parts
+    first = np.array([0, b / 2, (b + c) / 2, 0.5])
+    return np.concatenate([first, 1 - first])[:, np.newaxis]
+
+
+def test_every_corner_of_the_scca_triangle(scca: SccaExplorer) -> None:
+    limits = limits_of(scca)
+    for places in [*product(["min", "default", "max"], repeat=2), ("default", "default")]:
+        set_controls(scca, places)
+        check_scca(scca)
+        assert limits_of(scca) == limits
+
+
+def test_a_law_between_the_named_ones(scca: SccaExplorer) -> None:
+    scca.b.value, scca.c.value = 0.1, 0.3
+    check_scca(scca)
+    assert scca.text.splitlines() == [
+        "b = 0.1, c = 0.3, d = 0.6",
+        "Cv = 1.732, Ca = 4.646, Cj = 145.9, Cq = 5.184",
+        "Ca is 1.161 times the least that is possible, 4",
+    ]
+    assert scca._note.get_text() == "peak 145.9 cut off"
+    assert scca.law.name == "SCCA(0.1, 0.3, 0.6)"
+    assert data(scca._point)[0] == pytest.approx([0.3 / 2 + 0.6, 0.3 * 3**0.5 / 2])
+
+
+@pytest.mark.parametrize(
+    ("number", "first", "jerk"),
+    [
+        (0, "b = 0, c = 1, d = 0: constant acceleration, also called parabolic", (0, 0.5, 1)),
+        (1, "b = 0, c = 0, d = 1: simple harmonic, also called cosine", (0, 1)),
+        (2, "b = 0.25, c = 0.5, d = 0.25: modified trapezoid, also called modified tr", ()),
+        (3, "b = 0.25, c = 0, d = 0.75: modified sine, also called modified sine curve", ()),
+        (4, "b = 0.5, c = 0, d = 0.5: cycloidal, also called inclined sine or Bestehorn", ()),
+    ],
+)
+def test_the_buttons_set_the_named_laws(
+    scca: SccaExplorer, number: int, first: str, jerk: tuple[float, ...]
+) -> None:
+    scca.b.value = 0.8  # so that no button finds its law already set
+    (row,) = [child for child in scca.children if type(child) is ipywidgets.HBox]
+    button = row.children[number]
+    button.click()
+    assert scca.text.startswith(first)
+    check_scca(scca)
+    named = cm.LAWS[button.description]
+    assert (scca.law.name, scca.law.also_called) == (named.name, named.also_called)
+    assert scca.law(0.3) == pytest.approx(named(0.3))
+    ups = data(scca._jumps)[1::3]
+    assert tuple(place for place, height in ups if height) == jerk
+    assert [np.sign(height) for place, height in ups if height] == [
+        np.sign(size) for _, size in named.jerk_impulses
+    ]
+
+
+def test_where_the_acceleration_jumps_a_line_stands(scca: SccaExplorer) -> None:
+    scca.choose("constant acceleration")
+    x, heights = data(scca._lines[2]).T
+    for place, sides in ((0, {0, 4}), (0.5, {4, -4}), (1, {-4, 0})):
+        assert {*np.round(heights[x == place], 12)} == sides
+    assert "(A jumps at the ends and in the middle)" in scca.text
+    assert scca.text.endswith("Ca is the least that is possible, 4")
+    scca.choose("simple harmonic")
+    assert "Cj infinite (A jumps at the ends)," in scca.text
+    scca.b.value = 1
+    assert "Cj infinite (A jumps in the middle)," in scca.text
+
+
+def test_the_other_part_gives_way_and_the_figure_is_drawn_once(
+    scca: SccaExplorer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn: list[Any] = []
+    monkeypatch.setattr(scca.live, "refresh", lambda: drawn.append(scca.curves.parts))
+    scca.c.value = 0.8  # b was 0.5
+    assert drawn == [pytest.approx((0.2, 0.8, 0))]
+    assert [scca.b.value, scca.b.slider.value] == pytest.approx([0.2, 0.2])
+    scca.b.value = 0.7
+    assert drawn[1:] == [pytest.approx((0.7, 0.3, 0))]
+    scca.b.slider.value = 0.4  # nothing has to give way
+    assert drawn[2:] == [pytest.approx((0.4, 0.3, 0.3))]
+    scca.choose("modified trapezoid")
+    assert drawn[3:] == [(0.25, 0.5, 0.25)]
+    scca.c.value = 1
+    scca.b.value = 0.123456789012345  # between the steps, and 1 less it is no round number
+    assert drawn[4:] == [(0, 1, 0), pytest.approx((0.123456789012345, 0.876543210987655, 0))]
+    assert drawn[-1][2] == 0
+    check_scca(scca)
+
+
+def test_only_named_laws_of_the_family_can_be_chosen(scca: SccaExplorer) -> None:
+    with pytest.raises(cm.InputError, match="There is no law of the SCCA family 'cubic': use one"):
+        scca.choose("cubic")

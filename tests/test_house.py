@@ -20,9 +20,10 @@ PACKAGE = ROOT / "src" / "cammotion"
 FLOORS = [
     {"checks"},
     {"files"},
+    {"series"},
     {"turning", "zones"},
     {"motion_law"},
-    {"scca_family"},
+    {"sampled", "scca_family"},
     {"laws"},
     {"kinematics"},
     {"arcs"},
@@ -30,13 +31,15 @@ FLOORS = [
     {"motions"},
     {"diagram"},
     {"clearance", "tables"},
-    {"overlap"},
+    {"corridors", "overlap"},
+    {"grid_motion"},
+    {"limits"},
     {"variants"},
     {"plots", "setup_check"},
-    {"live", "server", "timing_plots"},
+    {"law_plots", "live", "server", "timing_plots"},
     {"animation", "exercises", "explorers"},
 ]
-VIEWS = {"animation", "exercises", "explorers", "live", "plots", "timing_plots"}
+VIEWS = {"animation", "exercises", "explorers", "law_plots", "live", "plots", "timing_plots"}
 VIEW_LIBRARIES = {"matplotlib", "mpl_toolkits", "ipywidgets", "anywidget", "drawsvg", "PIL"}
 
 

@@ -3,18 +3,24 @@ from . import (
     arcs,
     checks,
     clearance,
+    corridors,
     diagram,
     exercises,
     explorers,
+    grid_motion,
     kinematics,
+    law_plots,
     laws,
+    limits,
     live,
     motion_law,
     motions,
     overlap,
     plots,
+    sampled,
     scca_family,
     segments,
+    series,
     setup_check,
     tables,
     timing_plots,
@@ -36,6 +42,7 @@ from .diagram import TimingDiagram
 from .exercises import ask, check, choose, hint, predict, progress, variant
 from .explorers.move import explore_move
 from .explorers.overlap import explore_overlap
+from .explorers.scca import explore_scca
 from .explorers.shares import explore_shares
 from .kinematics import (
     Move,
@@ -45,11 +52,14 @@ from .kinematics import (
     peak_jerk,
     peak_velocity,
 )
+from .law_plots import plot_laws
 from .laws import LAWS, as_law, fifth_degree_linear, polynomial
+from .limits import LeastAcceleration, least_acceleration
 from .motion_law import MotionLaw
 from .motions import Motion, indexing_motion, motion
 from .overlap import widest_move, with_angle
 from .plots import plot_curves, plot_inverse_square, plot_peaks
+from .sampled import law_from_points
 from .scca_family import scca
 from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
@@ -61,6 +71,7 @@ __all__ = [
     "LAWS",
     "ClearanceRule",
     "InputError",
+    "LeastAcceleration",
     "Motion",
     "MotionLaw",
     "Move",
@@ -77,22 +88,29 @@ __all__ = [
     "checks",
     "choose",
     "clearance",
+    "corridors",
     "cycle_time",
     "diagram",
     "dwell",
     "exercises",
     "explore_move",
     "explore_overlap",
+    "explore_scca",
     "explore_shares",
     "explorers",
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
+    "grid_motion",
     "hint",
     "indexing_motion",
     "indexing_time",
     "kinematics",
+    "law_from_points",
+    "law_plots",
     "laws",
+    "least_acceleration",
+    "limits",
     "live",
     "motion",
     "motion_law",
@@ -104,6 +122,7 @@ __all__ = [
     "plot_clearance",
     "plot_curves",
     "plot_inverse_square",
+    "plot_laws",
     "plot_peaks",
     "plot_timing",
     "plots",
@@ -113,9 +132,11 @@ __all__ = [
     "read_segments",
     "return_",
     "rise",
+    "sampled",
     "scca",
     "scca_family",
     "segments",
+    "series",
     "setup_check",
     "smallest_clearance",
     "tables",

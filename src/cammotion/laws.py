@@ -4,15 +4,16 @@ Names clash in this field. Each law lists the other names under which it is know
 different law in spite of a like name is said where it is made.
 """
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import sympy
 
 from cammotion.checks import InputError, Quantity, one_of, shorten
-from cammotion.motion_law import MotionLaw, exact, mirrored
+from cammotion.motion_law import MotionLaw, mirrored
 from cammotion.scca_family import scca
-from cammotion.zones import Zone, x
+from cammotion.zones import Zone, exact, x
 
 __all__ = ["LAWS", "MotionLaw", "as_law", "fifth_degree_linear", "polynomial", "scca", "x"]
 
@@ -104,8 +105,8 @@ def _ratio(over: int, under: int) -> sympy.Rational:
     return sympy.Rational(over, under)
 
 
-def _named(name: str, s: sympy.Expr, *others: str) -> Callable[[], MotionLaw]:
-    return lambda: MotionLaw(name, s, others)
+def _sine_law(name: str, *amplitudes: Any, also_called: tuple[str, ...] = ()) -> MotionLaw:
+    return MotionLaw(name, _sines(*amplitudes), also_called)
 
 
 def _mcv50() -> MotionLaw:
@@ -120,8 +121,12 @@ LAWS: Mapping[str, MotionLaw] = Catalogue(
         "constant acceleration": lambda: scca(
             0, 1, 0, name="constant acceleration", also_called=("parabolic",)
         ),
-        "simple harmonic": _named("simple harmonic", (1 - sympy.cos(_pi * x)) / 2, "cosine"),
-        "cycloidal": _named("cycloidal", _sines(1, 0), "inclined sine", "Bestehorn"),
+        "simple harmonic": lambda: MotionLaw(
+            "simple harmonic", (1 - sympy.cos(_pi * x)) / 2, ("cosine",)
+        ),
+        "cycloidal": lambda: _sine_law(
+            "cycloidal", 1, 0, also_called=("inclined sine", "Bestehorn")
+        ),
         "modified trapezoid": lambda: scca(
             0.25, 0.5, 0.25, name="modified trapezoid", also_called=("modified trapezoidal",)
         ),
@@ -130,12 +135,12 @@ LAWS: Mapping[str, MotionLaw] = Catalogue(
         ),
         "3-4-5 polynomial": lambda: polynomial((0,) * 3, (1, 0, 0), name="3-4-5 polynomial"),
         "4-5-6-7 polynomial": lambda: polynomial((0,) * 4, (1, 0, 0, 0), name="4-5-6-7 polynomial"),
-        "Gutman 1-3": _named("Gutman 1-3", _sines(_ratio(15, 16), _ratio(1, 48))),
-        "Freudenstein 1-3": _named("Freudenstein 1-3", _sines(_ratio(27, 28), _ratio(1, 84))),
-        "Freudenstein 1-3-5": _named(
-            "Freudenstein 1-3-5", _sines(_m, _m * _ratio(1, 54), _m * _ratio(1, 1250))
+        "Gutman 1-3": lambda: _sine_law("Gutman 1-3", _ratio(15, 16), _ratio(1, 48)),
+        "Freudenstein 1-3": lambda: _sine_law("Freudenstein 1-3", _ratio(27, 28), _ratio(1, 84)),
+        "Freudenstein 1-3-5": lambda: _sine_law(
+            "Freudenstein 1-3-5", _m, _m * _ratio(1, 54), _m * _ratio(1, 1250)
         ),
-        "cubic": _named("cubic", 3 * x**2 - 2 * x**3, "2-3 polynomial"),
+        "cubic": lambda: MotionLaw("cubic", 3 * x**2 - 2 * x**3, ("2-3 polynomial",)),
         "MCV50": _mcv50,
     }
 )
@@ -167,13 +172,21 @@ def _through(
     low: sympy.Rational,
     high: sympy.Rational,
 ) -> sympy.Expr:
-    """Return the polynomial with these values and derivatives at two places."""
-    size = len(start) + len(end)
-    powers = [x**power for power in range(size)]
-    rows, values = [], []
-    for place, given in ((low, start), (high, end)):
-        for order, value in enumerate(given):
-            rows.append([sympy.diff(power, x, order).subs(x, place) for power in powers])
-            values.append(value)
-    factors = sympy.Matrix(rows).LUsolve(sympy.Matrix(values))
-    return sympy.Add(*(factor * power for factor, power in zip(factors, powers, strict=True)))
+    """Return the polynomial with these values and derivatives at two places.
+
+    By Newton's divided differences; of places that are the same, the derivative over n!.
+    """
+    places = [low] * len(start) + [high] * len(end)
+    given = {low: start, high: end}
+
+    def difference(first: int, last: int) -> sympy.Rational:
+        at, to, order = places[first], places[last], last - first
+        if at == to:
+            return given[at][order] / math.factorial(order)
+        return (difference(first + 1, last) - difference(first, last - 1)) / (to - at)
+
+    factors = [sympy.Integer(0)]  # by rising power
+    for last, place in reversed([*enumerate(places)]):
+        factors = [a - place * b for a, b in zip([0, *factors], [*factors, 0], strict=True)]
+        factors[0] += difference(0, last)
+    return sympy.Add(*(factor * x**power for power, factor in enumerate(factors)))

@@ -12,7 +12,6 @@ Cv, Ca and Cj.
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
@@ -23,7 +22,17 @@ from numpy.typing import ArrayLike
 
 from cammotion.checks import Floats, InputError, Numbers, Quantity
 from cammotion.turning import bisect, turning_points
-from cammotion.zones import Zone, compile_curve, compile_zones, cut, derive, join, x
+from cammotion.zones import (
+    Zone,
+    as_series,
+    compile_curve,
+    compile_zones,
+    cut,
+    derive,
+    exact,
+    join,
+    x,
+)
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
@@ -55,7 +64,8 @@ class Branch(NamedTuple):
 class MotionLaw:
     """A motion law: its name and its one expression `s` in the symbol `x`, 0 <= x <= 1.
 
-    `also_called` lists the other names under which the field knows the same law.
+    `also_called` lists the other names under which the field knows the same law; `sampled_at` the
+    places of the points through which a law of `law_from_points` goes.
 
     >>> parabola_up = MotionLaw("square", x**2)
     >>> parabola_up.v
@@ -67,6 +77,7 @@ class MotionLaw:
     name: str
     s: sympy.Expr
     also_called: tuple[str, ...] = ()
+    sampled_at: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         expression = isinstance(self.s, sympy.Expr)
@@ -77,6 +88,11 @@ class MotionLaw:
                 f"The expression of the law {self.name!r} {said}; it has to be a SymPy expression "
                 "in cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
             )
+
+    @property
+    def is_sampled(self) -> bool:
+        """Whether the law goes through points, by a curve that somebody chose."""
+        return bool(self.sampled_at)
 
     @property
     def v(self) -> sympy.Expr:
@@ -108,8 +124,8 @@ class MotionLaw:
                 "or 3 for J."
             )
         if derivative not in self._functions:
-            self._functions[derivative] = compile_zones(self._zones(derivative))
-        values = self._functions[derivative](_TIME.array(x))
+            self._functions[derivative] = compile_zones(self._pieces(derivative))
+        values = self._functions[derivative](_checked(x))
         return values if np.ndim(values) else float(values)
 
     @property
@@ -140,7 +156,7 @@ class MotionLaw:
     @cached_property
     def Cj_inside(self) -> float:  # noqa: N802
         """The largest abs(J) away from the jumps of A."""
-        return _largest(self._zones(3))
+        return _largest(self._pieces(3))
 
     @cached_property
     def jerk_impulses(self) -> tuple[tuple[float, float], ...]:
@@ -175,13 +191,14 @@ class MotionLaw:
         if not part:
             return self
         half = sympy.Rational(1, 2)
-        steepest = self.v.subs(x, half)
+        middle = next(zone for zone in self._zones(0) if zone.high >= half)
+        steepest = sympy.diff(middle.curve, x).xreplace({x: half})
         velocity = 1 / (part + (1 - part) / steepest)
         ends = (1 - part) / 2
         scale = velocity * (1 - part) / steepest
         zones = [
             Zone(
-                scale * zone.curve.subs(x, x / (1 - part)),
+                scale * zone.curve.xreplace({x: x / (1 - part)}),
                 zone.low * float(1 - part),
                 min(zone.high, 0.5) * float(1 - part),
             )
@@ -189,14 +206,21 @@ class MotionLaw:
             if zone.low < half
         ]
         zones.append(Zone(half + velocity * (x - half), float(ends), 0.5))
-        return MotionLaw(f"{self.name}, {float(part):.4g} constant velocity", mirrored(zones))
+        title = f"{self.name}, {float(part):.4g} constant velocity"
+        return MotionLaw(title, mirrored(zones), (), self._sampled_with(float(1 - part)))
+
+    def _sampled_with(self, rest: float) -> tuple[float, ...]:
+        """Return where the points come to lie when both halves take `rest` of their time."""
+        first = (place * rest for place in self.sampled_at if place <= 1 / 2)
+        second = (1 - (1 - place) * rest for place in self.sampled_at if place >= 1 / 2)
+        return (*first, *second)
 
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
         """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
         return tuple(
             Branch(low, high, zone.value(low), zone.value(high), compile_curve(zone.curve, "math"))
-            for zone in self._zones(0)
+            for zone in self._pieces(0)
             for low, high in pairwise([zone.low, *_turns(zone), zone.high])
         )
 
@@ -248,7 +272,8 @@ class MotionLaw:
             )
 
     def __repr__(self) -> str:
-        return f"MotionLaw({self.name!r})"
+        sampled = f", sampled at {len(self.sampled_at)} points" if self.is_sampled else ""
+        return f"MotionLaw({self.name!r}{sampled})"
 
     @cached_property
     def _functions(self) -> dict[int, Callable[[Floats], Floats]]:
@@ -261,15 +286,26 @@ class MotionLaw:
         return [cut(self.s)]
 
     def _zones(self, derivative: int) -> tuple[Zone, ...]:
+        """Return the zones of a curve as expressions."""
         while len(self._derived) <= derivative:
             self._derived.append(derive(self._derived[-1]))
         return self._derived[derivative]
+
+    @cached_property
+    def _reckoned(self) -> list[tuple[Zone, ...]]:
+        return [as_series(self._zones(0))]
+
+    def _pieces(self, derivative: int) -> tuple[Zone, ...]:
+        """Return the zones of a curve to reckon with, as series wherever they can be."""
+        while len(self._reckoned) <= derivative:
+            self._reckoned.append(derive(self._reckoned[-1]))
+        return self._reckoned[derivative]
 
     def _peak(self, derivative: int) -> float:
         """Return the largest magnitude of a curve, infinity where the one before it jumps."""
         if derivative not in self._peaks:
             jumps = any(self._jumps(lower) for lower in range(derivative))
-            self._peaks[derivative] = math.inf if jumps else _largest(self._zones(derivative))
+            self._peaks[derivative] = math.inf if jumps else _largest(self._pieces(derivative))
         return self._peaks[derivative]
 
     @cached_property
@@ -278,7 +314,7 @@ class MotionLaw:
 
     def _jumps(self, derivative: int) -> tuple[tuple[float, float], ...]:
         """Return where a curve jumps and by how much; outside of the move it stands still."""
-        zones = self._zones(derivative)
+        zones = self._pieces(derivative)
         starts = [zone.value(zone.low) for zone in zones]
         ends = [zone.value(zone.high) for zone in zones]
         after = 1.0 if derivative == 0 else 0.0
@@ -308,6 +344,15 @@ class MotionLaw:
                 yield branch.low, branch.solve(s)
 
 
+def _checked(x: ArrayLike) -> Floats:
+    """Return times as an array, each of them from 0 to 1; many floats at once take no detour."""
+    if type(x) is np.ndarray and x.dtype == np.float64 and x.size:
+        times: Floats = x
+        if times.min() >= 0 and times.max() <= 1:
+            return times
+    return _TIME.array(x)
+
+
 def _joined(parts: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
     """Return the intervals with those that touch made one."""
     found: list[tuple[float, float]] = []
@@ -321,15 +366,10 @@ def _joined(parts: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
 def mirrored(half: Iterable[Zone]) -> sympy.Expr:
     """Return the expression whose second half is the first one turned about (1/2, 1/2)."""
     zones = list(half)
-    turned = (Zone(1 - z.curve.subs(x, 1 - x), 1 - z.high, 1 - z.low) for z in reversed(zones))
+    turned = (
+        Zone(1 - z.curve.xreplace({x: 1 - x}), 1 - z.high, 1 - z.low) for z in reversed(zones)
+    )
     return join([*zones, *turned])
-
-
-def exact(number: float) -> sympy.Rational:
-    """Return the simple fraction that a float stands for: 1/3 for 0.333..."""
-    fraction = Fraction(number).limit_denominator(10**6)
-    is_near = math.isclose(fraction, number, rel_tol=1e-14, abs_tol=1e-15)
-    return sympy.Rational(fraction if is_near else Fraction(number))
 
 
 def _turns(zone: Zone) -> list[float]:

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from cammotion.arcs import Arc, arcs, intersect
 from cammotion.checks import Floats, InputError, Numbers, shorten
 from cammotion.kinematics import DEG_PER_TURN, RATE
+from cammotion.laws import MotionLaw
 from cammotion.segments import CAM_ANGLE, POSITION, Part, Segment
 
 _ROUNDING = 1e-9  # by so much angles in deg and positions in mm may differ and mean the same
@@ -101,6 +102,17 @@ class Motion:
         segments = (
             replace(s, from_deg=s.from_deg + way, to_deg=s.to_deg + way) for s in self.segments
         )
+        return replace(self, segments=tuple(segments))
+
+    def with_law(self, law: str | MotionLaw) -> "Motion":
+        """Return the same motion with another law for all its moves.
+
+        >>> import cammotion as cm
+        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+        >>> mill.with_law("modified sine").moves[0].law
+        'modified sine'
+        """
+        segments = (s if s.is_dwell else replace(s, law=law) for s in self.segments)
         return replace(self, segments=tuple(segments))
 
     def position_mm(self, angle_deg: ArrayLike) -> Numbers:
