@@ -13,7 +13,9 @@ from cammotion.variants import SOURCE, Machine, machine_for
 MACHINES = [SOURCE, *(machine_for(f"learner {n}") for n in range(20))]
 NUMBERS = [exercise for exercise in EXERCISES.values() if isinstance(exercise, NumberExercise)]
 CHOICES = [exercise for exercise in EXERCISES.values() if isinstance(exercise, ChoiceExercise)]
-(ACCELERATION,) = (e for e in EXERCISES.values() if isinstance(e, ExpressionExercise))
+FORMULAS = [e for e in EXERCISES.values() if isinstance(e, ExpressionExercise)]
+ACCELERATION = FORMULAS[0]
+"""The one of notebook 02, in three variables; the others are in one."""
 
 
 def number_id(exercise: Exercise) -> str:
@@ -22,6 +24,7 @@ def number_id(exercise: Exercise) -> str:
 
 each_exercise = pytest.mark.parametrize("exercise", EXERCISES.values(), ids=number_id)
 each_number = pytest.mark.parametrize("exercise", NUMBERS, ids=number_id)
+each_formula = pytest.mark.parametrize("exercise", FORMULAS, ids=number_id)
 each_choice = pytest.mark.parametrize("exercise", CHOICES, ids=number_id)
 
 

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy
-from judging import ACCELERATION, is_right, say
+from judging import ACCELERATION, each_formula, is_right, say
 
+from cammotion.exercises.expressions import ExpressionExercise
 from cammotion.variants import SOURCE
 
 t, h_m, t_m = sympy.symbols("t h_m t_m")
@@ -99,6 +100,19 @@ def test_a_wrong_formula_is_told_why(formula: Any, said: str, capsys: Any) -> No
     capsys.readouterr()  # what print has printed
 
 
-def test_each_slip_in_the_formula_gets_its_own_reason() -> None:
-    for slip in ACCELERATION.slips:
-        assert say(ACCELERATION, slip.answer(SOURCE)) == slip.reason
+@each_formula
+def test_each_slip_in_the_formula_gets_its_own_reason(exercise: ExpressionExercise) -> None:
+    assert len({slip.reason for slip in exercise.slips}) == len(exercise.slips) > 0
+    for slip in exercise.slips:
+        assert say(exercise, slip.answer(SOURCE)) == slip.reason
+
+
+@each_formula
+def test_each_formula_in_several_forms(exercise: ExpressionExercise) -> None:
+    right, symbols = exercise.solution(SOURCE), sympy.symbols(exercise.variables)
+    other = {symbol: sympy.Symbol(symbol.name, positive=True) for symbol in symbols}
+    for form in (sympy.expand(right), sympy.factor(right), sympy.together(right)):
+        for formula in (form, form.subs(other), sympy.lambdify(symbols, form)):
+            assert is_right(exercise, formula)
+    for factor in (1.001, -1):
+        assert not is_right(exercise, factor * right)

@@ -21,7 +21,7 @@ def test_a_choice_by_its_letter(exercise: ChoiceExercise) -> None:
     assert {*exercise.reasons} == exercise.options.keys() - {right}
 
 
-@pytest.mark.parametrize("nonsense", ["e", "aa", "?", "all of them", 1, 2.5, ["a"], {"a"}, b"a"])
+@pytest.mark.parametrize("nonsense", ["z", "aa", "?", "all of them", 1, 2.5, ["a"], {"a"}, b"a"])
 @each_choice
 def test_a_choice_that_is_none_is_told_the_letters(
     exercise: ChoiceExercise, nonsense: object
@@ -39,6 +39,7 @@ def test_there_are_three_hints_and_none_holds_the_answer(exercise: Exercise) -> 
             right = exercise.solution(machine)
             usual = {f"{right:.{digits}g}" for digits in range(2, 9)}
             usual |= {f"{right:.{digits}f}" for digits in range(2, 7)}
+            usual -= {*"0123456789"}  # a lone digit says nothing: it is in too many sentences
             assert not held & usual, machine.who
     if isinstance(exercise, ChoiceExercise):
         assert not any(exercise.options[exercise.answer] in hint for hint in exercise.hints)

@@ -244,7 +244,7 @@ def test_a_law_between_the_named_ones(scca: SccaExplorer) -> None:
         (0, "b = 0, c = 1, d = 0: constant acceleration, also called parabolic", (0, 0.5, 1)),
         (1, "b = 0, c = 0, d = 1: simple harmonic, also called cosine", (0, 1)),
         (2, "b = 0.25, c = 0.5, d = 0.25: modified trapezoid, also called modified tr", ()),
-        (3, "b = 0.25, c = 0, d = 0.75: modified sine, also called modified sine curve", ()),
+        (3, "b = 0.25, c = 0, d = 0.75: modified sine, also called modified sinusoidal", ()),
         (4, "b = 0.5, c = 0, d = 0.5: cycloidal, also called inclined sine or Bestehorn", ()),
     ],
 )

@@ -634,6 +634,16 @@ def test_too_little_jerk_is_refused() -> None:
         least_acceleration(make_diagram(), "die", SOURCE, still=STILL, jerk_limit=1, cells=90)
 
 
+def test_where_the_simplex_method_cannot_tell_another_one_does() -> None:
+    """It gives up on this one with a status that is unknown."""
+    die = make_die(5, stroke_mm=78, down_deg=(0, 100))
+    diagram = cm.TimingDiagram([make_mill(144, middle_deg=194), die], 4006)
+    rule = ClearanceRule(beyond("die", 3.9000000000000004), only_while=within("mill", 0.2))
+    still = [(18.358299237389232, 81.64170076261077)]
+    with pytest.raises(cm.InputError, match=r"^(No|On a grid of 5. cells no) motion keeps all of"):
+        least_acceleration(diagram, "die", rule, still=still, jerk_limit=200, cells=60)
+
+
 def test_an_infinite_jerk_limit_is_none() -> None:
     for none in (math.inf, np.float64(np.inf)):
         found = least_acceleration(

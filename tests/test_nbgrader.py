@@ -30,7 +30,12 @@ SUFFIX = ".exe" if os.name == "nt" else ""
 PYTHON = PROGRAMS / f"python{SUFFIX}"
 SECONDS_FOR_A_CELL = 8  # not the page's 30, to have done with the endless loop
 
-ORIGINALS = {path.name[:2]: path for path in (ROOT / "notebooks").glob("0[1-4]_*.ipynb")}
+LESSONS = {number.split(".")[0] for number in EXERCISES}
+ORIGINALS = {
+    path.name[:2]: path
+    for path in sorted((ROOT / "notebooks").glob("*.ipynb"))
+    if path.name[:2] in LESSONS
+}
 GRADED = "01"  # the lesson that the class hands in
 
 Change = Callable[[str], str | None]

@@ -11,7 +11,8 @@ from machines import examples
 
 import cammotion as cm
 from cammotion import LAWS, x
-from cammotion.series import Series, series_of
+from cammotion.series import Series
+from cammotion.series_reader import series_of
 from cammotion.turning import turning_points
 from cammotion.zones import as_series, cut
 

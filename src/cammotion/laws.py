@@ -12,7 +12,7 @@ import sympy
 
 from cammotion.checks import InputError, Quantity, one_of, shorten
 from cammotion.motion_law import MotionLaw, mirrored
-from cammotion.scca_family import scca
+from cammotion.scca_family import NAMED_PARTS, scca
 from cammotion.zones import Zone, exact, x
 
 __all__ = ["LAWS", "MotionLaw", "as_law", "fifth_degree_linear", "polynomial", "scca", "x"]
@@ -23,7 +23,13 @@ _BOUNDARY_COUNTS = (3, 4)
 _BOUNDARY = Quantity("boundary value", "", example=0, low=-1e9)
 
 
-def polynomial(start: Sequence[float], end: Sequence[float], *, name: str = "") -> MotionLaw:
+def polynomial(
+    start: Sequence[float],
+    end: Sequence[float],
+    *,
+    name: str = "",
+    also_called: tuple[str, ...] = (),
+) -> MotionLaw:
     """Return the polynomial law with given values at both ends, solved exactly.
 
     `start` and `end` hold s, v, a and, if wanted, j, all dimensionless, at x = 0 and x = 1. A law
@@ -42,7 +48,7 @@ def polynomial(start: Sequence[float], end: Sequence[float], *, name: str = "") 
         )
     curve = _through(values[0], values[1], sympy.Integer(0), sympy.Integer(1))
     degree = len(values[0]) + len(values[1]) - 1
-    law = MotionLaw(name or f"polynomial of degree {degree}", curve)
+    law = MotionLaw(name or f"polynomial of degree {degree}", curve, also_called)
     heights = [s for branch in law.branches for s in (branch.s_low, branch.s_high)]
     worst = max(heights, key=lambda s: max(-s, s - 1))
     if max(-worst, worst - 1) > _ROUNDING:
@@ -109,6 +115,10 @@ def _sine_law(name: str, *amplitudes: Any, also_called: tuple[str, ...] = ()) ->
     return MotionLaw(name, _sines(*amplitudes), also_called)
 
 
+def _scca_law(name: str, *also_called: str) -> MotionLaw:
+    return scca(*NAMED_PARTS[name], name=name, also_called=also_called)
+
+
 def _mcv50() -> MotionLaw:
     half = LAWS["modified sine"].with_constant_velocity(0.5)
     return MotionLaw("MCV50", half.s, ("modified sine with 50 % constant velocity",))
@@ -118,23 +128,21 @@ _m = _ratio(1125, 1192)
 
 LAWS: Mapping[str, MotionLaw] = Catalogue(
     {
-        "constant acceleration": lambda: scca(
-            0, 1, 0, name="constant acceleration", also_called=("parabolic",)
-        ),
+        "constant acceleration": lambda: _scca_law("constant acceleration", "parabolic"),
         "simple harmonic": lambda: MotionLaw(
             "simple harmonic", (1 - sympy.cos(_pi * x)) / 2, ("cosine",)
         ),
         "cycloidal": lambda: _sine_law(
             "cycloidal", 1, 0, also_called=("inclined sine", "Bestehorn")
         ),
-        "modified trapezoid": lambda: scca(
-            0.25, 0.5, 0.25, name="modified trapezoid", also_called=("modified trapezoidal",)
+        "modified trapezoid": lambda: _scca_law("modified trapezoid", "modified trapezoidal"),
+        "modified sine": lambda: _scca_law("modified sine", "modified sinusoidal"),
+        "3-4-5 polynomial": lambda: polynomial(
+            (0, 0, 0), (1, 0, 0), name="3-4-5 polynomial", also_called=("fifth degree",)
         ),
-        "modified sine": lambda: scca(
-            0.25, 0, 0.75, name="modified sine", also_called=("modified sine curve",)
+        "4-5-6-7 polynomial": lambda: polynomial(
+            (0, 0, 0, 0), (1, 0, 0, 0), name="4-5-6-7 polynomial", also_called=("seventh degree",)
         ),
-        "3-4-5 polynomial": lambda: polynomial((0,) * 3, (1, 0, 0), name="3-4-5 polynomial"),
-        "4-5-6-7 polynomial": lambda: polynomial((0,) * 4, (1, 0, 0, 0), name="4-5-6-7 polynomial"),
         "Gutman 1-3": lambda: _sine_law("Gutman 1-3", _ratio(15, 16), _ratio(1, 48)),
         "Freudenstein 1-3": lambda: _sine_law("Freudenstein 1-3", _ratio(27, 28), _ratio(1, 84)),
         "Freudenstein 1-3-5": lambda: _sine_law(

@@ -8,7 +8,7 @@ From below: a divided difference of second order is a mean of the acceleration b
 and a mean is never larger than the peak. So whoever asks only that no such difference exceeds the
 peak asks less than is asked of a motion, and no motion has a smaller peak than comes out. From
 above: the acceleration is a constant over each cell, or with a limit to the jerk a straight line.
-That is a motion, which can be built, and no better one has a larger peak. In between lies the
+That is a motion, which can be built, so the best of all has no larger peak. In between lies the
 least peak of all; the finer the grid, the nearer the two come.
 """
 
@@ -39,7 +39,7 @@ _ROUNDS = 6  # of mending a motion that strays between two nodes
 _KEPT_MM = 1e-6  # the solver's rounding stays within the corridor
 _STEADY = 1e-6  # the price of a change of acceleration, for a motion without needless ones
 _SCALE = 100.0  # of the objective, so that this price is more than the solver's rounding
-_INFEASIBLE = 2
+_SOLVED, _INFEASIBLE = 0, 2
 _ACCELERATION, _JERK = 2, 3  # the orders of these derivatives
 _DIGITS = 4
 
@@ -257,15 +257,18 @@ def _solve(
     from scipy import sparse
     from scipy.optimize import linprog
 
-    result = linprog(
-        objective,
-        A_ub=sparse.vstack(at_most[0]).tocsr(),
-        b_ub=np.concatenate(at_most[1]),
-        A_eq=sparse.vstack(equal[0]).tocsr(),
-        b_eq=np.concatenate(equal[1]),
-        bounds=bounds,
-        method="highs",
-    )
+    for method in ("highs", "highs-ipm"):  # the second where the first cannot tell
+        result = linprog(
+            objective,
+            A_ub=sparse.vstack(at_most[0]).tocsr(),
+            b_ub=np.concatenate(at_most[1]),
+            A_eq=sparse.vstack(equal[0]).tocsr(),
+            b_eq=np.concatenate(equal[1]),
+            bounds=bounds,
+            method=method,
+        )
+        if result.status in (_SOLVED, _INFEASIBLE):
+            break
     if result.status == _INFEASIBLE:
         raise InputError(refusal)
     if result.x is None:

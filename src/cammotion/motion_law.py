@@ -10,22 +10,19 @@ Cv, Ca and Cj.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
+from cammotion.branches import Branch, cut_at_turns, turns_of, where
 from cammotion.checks import Floats, InputError, Numbers, Quantity
-from cammotion.turning import bisect, turning_points
 from cammotion.zones import (
     Zone,
     as_series,
-    compile_curve,
     compile_zones,
     cut,
     derive,
@@ -43,21 +40,6 @@ _ROUNDING = 1e-12  # by so much the ends of a law may miss 0 and 1
 _JUMP = 1e-9  # what is smaller at a joint is rounding
 
 _JERK = 3  # the highest derivative a law is asked for
-
-
-class Branch(NamedTuple):
-    """A part of a law over which S only rises or only falls (or stands): x and S at its ends."""
-
-    low: float
-    high: float
-    s_low: float
-    s_high: float
-    curve: Callable[[float], float]
-
-    def solve(self, s: float) -> float:
-        """Return the x at which S = s, a value between those at the ends."""
-        rising = self.s_high > self.s_low
-        return bisect(lambda x: (self.curve(x) < s) == rising, self.low, self.high)
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,11 +200,7 @@ class MotionLaw:
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
         """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
-        return tuple(
-            Branch(low, high, zone.value(low), zone.value(high), compile_curve(zone.curve, "math"))
-            for zone in self._pieces(0)
-            for low, high in pairwise([zone.low, *_turns(zone), zone.high])
-        )
+        return cut_at_turns(self._pieces(0))
 
     @property
     def is_monotone(self) -> bool:
@@ -256,11 +234,11 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).where_above(0.5)
         [(0.5, 1.0)]
         """
-        return _joined(self._parts(s, 1))
+        return where(self.branches, s, 1)
 
     def where_below(self, s: float) -> list[tuple[float, float]]:
         """Return the intervals of x in which S < s; else like `where_above`."""
-        return _joined(self._parts(s, -1))
+        return where(self.branches, s, -1)
 
     def check_way(self) -> None:
         """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
@@ -332,17 +310,6 @@ class MotionLaw:
             return branch.low
         return branch.high if s >= branch.s_high else branch.solve(s)
 
-    def _parts(self, s: float, side: int) -> Iterator[tuple[float, float]]:
-        """Yield where S is above s (side 1) or below (-1), branch by branch."""
-        for branch in self.branches:
-            low, high = side * (branch.s_low - s), side * (branch.s_high - s)
-            if min(low, high) >= 0 < max(low, high):
-                yield branch.low, branch.high
-            elif high > 0:
-                yield branch.solve(s), branch.high
-            elif low > 0:
-                yield branch.low, branch.solve(s)
-
 
 def _checked(x: ArrayLike) -> Floats:
     """Return times as an array, each of them from 0 to 1; many floats at once take no detour."""
@@ -351,16 +318,6 @@ def _checked(x: ArrayLike) -> Floats:
         if times.min() >= 0 and times.max() <= 1:
             return times
     return _TIME.array(x)
-
-
-def _joined(parts: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the intervals with those that touch made one."""
-    found: list[tuple[float, float]] = []
-    for low, high in parts:
-        if found and found[-1][1] == low:
-            low = found.pop()[0]
-        found.append((low, high))
-    return found
 
 
 def mirrored(half: Iterable[Zone]) -> sympy.Expr:
@@ -372,12 +329,8 @@ def mirrored(half: Iterable[Zone]) -> sympy.Expr:
     return join([*zones, *turned])
 
 
-def _turns(zone: Zone) -> list[float]:
-    return turning_points(zone.curve, x, zone.low, zone.high)
-
-
 def _largest(zones: Iterable[Zone]) -> float:
     """Return the largest magnitude: it lies at an end of a zone or where the curve turns."""
     return max(
-        abs(zone.value(place)) for zone in zones for place in (zone.low, *_turns(zone), zone.high)
+        abs(zone.value(place)) for zone in zones for place in (zone.low, *turns_of(zone), zone.high)
     )

@@ -37,7 +37,8 @@ class ExpressionExercise(Exercise):
     @property
     def wanted(self) -> str:
         """What kind of answer is asked for, in words."""
-        return f"an expression in {', '.join(self.variables)}, or a function of them"
+        them = "it" if len(self.variables) == 1 else "them"
+        return f"an expression in {', '.join(self.variables)}, or a function of {them}"
 
     def solution(self, machine: Machine) -> sympy.Expr:  # noqa: ARG002 - it is the same for all
         """Return the right expression."""

@@ -53,6 +53,7 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
         1000.0: "This is a thousand times too large. Is one length in mm, the other in metres?",
         1 / 1000: "This is a thousand times too small. Is one length in mm, the other in metres?",
     },
+    "%": {1 / 100: "This is a share. In percent it is a hundred times that."},
     "deg": {1 / 360: "This is a part of a turn. Multiply it by the 360 degrees of a turn."},
     "m/s²": {
         1000.0: "This is a thousand times too large. Is a length in mm where metres belong?",

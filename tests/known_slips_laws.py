@@ -1,0 +1,455 @@
+"""Wrong answers to the exercises on motion laws and on their limits, each computed a wrong way.
+
+As in known_slips.py, nothing here knows of the package's laws or of the slips that it recognises.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import sympy
+from known_slips import G, KnownSlip, die, later, peak, place, stroke, time, widest
+
+from cammotion.variants import Machine
+
+CYCLOID = 2 * math.pi
+TRAPEZOID = 8 * math.pi / (2 + math.pi)
+SINE = 4 * math.pi**2 / (4 + math.pi)
+POLYNOMIAL = 10 / math.sqrt(3)
+HARMONIC = math.pi**2 / 2
+
+p, r = sympy.symbols("p r")
+
+
+def hard(m: Machine, angle: float, factor: float, way: float | None = None) -> float:
+    """Return the peak acceleration in m/s² of a law with this factor."""
+    return factor * (way or stroke(m)) / 1000 / time(m, angle) ** 2
+
+
+def percent_less(one: float, other: float) -> float:
+    """Return by how many percent one is smaller than the other."""
+    return 100 * (1 - one / other)
+
+
+def sine(x: float) -> float:
+    """Return the share of the stroke by the modified sine, from its acceleration in three parts."""
+    k = 4 * math.pi
+    scale = SINE / k
+    if x > 1 / 2:
+        return 1 - sine(1 - x)
+    if x <= 1 / 8:
+        return scale * (x - math.sin(k * x) / k)
+    u = k / 3 * (x - 1 / 8)
+    s_1 = scale * (1 / 8 - 1 / k)
+    return s_1 + scale * (x - 1 / 8) + 9 * scale / k * (1 - math.cos(u))
+
+
+def trapezoid(x: float) -> float:
+    """Return the share of the stroke by the modified trapezoid, added up in small steps."""
+    y = np.linspace(0, 1, 4001)
+    phase = np.minimum(np.mod(y, 1 / 2), 1 / 2 - np.mod(y, 1 / 2))
+    a = np.where(phase < 1 / 8, np.sin(4 * math.pi * np.minimum(phase, 1 / 8)), 1)
+    a = TRAPEZOID * np.where(y < 1 / 2, a, -a)
+    v = np.concatenate([[0], np.cumsum((a[1:] + a[:-1]) / 2)]) / 4000
+    s = np.concatenate([[0], np.cumsum((v[1:] + v[:-1]) / 2)]) / 4000
+    return float(np.interp(x, y, s))
+
+
+def deep(m: Machine, curve: Callable[[float], float], margin: float = -1) -> float:
+    """Return x at which the die is as deep as it may be by a law."""
+    return place((m.wait_mm + margin * m.margin_mm) / stroke(m), curve)
+
+
+def sine_widest(m: Machine) -> float:
+    """Return the widest angle of the die by the modified sine."""
+    return later(m) / (1 - deep(m, sine))
+
+
+def sine_peak(m: Machine) -> float:
+    """Return the peak of the die by the modified sine over its widest angle."""
+    return hard(m, sine_widest(m), SINE)
+
+
+def deep_share(m: Machine) -> float:
+    """Return which share of its stroke the die may be deep."""
+    return (m.wait_mm - m.margin_mm) / stroke(m)
+
+
+def up(m: Machine) -> float:
+    """Return how far the die has to be up in 06.3, in mm."""
+    return stroke(m) - m.wait_mm + m.margin_mm
+
+
+def half_turn(m: Machine) -> float:
+    """Return the angle after which the die turns round."""
+    return (360 - m.work_deg) / 2
+
+
+def least(m: Machine, way: float | None = None, angle: float | None = None) -> float:
+    """Return how hard the die is pushed in 06.3, in m/s²."""
+    push, at = time(m, half_turn(m)) / 2, time(m, angle or later(m))
+    if at <= push:
+        per_unit = at**2 / 2
+    else:
+        rest = at - push
+        per_unit = push**2 / 2 + push * rest - rest**2 / 2
+    return (way or up(m)) / 1000 / per_unit
+
+
+def not_braked(m: Machine) -> float:
+    """Push in the first half, and let the die go on as fast as it is."""
+    push, at = time(m, half_turn(m)) / 2, time(m, later(m))
+    return up(m) / 1000 / (push**2 / 2 + push * (at - push))
+
+
+def stopped_between(m: Machine) -> float:
+    """Forget the speed that the die has when it begins to be braked."""
+    push, at = time(m, half_turn(m)) / 2, time(m, later(m))
+    return up(m) / 1000 / (push**2 / 2 - max(at - push, 0) ** 2 / 2)
+
+
+def times_least(m: Machine) -> float:
+    """Return how many times the least possible peak the cycloid's is."""
+    return peak(m, widest(m)) / least(m)
+
+
+def servo(m: Machine, motor_kg: float, die_kg: float | None = None, a: float = 0.6) -> float:
+    """Return the force for die and motor in N, the motor counted as so many kg."""
+    return ((m.die_mass_kg if die_kg is None else die_kg) + motor_kg) * a
+
+
+SCREW = 2 * math.pi / 0.01  # how far the screw turns, in rad for a metre
+MOTOR_KG = 1e-4 * SCREW**2
+
+LAW_SLIPS = [
+    # How hard the law of constant acceleration is.
+    KnownSlip("05.1", "the cycloid's factor", lambda m: hard(m, die(m), CYCLOID), "cycloid"),
+    KnownSlip("05.1", "the harmonic's", lambda m: hard(m, die(m), HARMONIC), "harmonic|sine|pi"),
+    KnownSlip("05.1", "pushed all the way", lambda m: hard(m, die(m), 2), "half"),
+    KnownSlip("05.1", "half the time, all the way", lambda m: hard(m, die(m), 8), "twice|half"),
+    KnownSlip("05.1", "no halves at all", lambda m: hard(m, die(m), 1), "quarter|half"),
+    KnownSlip("05.1", "16: a square too many", lambda m: hard(m, die(m), 16), "half|16"),
+    KnownSlip(
+        "05.1", "no square", lambda m: 4 * stroke(m) / 1000 / time(m, die(m)), "square|counts twice"
+    ),
+    KnownSlip("05.1", "velocity", lambda m: 2 * stroke(m) / 1000 / time(m, die(m)), "velocity"),
+    KnownSlip(
+        "05.1", "mean velocity", lambda m: stroke(m) / 1000 / time(m, die(m)), "velocity|speed"
+    ),
+    KnownSlip("05.1", "in mm", lambda m: 1000 * hard(m, die(m), 4), "mm"),
+    KnownSlip("05.1", "in g", lambda m: hard(m, die(m), 4) / G, r"in g\b"),
+    KnownSlip("05.1", "whole turn", lambda m: hard(m, 360, 4), "whole turn"),
+    KnownSlip(
+        "05.1",
+        "both ways' angle",
+        lambda m: hard(m, 2 * die(m), 4),
+        "quarter|over the time squared",
+    ),
+    KnownSlip("05.1", "per minute", lambda m: 3600 * hard(m, die(m), 4), "minute"),
+    KnownSlip("05.1", "the mill", lambda m: hard(m, m.mill_angle_deg, 4, m.pitch_mm), "mill"),
+    KnownSlip("05.1", "angle in radians", lambda m: hard(m, math.radians(die(m)), 4), "radian"),
+    # By how many percent the modified trapezoid is smaller.
+    KnownSlip(
+        "05.2",
+        "of the smaller",
+        lambda _: 100 * (CYCLOID / TRAPEZOID - 1),
+        "Compare with the cycloid",
+    ),
+    KnownSlip("05.2", "as a share", lambda _: 1 - TRAPEZOID / CYCLOID, "share|percent|100"),
+    KnownSlip("05.2", "what is left", lambda _: 100 * TRAPEZOID / CYCLOID, "are left"),
+    KnownSlip("05.2", "ratio", lambda _: TRAPEZOID / CYCLOID, "what is left"),
+    KnownSlip("05.2", "ratio upside down", lambda _: CYCLOID / TRAPEZOID, "ratio|times|percent"),
+    KnownSlip("05.2", "difference", lambda _: CYCLOID - TRAPEZOID, "difference"),
+    KnownSlip("05.2", "modified sine", lambda _: percent_less(SINE, CYCLOID), "modified sine"),
+    KnownSlip("05.2", "3-4-5", lambda _: percent_less(POLYNOMIAL, CYCLOID), "polynomial|3-4-5"),
+    KnownSlip("05.2", "constant", lambda _: percent_less(4, CYCLOID), "constant|jump"),
+    KnownSlip("05.2", "harmonic", lambda _: percent_less(HARMONIC, CYCLOID), "harmonic|jump"),
+    KnownSlip("05.2", "negative", lambda _: -percent_less(TRAPEZOID, CYCLOID), "sign"),
+    KnownSlip("05.2", "of the sine", lambda _: percent_less(TRAPEZOID, SINE), "modified sine"),
+    KnownSlip(
+        "05.2",
+        "the jerk",
+        lambda _: -percent_less(4 * math.pi * TRAPEZOID, 4 * math.pi**2),
+        "jerk",
+    ),
+    # How many degrees the cycloid needs.
+    KnownSlip("05.3", "no root", lambda m: die(m) * CYCLOID / TRAPEZOID, "root|square"),
+    KnownSlip(
+        "05.3",
+        "upside down",
+        lambda m: die(m) * math.sqrt(TRAPEZOID / CYCLOID),
+        "more of them",
+    ),
+    KnownSlip(
+        "05.3",
+        "upside down, no root",
+        lambda m: die(m) * TRAPEZOID / CYCLOID,
+        "fewer degrees",
+    ),
+    KnownSlip(
+        "05.3",
+        "squared",
+        lambda m: die(m) * (CYCLOID / TRAPEZOID) ** 2,
+        "root",
+    ),
+    KnownSlip(
+        "05.3",
+        "how many more",
+        lambda m: die(m) * (math.sqrt(CYCLOID / TRAPEZOID) - 1),
+        "in addition",
+    ),
+    KnownSlip(
+        "05.3", "factor", lambda _: math.sqrt(CYCLOID / TRAPEZOID), "factor|ratio|how many times"
+    ),
+    KnownSlip(
+        "05.3",
+        "the percent of 05.2 added",
+        lambda m: die(m) * (1 + percent_less(TRAPEZOID, CYCLOID) / 100),
+        "percent|square|root",
+    ),
+    KnownSlip(
+        "05.3",
+        "half the percent added",
+        lambda m: die(m) * (1 + percent_less(TRAPEZOID, CYCLOID) / 200),
+        "percent",
+    ),
+    KnownSlip(
+        "05.3", "modified sine", lambda m: die(m) * math.sqrt(CYCLOID / SINE), "modified sine"
+    ),
+    KnownSlip("05.3", "constant", lambda m: die(m) * math.sqrt(CYCLOID / 4), "constant"),
+    KnownSlip("05.3", "both ways", lambda m: 2 * die(m) * math.sqrt(CYCLOID / TRAPEZOID), "twice"),
+    KnownSlip("05.3", "the same", die, "larger peak"),
+    KnownSlip(
+        "05.3", "third root", lambda m: die(m) * (CYCLOID / TRAPEZOID) ** (1 / 3), "jerk|root"
+    ),
+    # The velocity factor with a straight line in the middle.
+    KnownSlip("05.4", "way not shared", lambda _: 2 / (1 - p), "slower, not faster"),
+    KnownSlip("05.4", "time not shared", lambda _: 2 / (1 + 2 * p), "time"),
+    KnownSlip("05.4", "upside down", lambda _: (1 + p) / 2, "upside|turned over|faster than"),
+    KnownSlip("05.4", "times 1 + p", lambda _: 2 * (1 + p), "slower|upside"),
+    KnownSlip("05.4", "times 1 - p", lambda _: 2 * (1 - p), "p = 1"),
+    KnownSlip("05.4", "mixed by time", lambda _: 2 - p, "straight line between"),
+    KnownSlip("05.4", "half", lambda _: 1 / (1 + p), "half"),
+    KnownSlip("05.4", "unchanged", lambda _: sympy.Integer(2), "depend|without the line|p = "),
+    KnownSlip("05.4", "line takes all", lambda _: 1 / p, "two ends"),
+    KnownSlip("05.4", "squared", lambda _: 2 / (1 + p) ** 2, "squared|once"),
+    KnownSlip("05.4", "p in percent", lambda _: 2 / (1 + p / 100), "percent|share"),
+    KnownSlip("05.4", "acceleration", lambda _: 2 * sympy.pi / (1 - p**2), "acceleration"),
+    KnownSlip("05.4", "share of the way", lambda _: (1 - p) / (1 + p), "way|stroke"),
+    KnownSlip("05.4", "a line's share of the way", lambda _: 2 * p / (1 + p), "way|stroke"),
+    KnownSlip("05.4", "a line through all", lambda _: sympy.Integer(1), "depend|alone|p = "),
+    # The overlap by the modified sine.
+    KnownSlip(
+        "05.5", "the cycloid's factor", lambda m: hard(m, sine_widest(m), CYCLOID), "same law"
+    ),
+    KnownSlip(
+        "05.5", "the cycloid's angle", lambda m: hard(m, widest(m), SINE), "angle of its own"
+    ),
+    KnownSlip("05.5", "all the cycloid's", lambda m: peak(m, widest(m)), "cycloid"),
+    KnownSlip("05.5", "no overlap", lambda m: hard(m, die(m), SINE), "without overlap"),
+    KnownSlip("05.5", "quiet ends alone", lambda m: hard(m, later(m), SINE), "wider"),
+    KnownSlip(
+        "05.5",
+        "no margin",
+        lambda m: hard(m, later(m) / (1 - deep(m, sine, 0)), SINE),
+        "margin",
+    ),
+    KnownSlip(
+        "05.5",
+        "share for x",
+        lambda m: hard(m, later(m) / (1 - deep_share(m)), SINE),
+        "share|inverse",
+    ),
+    KnownSlip(
+        "05.5", "by x", lambda m: hard(m, later(m) / deep(m, sine), SINE), "1 - x|still to|rest"
+    ),
+    KnownSlip(
+        "05.5",
+        "times 1 - x",
+        lambda m: hard(m, later(m) * (1 - deep(m, sine)), SINE),
+        "wider|larger|multipl",
+    ),
+    KnownSlip(
+        "05.5",
+        "no square",
+        lambda m: SINE * stroke(m) / 1000 / time(m, sine_widest(m)),
+        "square",
+    ),
+    KnownSlip(
+        "05.5",
+        "velocity",
+        lambda m: SINE / math.pi * stroke(m) / 1000 / time(m, sine_widest(m)),
+        "velocity",
+    ),
+    KnownSlip(
+        "05.5",
+        "modified trapezoid",
+        lambda m: hard(m, later(m) / (1 - deep(m, trapezoid)), TRAPEZOID),
+        "trapezoid",
+    ),
+    KnownSlip("05.5", "in mm", lambda m: 1000 * sine_peak(m), "mm"),
+    KnownSlip("05.5", "in g", lambda m: sine_peak(m) / G, r"in g\b"),
+    KnownSlip("05.5", "force", lambda m: m.die_mass_kg * sine_peak(m), "force"),
+    KnownSlip(
+        "05.5",
+        "the way up to there",
+        lambda m: hard(m, sine_widest(m), SINE, m.wait_mm - m.margin_mm),
+        "stroke",
+    ),
+    KnownSlip(
+        "05.5",
+        "no quiet end",
+        lambda m: hard(m, die(m) / (1 - deep(m, sine)), SINE),
+        "quiet",
+    ),
+    # The least factor of a hammer.
+    KnownSlip("06.1", "at rest at both ends", lambda _: 4.0, "rest|brak|arrive"),
+    KnownSlip("06.1", "half forgotten", lambda _: 1.0, "half"),
+    KnownSlip("06.1", "half upside down", lambda _: 0.5, "one divided by|upside"),
+    KnownSlip("06.1", "the cycloid", lambda _: CYCLOID, "cycloid"),
+    KnownSlip("06.1", "half the cycloid", lambda _: math.pi, "cycloid"),
+    KnownSlip("06.1", "none", lambda _: 0.0, "it stays"),
+    KnownSlip(
+        "06.1",
+        "half the harmonic",
+        lambda _: math.pi**2 / 4,
+        "cosine|sine|not all the time|only at",
+    ),
+    KnownSlip("06.1", "the harmonic", lambda _: HARMONIC, "harmonic|at rest"),
+    KnownSlip("06.1", "in the square of half", lambda _: 8.0, "half|four"),
+    KnownSlip("06.1", "a cubic", lambda _: 6.0, "all the time|at once|jump"),
+    KnownSlip("06.1", "modified trapezoid", lambda _: TRAPEZOID, "trapezoid"),
+    KnownSlip("06.1", "free fall", lambda _: G, "gravity|fall"),
+    # The trapezoid of straight lines.
+    KnownSlip("06.2", "one ramp", lambda _: 4 / (1 - r), "ramp"),
+    KnownSlip("06.2", "area of the flat part", lambda _: 4 / (1 - 4 * r), "ramp|line|flat|triang"),
+    KnownSlip("06.2", "mean velocity", lambda _: 2 / (1 - 2 * r), "half|velocity"),
+    KnownSlip("06.2", "twice", lambda _: 8 / (1 - 2 * r), "twice"),
+    KnownSlip(
+        "06.2", "upside down", lambda _: 4 * (1 - 2 * r), "upside|larger peak|higher|ramps cost"
+    ),
+    KnownSlip("06.2", "sign", lambda _: 4 / (1 + 2 * r), "sign|larger|higher|ramps cost"),
+    KnownSlip("06.2", "no ramps", lambda _: sympy.Integer(4), "depend|r = 0|without ramps"),
+    KnownSlip("06.2", "velocity factor", lambda _: sympy.Integer(2), "velocity"),
+    KnownSlip("06.2", "jerk", lambda _: 4 / (r * (1 - 2 * r)), "jerk"),
+    KnownSlip(
+        "06.2",
+        "sines for lines",
+        lambda _: 2 / (sympy.Rational(1, 2) - 2 * r + 4 * r / sympy.pi),
+        "sine|line|area",
+    ),
+    KnownSlip("06.2", "a straight guess", lambda _: 4 + 16 * r, "ends|r = |straight|between"),
+    KnownSlip("06.2", "a triangle", lambda _: sympy.Integer(8), "triang|r = 1/4"),
+    KnownSlip("06.2", "all of the time", lambda _: 1 / (1 - 2 * r), "quarter|half"),
+    KnownSlip("06.2", "two over one minus r", lambda _: 2 / (1 - r), "r = 0|half"),
+    KnownSlip("06.2", "a text", lambda _: "4/(1 - 2*r)", "quotes"),
+    # The least peak of the die.
+    KnownSlip(
+        "06.3", "pushed all the way", lambda m: hard(m, later(m), 2, up(m)), "brak|first half|push"
+    ),
+    KnownSlip(
+        "06.3", "rest to rest", lambda m: hard(m, later(m), 4, up(m)), "to rest at that height"
+    ),
+    KnownSlip(
+        "06.3",
+        "up only at the turn",
+        lambda m: hard(m, half_turn(m), 4, up(m)),
+        "turn|too late|by then",
+    ),
+    KnownSlip(
+        "06.3",
+        "the stroke at the turn",
+        lambda m: hard(m, half_turn(m), 4),
+        "stroke",
+    ),
+    KnownSlip(
+        "06.3",
+        "the push does all",
+        lambda m: hard(m, half_turn(m) / 2, 2, up(m)),
+        "end of the push",
+    ),
+    KnownSlip("06.3", "not braked", not_braked, "brak"),
+    KnownSlip("06.3", "speed forgotten", stopped_between, "speed|velocity|fast"),
+    KnownSlip("06.3", "no margin", lambda m: least(m, stroke(m) - m.wait_mm), "margin"),
+    KnownSlip("06.3", "the stroke", lambda m: least(m, stroke(m)), "stroke"),
+    KnownSlip("06.3", "the depth", lambda m: least(m, m.wait_mm - m.margin_mm), "deep|down|from"),
+    KnownSlip("06.3", "without overlap", lambda m: least(m, angle=die(m)), "quiet|overlap"),
+    KnownSlip("06.3", "velocity", lambda m: up(m) / 1000 / time(m, later(m)), "velocity"),
+    KnownSlip("06.3", "half lost", lambda m: least(m) / 2, "half"),
+    KnownSlip("06.3", "in mm", lambda m: 1000 * least(m), "mm"),
+    KnownSlip("06.3", "in g", lambda m: least(m) / G, r"in g\b"),
+    KnownSlip("06.3", "the cycloid", lambda m: hard(m, widest(m), CYCLOID), "cycloid"),
+    KnownSlip("06.3", "per minute", lambda m: 3600 * least(m), "minute"),
+    KnownSlip("06.3", "braked upwards", lambda m: -least(m), "sign"),
+    # How far the cycloid is from it.
+    KnownSlip("06.4", "upside down", lambda m: 1 / times_least(m), "other way round"),
+    KnownSlip("06.4", "how much more", lambda m: times_least(m) - 1, "how much more|times"),
+    KnownSlip("06.4", "percent more", lambda m: 100 * (times_least(m) - 1), "percent"),
+    KnownSlip("06.4", "percent", lambda m: 100 * times_least(m), "percent|hundred"),
+    KnownSlip("06.4", "the peak", lambda m: peak(m, widest(m)), "peak, in m"),
+    KnownSlip("06.4", "difference", lambda m: peak(m, widest(m)) - least(m), "difference"),
+    KnownSlip(
+        "06.4", "no overlap", lambda m: peak(m, die(m)) / least(m), "without overlap|no overlap"
+    ),
+    KnownSlip("06.4", "quiet ends alone", lambda m: peak(m, later(m)) / least(m), "quiet|widest"),
+    KnownSlip("06.4", "gain by the overlap", lambda m: (widest(m) / die(m)) ** 2, "overlap"),
+    KnownSlip(
+        "06.4",
+        "by the law of constant acceleration",
+        lambda m: peak(m, widest(m)) / hard(m, widest(m), 4),
+        "same|factor|constant|angle|right",
+    ),
+    KnownSlip("06.4", "squared", lambda m: times_least(m) ** 2, "square"),
+    KnownSlip("06.4", "root", lambda m: math.sqrt(times_least(m)), "root|square"),
+    KnownSlip(
+        "06.4",
+        "constant over the turn",
+        lambda m: peak(m, widest(m)) / hard(m, half_turn(m), 4),
+        "stroke",
+    ),
+    # The force of a servo.
+    KnownSlip("06.5", "the die alone", lambda m: servo(m, 0), "motor|alone"),
+    KnownSlip("06.5", "the motor alone", lambda m: servo(m, MOTOR_KG, 0), "die|alone"),
+    KnownSlip("06.5", "2 pi forgotten", lambda m: servo(m, 1e-4 / 0.01**2), "2 pi|radian"),
+    KnownSlip("06.5", "not squared", lambda m: servo(m, 1e-4 * SCREW), "square"),
+    KnownSlip(
+        "06.5",
+        "lead in mm",
+        lambda m: servo(m, 1e-4 * (2 * math.pi / 10) ** 2),
+        "mm|metre|motor's inertia",
+    ),
+    KnownSlip(
+        "06.5",
+        "lead in cm",
+        lambda m: servo(m, 1e-4 * (2 * math.pi) ** 2),
+        "cm|metre|motor's inertia",
+    ),
+    KnownSlip("06.5", "inertia as a mass", lambda m: servo(m, 1e-4), "motor's inertia"),
+    KnownSlip("06.5", "upside down", lambda m: servo(m, 1e-4 / SCREW**2), "motor's inertia"),
+    KnownSlip("06.5", "lead for a radius", lambda m: servo(m, 1e-4 / 0.005**2), "radius"),
+    KnownSlip("06.5", "pi for 2 pi", lambda m: servo(m, MOTOR_KG / 4), "2 pi"),
+    KnownSlip("06.5", "half of J", lambda m: servo(m, MOTOR_KG / 2), "[Hh]alf of the inertia"),
+    KnownSlip("06.5", "the mass", lambda m: m.die_mass_kg + MOTOR_KG, "the mass"),
+    KnownSlip("06.5", "the torque", lambda m: servo(m, MOTOR_KG) / SCREW, "torque|lever"),
+    KnownSlip(
+        "06.5",
+        "weight added",
+        lambda m: servo(m, MOTOR_KG) + m.die_mass_kg * G,
+        "weight",
+    ),
+    KnownSlip("06.5", "subtracted", lambda m: abs(servo(m, -MOTOR_KG)), "add|both|subtract|minus"),
+    KnownSlip("06.5", "in kN", lambda m: servo(m, MOTOR_KG) / 1000, "kN"),
+    KnownSlip("06.5", "in g", lambda m: servo(m, MOTOR_KG) * G, "by g|g too"),
+    KnownSlip(
+        "06.5", "the torque added", lambda m: servo(m, 0) + 1e-4 * 0.6 * SCREW, "torque|square"
+    ),
+    # The choices, each wrong option.
+    KnownSlip("05.6", "a: another constant", lambda _: "a", "end|arrive|come|reach"),
+    KnownSlip("05.6", "b: another law", lambda _: "b", "polynomial|not the|another law|peak"),
+    KnownSlip("05.6", "c: a square lost", lambda _: "c", "continuous"),
+    KnownSlip("05.6", "d: not joined", lambda _: "d", "jump"),
+    KnownSlip("05.6", "f: a wrong bound", lambda _: "f", "sign|derivative|slope"),
+    KnownSlip("06.6", "a: converged", lambda _: "a", "converge|gap|lower|bound|better|exact"),
+    KnownSlip("06.6", "b: finer", lambda _: "b", "bound|below|lower|no motion|never"),
+    KnownSlip("06.6", "d: a grid", lambda _: "d", "grid|motion|between|bound"),
+]
