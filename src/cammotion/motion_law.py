@@ -28,6 +28,7 @@ from cammotion.zones import (
     derive,
     exact,
     join,
+    multiply,
     x,
 )
 
@@ -132,8 +133,11 @@ class MotionLaw:
     @cached_property
     def Cq(self) -> float:  # noqa: N802
         """The torque factor of the inertia: the largest abs(V A)."""
-        pairs = zip(self._zones(1), self._zones(2), strict=True)
-        return _largest(v._replace(curve=v.curve * a.curve) for v, a in pairs)
+        pairs = enumerate(zip(self._pieces(1), self._pieces(2), strict=True))
+        return _largest(
+            v._replace(curve=multiply(v.curve, a.curve) or self._power(number))
+            for number, (v, a) in pairs
+        )
 
     @cached_property
     def Cj_inside(self) -> float:  # noqa: N802
@@ -278,6 +282,10 @@ class MotionLaw:
         while len(self._reckoned) <= derivative:
             self._reckoned.append(derive(self._reckoned[-1]))
         return self._reckoned[derivative]
+
+    def _power(self, number: int) -> sympy.Expr:
+        """Return V A in a zone as an expression."""
+        return self._zones(1)[number].curve * self._zones(2)[number].curve
 
     def _peak(self, derivative: int) -> float:
         """Return the largest magnitude of a curve, infinity where the one before it jumps."""

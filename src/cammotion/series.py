@@ -66,6 +66,28 @@ class Series:
             ]
             return Series(powers or [mpmath.mpf(0)], waves, self.origin)
 
+    def times(self, other: "Series") -> "Series | None":
+        """Return the product with another one about the same origin; None if that is no series."""
+        if any(len(a.powers) > 1 and b.waves for a, b in ((self, other), (other, self))):
+            return None
+        with mpmath.workprec(BITS):
+            powers = [mpmath.mpf(0)] * (len(self.powers) + len(other.powers) - 1)
+            for n, a in enumerate(self.powers):
+                for m, b in enumerate(other.powers):
+                    powers[n + m] += a * b
+            waves = [
+                wave._replace(amplitude=by.powers[0] * wave.amplitude)
+                for series, by in ((self, other), (other, self))
+                for wave in series.waves
+                if by.powers[0]
+            ]
+            for one in self.waves:
+                for another in other.waves:
+                    constant, beats = _beat(one, another)
+                    powers[0] += constant
+                    waves += beats
+            return Series(powers, waves, self.origin)
+
     def value(self, place: float) -> float:
         """Return the value at x = `place`, computed with many digits and rounded once."""
         with mpmath.workprec(BITS):
@@ -162,6 +184,30 @@ class Series:
         turns = max((abs(term.frequency) * width for term in self._terms), default=0.0)
         operations = 4 * len(self.factors) + 4 * len(self._terms) + 4 * turns + 8
         return operations * math.ulp(1.0) * self.size(width)
+
+
+def _beat(one: Wave, other: Wave) -> tuple[Number, list[Wave]]:
+    """Return the product of two waves: half the cosine of the difference less that of the sum."""
+    half = one.amplitude * other.amplitude / 2
+    total = Wave(
+        -half,
+        one.frequency + other.frequency,
+        one.phase + other.phase,
+        one.quarters + other.quarters + 1,
+    )
+    difference = Wave(
+        half,
+        one.frequency - other.frequency,
+        one.phase - other.phase,
+        one.quarters - other.quarters + 1,
+    )
+    constant, waves = mpmath.mpf(0), []
+    for wave in (total, difference):
+        if abs(wave.frequency) > NOTHING:
+            waves.append(wave)
+        else:
+            constant += wave.amplitude * mpmath.sin(wave.phase + wave.quarters * mpmath.pi / 2)
+    return constant, waves
 
 
 def _bounds(term: Term, start: float, end: float) -> tuple[float, float]:

@@ -64,19 +64,10 @@ def _add(one: Series, other: Series) -> Series:
 
 
 def _multiply(one: Series, other: Series) -> Series:
-    if _is_constant(other):
-        one, other = other, one
-    if _is_constant(one):
-        factor = one.powers[0]
-        waves = [wave._replace(amplitude=factor * wave.amplitude) for wave in other.waves]
-        return Series([factor * power for power in other.powers], waves)
-    if one.waves or other.waves or len(one.powers) + len(other.powers) > _HIGHEST:
+    product = one.times(other)
+    if product is None or len(product.powers) > _HIGHEST:
         raise _OtherFormError
-    powers = [mpmath.mpf(0)] * (len(one.powers) + len(other.powers) - 1)
-    for n, a in enumerate(one.powers):
-        for m, b in enumerate(other.powers):
-            powers[n + m] += a * b
-    return Series(powers)
+    return product
 
 
 def _power(curve: sympy.Expr) -> Series:

@@ -10,6 +10,7 @@ import numbers
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from cammotion.checks import InputError, shorten
@@ -93,7 +94,7 @@ class Machine:
         """The indexing angle of the die if it only uses the quiet ends of the mill's move."""
         return self.die_angle_deg + self.quiet_deg
 
-    @property
+    @cached_property
     def widest_deg(self) -> float:
         """The widest indexing angle of the die that keeps the rule."""
         return widest_move(self.diagram, "die", self.rule).angle_deg

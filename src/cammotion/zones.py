@@ -89,6 +89,12 @@ def derive(zones: Iterable[Zone]) -> tuple[Zone, ...]:
     return tuple(zone._replace(curve=_derivative(zone.curve)) for zone in zones)
 
 
+def multiply(one: Curve, other: Curve) -> Series | None:
+    """Return the product of two series of one zone; None if it is no series, or they are none."""
+    both = isinstance(one, Series) and isinstance(other, Series)
+    return one.times(other) if both else None
+
+
 def _derivative(curve: Curve) -> Curve:
     return curve.derive() if isinstance(curve, Series) else sympy.diff(curve, x)
 
