@@ -10,7 +10,7 @@ from starter.errors import WorkbookError
 from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, VENV, first_free
 
 MARKER = VENV / "made-by-workbook"
-MB_FOR_NEW, MB_FOR_UPDATE = 1200, 300
+MB_FOR_NEW, MB_FOR_UPDATE = 1400, 400
 
 
 def ensure() -> None:

@@ -316,3 +316,14 @@ def test_a_shifted_motion_does_the_same_later() -> None:
         assert later.offset_mm(angles + 33.5) == pytest.approx(motion.offset_mm(angles), abs=1e-9)
     with pytest.raises(cm.InputError, match="The cam angle is nan"):
         make_die().shifted(float("nan"))
+
+
+def test_another_law_changes_how_and_not_where() -> None:
+    die = make_die(55)
+    other = die.with_law("modified sine")
+    assert [s.law for s in other.moves] == ["modified sine"] * 2
+    ends = [s.from_deg for s in die.segments]
+    assert np.allclose(other.position_mm(ends), die.position_mm(ends))
+    assert not np.allclose(other.position_mm(160), die.position_mm(160))
+    with pytest.raises(cm.InputError, match="modified sine"):
+        die.with_law("modified sin")
