@@ -11,7 +11,7 @@ from machines import DOWN_DEG, RULE, Array, die_mm, examples, make_diagram, make
 
 import cammotion as cm
 from cammotion import ClearanceRule, beyond, within
-from cammotion.corridors import Corridor, corridor
+from cammotion.limits.corridors import Corridor, corridor
 
 INFINITE = math.inf
 

@@ -8,8 +8,8 @@ import pytest
 from machines import Array
 
 import cammotion as cm
-from cammotion.corridors import Corridor
-from cammotion.grid_motion import GridMotion
+from cammotion.limits.corridors import Corridor
+from cammotion.limits.grid_motion import GridMotion
 
 DIE = cm.motion("die", cm.rise(9, over_deg=90), cm.return_(9, over_deg=270))
 

@@ -17,7 +17,7 @@ from scipy.optimize import brentq
 
 import cammotion as cm
 from cammotion import ClearanceRule, TimingDiagram, beyond, within
-from cammotion.limits import LeastAcceleration, least_acceleration
+from cammotion.limits.least import LeastAcceleration, least_acceleration
 from cammotion.motions import Motion
 
 OFF_MM = float(make_mill().offset_mm(135))

@@ -11,10 +11,10 @@ from machines import examples
 
 import cammotion as cm
 from cammotion import LAWS, x
-from cammotion.series import Series
-from cammotion.series_reader import series_of
-from cammotion.turning import turning_points
-from cammotion.zones import as_series, cut
+from cammotion.curves.series import Series
+from cammotion.curves.series_reader import series_of
+from cammotion.curves.turning import turning_points
+from cammotion.curves.zones import as_series, cut
 
 PI = sympy.pi
 CURVES = [

@@ -1,14 +1,12 @@
 from . import (
     animation,
     arcs,
-    branches,
     checks,
     clearance,
-    corridors,
+    curves,
     diagram,
     exercises,
     explorers,
-    grid_motion,
     kinematics,
     law_plots,
     laws,
@@ -17,19 +15,14 @@ from . import (
     motion_law,
     motions,
     overlap,
-    pieces,
     plots,
     sampled,
     scca_family,
     segments,
-    series,
-    series_reader,
     setup_check,
     tables,
     timing_plots,
-    turning,
     variants,
-    zones,
 )
 from .animation import animate
 from .checks import InputError
@@ -41,6 +34,7 @@ from .clearance import (
     smallest_clearance,
     within,
 )
+from .curves.zones import x
 from .diagram import TimingDiagram
 from .exercises import ask, check, choose, hint, predict, progress, variant
 from .explorers.move import explore_move
@@ -57,7 +51,7 @@ from .kinematics import (
 )
 from .law_plots import plot_laws
 from .laws import LAWS, as_law, fifth_degree_linear, polynomial
-from .limits import LeastAcceleration, least_acceleration
+from .limits.least import LeastAcceleration, least_acceleration
 from .motion_law import MotionLaw
 from .motions import Motion, indexing_motion, motion
 from .overlap import widest_move, with_angle
@@ -68,7 +62,6 @@ from .segments import Segment, dwell, return_, rise
 from .setup_check import check_setup
 from .tables import read_segments, write_curves, write_segments
 from .timing_plots import plot_clearance, plot_timing
-from .zones import x
 
 __all__ = [
     "LAWS",
@@ -86,13 +79,12 @@ __all__ = [
     "as_law",
     "ask",
     "beyond",
-    "branches",
     "check",
     "check_setup",
     "checks",
     "choose",
     "clearance",
-    "corridors",
+    "curves",
     "cycle_time",
     "diagram",
     "dwell",
@@ -105,7 +97,6 @@ __all__ = [
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
-    "grid_motion",
     "hint",
     "indexing_motion",
     "indexing_time",
@@ -123,7 +114,6 @@ __all__ = [
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
-    "pieces",
     "plot_clearance",
     "plot_curves",
     "plot_inverse_square",
@@ -141,13 +131,10 @@ __all__ = [
     "scca",
     "scca_family",
     "segments",
-    "series",
-    "series_reader",
     "setup_check",
     "smallest_clearance",
     "tables",
     "timing_plots",
-    "turning",
     "variant",
     "variants",
     "widest_move",
@@ -156,5 +143,4 @@ __all__ = [
     "write_curves",
     "write_segments",
     "x",
-    "zones",
 ]

@@ -11,9 +11,9 @@ from typing import Any
 import sympy
 
 from cammotion.checks import InputError, Quantity, one_of, shorten
+from cammotion.curves.zones import Zone, exact, x
 from cammotion.motion_law import MotionLaw, mirrored
 from cammotion.scca_family import NAMED_PARTS, scca
-from cammotion.zones import Zone, exact, x
 
 __all__ = ["LAWS", "MotionLaw", "as_law", "fifth_degree_linear", "polynomial", "scca", "x"]
 

@@ -18,9 +18,9 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from cammotion.branches import Branch, cut_at_turns, turns_of, where
 from cammotion.checks import Floats, InputError, Numbers, Quantity
-from cammotion.zones import (
+from cammotion.curves.branches import Branch, cut_at_turns, turns_of, where
+from cammotion.curves.zones import (
     Zone,
     as_series,
     compile_zones,

@@ -5,8 +5,8 @@ import sympy
 from numpy.typing import ArrayLike
 
 from cammotion.checks import Floats, InputError, Quantity
+from cammotion.curves.zones import Zone, join, x
 from cammotion.motion_law import MotionLaw
-from cammotion.zones import Zone, join, x
 
 _PLACE = Quantity("x of the points", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("s of the points", "", example=0.5, low=-1.0, high=2.0, low_included=True)

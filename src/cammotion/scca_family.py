@@ -10,9 +10,9 @@ import sympy
 from numpy.typing import ArrayLike
 
 from cammotion.checks import Floats, InputError, Numbers, Quantity
+from cammotion.curves.turning import bisect
+from cammotion.curves.zones import Zone, exact, x
 from cammotion.motion_law import MotionLaw, mirrored
-from cammotion.turning import bisect
-from cammotion.zones import Zone, exact, x
 
 NAMED_PARTS: dict[str, tuple[float, float, float]] = {
     "constant acceleration": (0, 1, 0),

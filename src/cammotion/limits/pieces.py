@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cammotion.checks import Floats
+from cammotion.curves.zones import Zone, join, x
 from cammotion.motion_law import MotionLaw
-from cammotion.zones import Zone, join, x
 
 _SAME = 1e-8  # accelerations that differ by so much of the largest are one
 

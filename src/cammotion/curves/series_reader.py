@@ -6,7 +6,7 @@ from itertools import zip_longest
 import mpmath
 import sympy
 
-from cammotion.series import BITS, NOTHING, Number, Series, Wave
+from cammotion.curves.series import BITS, NOTHING, Number, Series, Wave
 
 _TAME = 1e5  # larger terms that cancel each other would leave too few digits of a float
 _HIGHEST = 30  # the degree up to which powers are multiplied out

@@ -4,8 +4,8 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from cammotion.turning import bisect, turning_points
-from cammotion.zones import Zone, compile_curve, x
+from cammotion.curves.turning import bisect, turning_points
+from cammotion.curves.zones import Zone, compile_curve, x
 
 
 class Branch(NamedTuple):

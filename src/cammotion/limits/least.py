@@ -23,10 +23,10 @@ import numpy as np
 from cammotion.arcs import Arc
 from cammotion.checks import Floats, InputError, Quantity
 from cammotion.clearance import ClearanceRule
-from cammotion.corridors import Corridor, corridor
 from cammotion.diagram import TimingDiagram
-from cammotion.grid_motion import GridMotion
 from cammotion.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.limits.corridors import Corridor, corridor
+from cammotion.limits.grid_motion import GridMotion
 from cammotion.motions import Motion
 
 Matrix = Any  # SciPy's sparse matrices come without types

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from cammotion.checks import Floats, InputError
-from cammotion.corridors import Corridor
 from cammotion.kinematics import DEG_PER_TURN
+from cammotion.limits.corridors import Corridor
+from cammotion.limits.pieces import Piece, law_of
 from cammotion.motions import Motion
-from cammotion.pieces import Piece, law_of
 from cammotion.segments import Segment
 
 _ROUNDING_MM = 1e-9  # by so much positions may differ and be one

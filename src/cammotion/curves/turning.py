@@ -19,7 +19,7 @@ import sympy
 from mpmath import iv
 
 from cammotion.checks import InputError
-from cammotion.series import Series
+from cammotion.curves.series import Series
 
 NEGLIGIBLE = 1e-13
 """The change of a curve that is taken for none, where a motion law changes by 1."""

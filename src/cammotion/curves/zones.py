@@ -10,8 +10,8 @@ import numpy as np
 import sympy
 
 from cammotion.checks import Floats
-from cammotion.series import Series
-from cammotion.series_reader import series_of
+from cammotion.curves.series import Series
+from cammotion.curves.series_reader import series_of
 
 x = sympy.Symbol("x")
 """The dimensionless time t/tm, the variable of every law."""

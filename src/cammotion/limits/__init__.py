@@ -1,0 +1,1 @@
+"""How good any motion could get: its corridor, the programs, and the motion that is found."""
