@@ -2,7 +2,7 @@
 
 One piece a turn: a turn of the camshaft lasts T = 3600/N seconds, and a move over Bm degrees lasts
 tm = Bm/360 T. Lengths come in mm; velocity, acceleration and jerk are returned in m/s, m/s2 and
-m/s3. This module is the only place where units are converted.
+m/s3. Units are converted here, or with the numbers from here.
 """
 
 from dataclasses import dataclass

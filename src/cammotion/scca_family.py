@@ -23,6 +23,9 @@ NAMED_PARTS: dict[str, tuple[float, float, float]] = {
 }
 """The named laws of the family, and their b, c and d."""
 
+LEAST_CA = 4
+"""The least Ca of any law from rest to rest: 1 is the integral of (1/2 - x) A, at most Ca/4."""
+
 _PART = Quantity("zone of the SCCA law", "", example=0.25, high=1.0, low_included=True)
 _ROUNDING = 1e-9
 _CURVES = range(4)  # S, V, A and J

@@ -6,7 +6,13 @@ import sympy
 
 from cammotion.exercises.expressions import ExpressionExercise
 from cammotion.exercises.kinds import ChoiceExercise, NumberExercise, Slip
-from cammotion.kinematics import DEG_PER_TURN, MM_PER_M, STANDARD_GRAVITY, peak_acceleration
+from cammotion.kinematics import (
+    DEG_PER_TURN,
+    MM_PER_M,
+    STANDARD_GRAVITY,
+    cycle_time,
+    peak_acceleration,
+)
 from cammotion.laws import LAWS
 from cammotion.variants import Machine
 
@@ -36,7 +42,7 @@ def _per_acceleration(time: float, half: float) -> float:
 
 def _seconds(m: Machine) -> float:
     """Return the time of a degree."""
-    return 3600 / m.rate_per_hour / DEG_PER_TURN
+    return float(cycle_time(m.rate_per_hour)) / DEG_PER_TURN
 
 
 def _least(m: Machine) -> float:

@@ -11,12 +11,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from cammotion.checks import Floats, one_of
-from cammotion.explorers.scca_triangle import LEAST_CA, draw_triangle, place
+from cammotion.explorers.scca_triangle import draw_triangle, place
 from cammotion.laws import LAWS
 from cammotion.live import Explorer, LiveFigure, NumberControl
 from cammotion.motion_law import MotionLaw
 from cammotion.plots import COLOURS, style_axes, style_line
-from cammotion.scca_family import NAMED_PARTS, SccaCurves, scca
+from cammotion.scca_family import LEAST_CA, NAMED_PARTS, SccaCurves, scca
 
 _START = "cycloidal"
 _TICKS = {"S": (0, 0.5, 1), "V": (0, 1, 2, 3), "A": (-8, -4, 0, 4, 8), "J": (-80, -40, 0, 40, 80)}

@@ -7,10 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
 
 from cammotion.checks import Floats
-from cammotion.scca_family import NAMED_PARTS, acceleration_factor
-
-LEAST_CA = 4
-"""The least possible Ca of all motions that start and end at rest."""
+from cammotion.scca_family import LEAST_CA, NAMED_PARTS, acceleration_factor
 
 _CORNERS = np.array([[0, 0], [0.5, 3**0.5 / 2], [1, 0]])  # of b = 1, of c = 1 and of d = 1
 _CORNER_WORDS = {"b = 1: sine": (0, -12), "c = 1: constant": (0, 27), "d = 1: cosine": (0, -39)}

@@ -109,13 +109,22 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     """
     is_free = isinstance(jerk_limit, float) and jerk_limit == np.inf
     most_jerk = np.inf if is_free else _JERK_LIMIT.number(jerk_limit)
-    grid = round(_CELLS.number(cells))
+    grid = _whole(_CELLS.number(cells))
     room = corridor(diagram, motion, rules, still=still, travel_mm=travel_mm, cells=grid)
     seconds = room.cells_deg * (diagram.cycle_time_s / DEG_PER_TURN)
     bound = _bound(room, seconds, most_jerk * MM_PER_M)
     curve = _reach(room, seconds, most_jerk * MM_PER_M)
     found = curve.build(diagram[motion], room)
     return LeastAcceleration(diagram, bound / MM_PER_M, found, most_jerk)
+
+
+def _whole(cells: float) -> int:
+    if cells != round(cells):
+        raise InputError(
+            f"The number of cells is {cells:g}; it has to be a whole number: give, for example, "
+            f"{round(cells)}."
+        )
+    return round(cells)
 
 
 def _bound(room: Corridor, seconds: Floats, most_jerk: float) -> float:
