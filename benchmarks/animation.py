@@ -11,7 +11,7 @@ ROUNDS = 5
 OWN = """
 import json, time
 import cammotion as cm
-import cammotion.animation
+import cammotion.views.animation
 mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
 die = cm.motion(
     "die", cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=55), cm.dwell(150),

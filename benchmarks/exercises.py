@@ -15,8 +15,8 @@ from findings import Finding, percentile_95, say
 from package import seconds_of
 
 import cammotion as cm
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.store import FILE
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.store import FILE
 
 MS = 1000
 ROUNDS = 20

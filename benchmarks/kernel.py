@@ -61,8 +61,8 @@ def time_ticks_as_json() -> str:
     """Move the sliders of both figures over their ranges, as a hand would; runs in the kernel."""
     from rival import interact_with
 
-    from cammotion.explorers.move import explore_move
-    from cammotion.kinematics import Move
+    from cammotion.machine.kinematics import Move
+    from cammotion.views.explorers.move import explore_move
 
     die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     explorer = explore_move(die)

@@ -5,9 +5,9 @@ from typing import Any
 import ipywidgets
 import matplotlib.pyplot as plt
 
-from cammotion.explorers.move import compare
-from cammotion.kinematics import Move
-from cammotion.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
+from cammotion.machine.kinematics import Move
+from cammotion.views.explorers.move import compare
+from cammotion.views.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
 
 
 def interact_with(reference: Move) -> Any:

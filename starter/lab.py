@@ -26,7 +26,7 @@ DEFAULTS = {
         "checkForUpdates": False,
     },
 }
-PROMPT_CONNECTION = "cammotion.server.PromptConnection"
+PROMPT_CONNECTION = "cammotion.teaching.server.PromptConnection"
 
 
 def choose_port(wanted: int | None) -> int:

@@ -5,12 +5,13 @@ from typing import Any
 
 import pytest
 
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.expressions import ExpressionExercise
-from cammotion.exercises.kinds import ChoiceExercise, Exercise, NumberExercise, Slip
-from cammotion.variants import SOURCE, Machine, machine_for
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Slip
+from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import machine_for
 
-MACHINES = [SOURCE, *(machine_for(f"learner {n}") for n in range(20))]
+MACHINES = [EXAMPLE, *(machine_for(f"learner {n}") for n in range(20))]
 NUMBERS = [exercise for exercise in EXERCISES.values() if isinstance(exercise, NumberExercise)]
 CHOICES = [exercise for exercise in EXERCISES.values() if isinstance(exercise, ChoiceExercise)]
 FORMULAS = [e for e in EXERCISES.values() if isinstance(e, ExpressionExercise)]
@@ -28,14 +29,14 @@ each_formula = pytest.mark.parametrize("exercise", FORMULAS, ids=number_id)
 each_choice = pytest.mark.parametrize("exercise", CHOICES, ids=number_id)
 
 
-def say(exercise: Exercise, answer: Any, machine: Machine = SOURCE) -> str:
+def say(exercise: Exercise, answer: Any, machine: MillAndDie = EXAMPLE) -> str:
     """Return the reason that a wrong answer gets."""
     verdict = exercise.judge(answer, machine)
     assert verdict.state == "wrong", f"{answer!r} for {exercise.number}"
     return verdict.text
 
 
-def is_right(exercise: Exercise, answer: Any, machine: Machine = SOURCE) -> bool:
+def is_right(exercise: Exercise, answer: Any, machine: MillAndDie = EXAMPLE) -> bool:
     return exercise.judge(answer, machine).state == "right"
 
 

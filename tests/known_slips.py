@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy
 
-from cammotion.variants import Machine
+from cammotion.teaching.example import MillAndDie
 
 G = 9.80665
 
@@ -22,36 +22,36 @@ class KnownSlip:
 
     number: str
     name: str
-    answer: Callable[[Machine], Any]
+    answer: Callable[[MillAndDie], Any]
     said: str
 
 
-def stroke(m: Machine) -> float:
+def stroke(m: MillAndDie) -> float:
     """Return the stroke of the die in mm."""
     return m.wait_mm + m.pocket_mm - m.gap_mm
 
 
-def die(m: Machine) -> float:
+def die(m: MillAndDie) -> float:
     """Return the angle of the die without overlap."""
     return (360 - m.mill_angle_deg - m.work_deg) / 2
 
 
-def later(m: Machine) -> float:
+def later(m: MillAndDie) -> float:
     """Return the angle of the die with the quiet ends of the mill."""
     return (360 - 0.8 * m.mill_angle_deg - m.work_deg) / 2
 
 
-def turn(m: Machine) -> float:
+def turn(m: MillAndDie) -> float:
     """Return the time of a turn in s."""
     return 3600 / m.rate_per_hour
 
 
-def time(m: Machine, angle: float) -> float:
+def time(m: MillAndDie, angle: float) -> float:
     """Return the time of an angle in s."""
     return angle / 360 * turn(m)
 
 
-def peak(m: Machine, angle: float, way: float | None = None, *, per_hour: float = 1) -> float:
+def peak(m: MillAndDie, angle: float, way: float | None = None, *, per_hour: float = 1) -> float:
     """Return the peak acceleration in m/s²; `per_hour` spoils the rate."""
     return 2 * math.pi * (way or stroke(m)) / 1000 / (time(m, angle) / per_hour) ** 2
 
@@ -75,37 +75,37 @@ def place(share: float, curve: Callable[[float], float] = law) -> float:
     return low
 
 
-def x_deep(m: Machine, margin: float = -1) -> float:
+def x_deep(m: MillAndDie, margin: float = -1) -> float:
     """Return x at which the die is as deep as it may be; `margin` times the margin comes on top."""
     return place((m.wait_mm + margin * m.margin_mm) / stroke(m))
 
 
-def widest(m: Machine) -> float:
+def widest(m: MillAndDie) -> float:
     """Return the widest angle of the die."""
     return later(m) / (1 - x_deep(m))
 
 
-def gain(m: Machine) -> float:
+def gain(m: MillAndDie) -> float:
     """Return how many times smaller the peak becomes."""
     return (widest(m) / die(m)) ** 2
 
 
-def depth_x(m: Machine) -> float:
+def depth_x(m: MillAndDie) -> float:
     """Return which part of its move the die has done 30 degrees before it is down."""
     return 1 - 30 / widest(m)
 
 
-def faster(m: Machine) -> float:
+def faster(m: MillAndDie) -> float:
     """Return the ratio of the rates in 02.4."""
     return (m.rate_per_hour + 400) / m.rate_per_hour
 
 
-def slower(m: Machine) -> float:
+def slower(m: MillAndDie) -> float:
     """Return how many times slower the screen is in 04.2."""
     return 9 / turn(m)
 
 
-def rest(m: Machine) -> float:
+def rest(m: MillAndDie) -> float:
     """Return the degrees in which the overlapped die rests at the top."""
     return 360 - m.work_deg - 2 * widest(m)
 

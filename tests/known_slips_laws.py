@@ -10,7 +10,7 @@ import numpy as np
 import sympy
 from known_slips import G, KnownSlip, die, later, peak, place, stroke, time, widest
 
-from cammotion.variants import Machine
+from cammotion.teaching.example import MillAndDie
 
 CYCLOID = 2 * math.pi
 TRAPEZOID = 8 * math.pi / (2 + math.pi)
@@ -21,7 +21,7 @@ HARMONIC = math.pi**2 / 2
 p, r = sympy.symbols("p r")
 
 
-def hard(m: Machine, angle: float, factor: float, way: float | None = None) -> float:
+def hard(m: MillAndDie, angle: float, factor: float, way: float | None = None) -> float:
     """Return the peak acceleration in m/s² of a law with this factor."""
     return factor * (way or stroke(m)) / 1000 / time(m, angle) ** 2
 
@@ -55,37 +55,37 @@ def trapezoid(x: float) -> float:
     return float(np.interp(x, y, s))
 
 
-def deep(m: Machine, curve: Callable[[float], float], margin: float = -1) -> float:
+def deep(m: MillAndDie, curve: Callable[[float], float], margin: float = -1) -> float:
     """Return x at which the die is as deep as it may be by a law."""
     return place((m.wait_mm + margin * m.margin_mm) / stroke(m), curve)
 
 
-def sine_widest(m: Machine) -> float:
+def sine_widest(m: MillAndDie) -> float:
     """Return the widest angle of the die by the modified sine."""
     return later(m) / (1 - deep(m, sine))
 
 
-def sine_peak(m: Machine) -> float:
+def sine_peak(m: MillAndDie) -> float:
     """Return the peak of the die by the modified sine over its widest angle."""
     return hard(m, sine_widest(m), SINE)
 
 
-def deep_share(m: Machine) -> float:
+def deep_share(m: MillAndDie) -> float:
     """Return which share of its stroke the die may be deep."""
     return (m.wait_mm - m.margin_mm) / stroke(m)
 
 
-def up(m: Machine) -> float:
+def up(m: MillAndDie) -> float:
     """Return how far the die has to be up in 06.3, in mm."""
     return stroke(m) - m.wait_mm + m.margin_mm
 
 
-def half_turn(m: Machine) -> float:
+def half_turn(m: MillAndDie) -> float:
     """Return the angle after which the die turns round."""
     return (360 - m.work_deg) / 2
 
 
-def least(m: Machine, way: float | None = None, angle: float | None = None) -> float:
+def least(m: MillAndDie, way: float | None = None, angle: float | None = None) -> float:
     """Return how hard the die is pushed in 06.3, in m/s²."""
     push, at = time(m, half_turn(m)) / 2, time(m, angle or later(m))
     if at <= push:
@@ -96,24 +96,24 @@ def least(m: Machine, way: float | None = None, angle: float | None = None) -> f
     return (way or up(m)) / 1000 / per_unit
 
 
-def not_braked(m: Machine) -> float:
+def not_braked(m: MillAndDie) -> float:
     """Push in the first half, and let the die go on as fast as it is."""
     push, at = time(m, half_turn(m)) / 2, time(m, later(m))
     return up(m) / 1000 / (push**2 / 2 + push * (at - push))
 
 
-def stopped_between(m: Machine) -> float:
+def stopped_between(m: MillAndDie) -> float:
     """Forget the speed that the die has when it begins to be braked."""
     push, at = time(m, half_turn(m)) / 2, time(m, later(m))
     return up(m) / 1000 / (push**2 / 2 - max(at - push, 0) ** 2 / 2)
 
 
-def times_least(m: Machine) -> float:
+def times_least(m: MillAndDie) -> float:
     """Return how many times the least possible peak the cycloid's is."""
     return peak(m, widest(m)) / least(m)
 
 
-def servo(m: Machine, motor_kg: float, die_kg: float | None = None, a: float = 0.6) -> float:
+def servo(m: MillAndDie, motor_kg: float, die_kg: float | None = None, a: float = 0.6) -> float:
     """Return the force for die and motor in N, the motor counted as so many kg."""
     return ((m.die_mass_kg if die_kg is None else die_kg) + motor_kg) * a
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from machines import RULE, make_diagram
 
 import cammotion as cm
-from cammotion.animation import Animation
+from cammotion.views.animation import Animation
 
 PICTURE = Path(__file__).parent.parent / "notebooks" / "images" / "motion.svg"
 

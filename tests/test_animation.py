@@ -19,12 +19,12 @@ from machines import RULE, make_diagram, make_die, make_mill
 from notebook_lint import _svg_faults
 
 import cammotion as cm
-from cammotion.animation import Animation, animate
-from cammotion.animation.charts import _spread
-from cammotion.animation.keyframes import trace_acceleration
-from cammotion.animation.player import speeds_for
-from cammotion.animation.svg import text_px, wrapped
-from cammotion.checks import Floats
+from cammotion.quantities import Floats
+from cammotion.views.animation import Animation, animate
+from cammotion.views.animation.charts import _spread
+from cammotion.views.animation.keyframes import trace_acceleration
+from cammotion.views.animation.player import speeds_for
+from cammotion.views.animation.svg import text_px, wrapped
 
 MILL, DIE = make_mill(), make_die()
 BEFORE = make_diagram(MILL, DIE)

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from machines import examples
 from numpy.typing import NDArray
 
-from cammotion.arcs import ROUNDING_DEG, Arc, arcs, complement, intersect, join
+from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement, intersect, unwrap
 
 PLACES = np.arange(0, 360, 0.5) + 0.25
 """Angles half-way between the whole and half ones at which the arcs below begin and end."""
@@ -62,7 +62,7 @@ def test_the_intersection_is_in_both(ones: list[Arc], others: list[Arc]) -> None
 @given(pieces)
 def test_joining_covers_the_same_with_no_seam_at_360(given_pieces: list[Arc]) -> None:
     these = arcs(given_pieces)
-    joined = join(these)
+    joined = unwrap(these)
     assert (mask(joined) == mask(these)).all()
     assert arcs(joined) == these
     starts_and_ends = {angle % 360 for arc in joined for angle in arc}
@@ -82,22 +82,22 @@ def test_neighbours_make_one_arc_wherever_they_meet(start: float, way: float, cu
     """Also where their common end misses 360 deg by its rounding."""
     end = start + way
     parts = [(start, start + cut * way), (start + cut * way, end)]
-    assert len(join(arcs(parts))) == 1
-    assert len(join(complement(arcs(parts)))) == 1
+    assert len(unwrap(arcs(parts))) == 1
+    assert len(unwrap(complement(arcs(parts)))) == 1
 
 
 def test_the_turn_in_one_arc() -> None:
     assert arcs([(0, 360)]) == arcs([(-80, 280)]) == arcs([(10, 200), (150, 370)]) == [(0, 360)]
     assert complement([(0, 360)]) == []
     assert complement([]) == [(0, 360)]
-    assert join([(0, 360)]) == [(0, 360)]
-    assert join([]) == arcs([]) == []
+    assert unwrap([(0, 360)]) == [(0, 360)]
+    assert unwrap([]) == arcs([]) == []
 
 
 def test_the_ends_of_a_turn_are_exact() -> None:
     assert arcs([(300, 360 - 1e-13)]) == [(300, 360)]
     assert arcs([(360 + 1e-13, 400)]) == arcs([(-1e-13, 40)]) == [(0, 40)]
-    assert join(arcs([(300, 360 - 1e-13), (1e-13, 40)])) == [(300, 400)]
+    assert unwrap(arcs([(300, 360 - 1e-13), (1e-13, 40)])) == [(300, 400)]
 
 
 def test_rounding_is_dropped_and_nothing_longer() -> None:

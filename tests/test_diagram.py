@@ -10,7 +10,7 @@ from machines import MONOTONE, RATE, examples, make_diagram, make_die, make_mill
 
 import cammotion as cm
 from cammotion import TimingDiagram
-from cammotion.motions import Motion
+from cammotion.machine.motions import Motion
 
 DIAGRAM = make_diagram()
 OVERLAPPED = make_diagram(make_mill(), make_die(124.84))

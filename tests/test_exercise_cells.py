@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.kinds import ChoiceExercise
+from cammotion.teaching.exercise import ChoiceExercise
+from cammotion.teaching.lessons import EXERCISES
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 LESSONS = sorted({number.split(".")[0] for number in EXERCISES})

@@ -16,11 +16,11 @@ from judging import MACHINES, each_exercise, each_number, is_right, reasons_of, 
 from known_slips import KNOWN_SLIPS
 from known_slips_laws import LAW_SLIPS
 
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.kinds import Exercise, NumberExercise
-from cammotion.variants import SOURCE, Machine
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.exercise import Exercise, NumberExercise
+from cammotion.teaching.lessons import EXERCISES
 
-RIGHT: dict[str, Callable[[Machine], float]] = {
+RIGHT: dict[str, Callable[[MillAndDie], float]] = {
     "01.1": by_hand.die,
     "01.2": lambda m: by_hand.time(m, m.work_deg),
     "01.3": lambda m: (
@@ -74,7 +74,7 @@ def test_the_solution_is_the_number_computed_by_hand(exercise: NumberExercise) -
     ],
 )
 def test_the_solutions_of_the_source(number: str, value: float) -> None:
-    assert EXERCISES[number].solution(SOURCE) == pytest.approx(value, rel=1e-4)
+    assert EXERCISES[number].solution(EXAMPLE) == pytest.approx(value, rel=1e-4)
 
 
 AS_TYPES: dict[str, Callable[[float], Any]] = {
@@ -99,7 +99,7 @@ AS_TYPES: dict[str, Callable[[float], Any]] = {
 def test_the_right_number_in_every_sensible_type(
     exercise: NumberExercise, as_type: Callable[[float], Any]
 ) -> None:
-    assert is_right(exercise, as_type(exercise.solution(SOURCE)))
+    assert is_right(exercise, as_type(exercise.solution(EXAMPLE)))
 
 
 def test_a_whole_number_may_be_an_int() -> None:
@@ -119,7 +119,7 @@ def test_four_digits_are_enough_and_one_percent_off_is_close(exercise: NumberExe
 
 @each_number
 def test_a_number_is_right_within_the_tolerance_and_not_beyond(exercise: NumberExercise) -> None:
-    right = exercise.solution(SOURCE)
+    right = exercise.solution(EXAMPLE)
     for sign in (-1, 1):
         assert is_right(exercise, right * (1 + 0.98 * sign * exercise.tolerance))
         assert not is_right(exercise, right * (1 + 1.02 * sign * exercise.tolerance))
@@ -153,7 +153,7 @@ def test_the_common_ratios_are_recognised(exercise: NumberExercise) -> None:
         unit=exercise.unit,
         answer=exercise.answer,
     )
-    right = plain.solution(SOURCE)
+    right = plain.solution(EXAMPLE)
     assert "sign" in say(plain, -right)
     assert "2 pi times too large" in say(plain, right * 2 * np.pi)
     assert "2 pi times too small" in say(plain, right / 2 / np.pi)
@@ -179,12 +179,12 @@ def test_the_common_ratios_are_recognised(exercise: NumberExercise) -> None:
     ],
 )
 def test_a_ratio_means_what_it_means_in_the_unit(number: str, ratio: float, said: str) -> None:
-    assert said in say(EXERCISES[number], ratio * EXERCISES[number].solution(SOURCE))
+    assert said in say(EXERCISES[number], ratio * EXERCISES[number].solution(EXAMPLE))
 
 
 def test_no_reason_speaks_of_lengths_where_none_is_asked_for() -> None:
     for number in ("01.2", "04.3", "01.1"):
-        right = EXERCISES[number].solution(SOURCE)
+        right = EXERCISES[number].solution(EXAMPLE)
         for ratio in (1000, 1 / 1000):
             assert not re.search(r"\bmm\b|metres", say(EXERCISES[number], ratio * right))
 
@@ -219,7 +219,7 @@ def test_an_odd_number_is_told_why(answer: Any, said: str) -> None:
 @pytest.mark.parametrize("nothing", [None, ..., "", "  \n"])
 @each_exercise
 def test_no_answer_is_not_answered_yet(exercise: Exercise, nothing: Any) -> None:
-    verdict = exercise.judge(nothing, SOURCE)
+    verdict = exercise.judge(nothing, EXAMPLE)
     assert (verdict.state, verdict.text) == ("open", "not answered yet")
 
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import cammotion as cm
-from cammotion.checks import Floats
-from cammotion.exercises import bug_hunt
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.kinds import ChoiceExercise
-from cammotion.variants import SOURCE
+from cammotion.quantities import Floats
+from cammotion.teaching import bug_hunt
+from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.exercise import ChoiceExercise
+from cammotion.teaching.lessons import EXERCISES
 
 X = np.linspace(0, 1, 8001)  # the joints, at the eighths, are among the places
 STEP = X[1]
@@ -40,19 +40,19 @@ WORDS = {
 
 def named(letter: str) -> str:
     """Return the law that an implementation says it is."""
-    (name,) = re.findall(r"Return the (.*)\.", bug_hunt.LAWS[letter].__doc__ or "")
+    (name,) = re.findall(r"Return the (.*)\.", bug_hunt.SUSPECTS[letter].__doc__ or "")
     return str(name)
 
 
 def has_right_ends(letter: str) -> bool:
-    s, v, _ = bug_hunt.LAWS[letter](np.array([0.0, 1.0]))
+    s, v, _ = bug_hunt.SUSPECTS[letter](np.array([0.0, 1.0]))
     return np.allclose(s, [0, 1], rtol=0, atol=1e-12) and np.allclose(v, 0, rtol=0, atol=1e-12)
 
 
 def has_no_jumps(letter: str) -> bool:
     """Tell whether S and V are the same on either side of every place."""
     inner = X[1:-1]
-    sides = [bug_hunt.LAWS[letter](inner + side * NEXT_TO_A_JOINT) for side in (-1, 1)]
+    sides = [bug_hunt.SUSPECTS[letter](inner + side * NEXT_TO_A_JOINT) for side in (-1, 1)]
     return all(np.abs(sides[1][n] - sides[0][n]).max() < 1e-7 for n in (0, 1))
 
 
@@ -63,20 +63,20 @@ def is_slope(of: int, letter: str) -> bool:
     """
     middles = (X[1:] + X[:-1]) / 2
     h = STEP / 8
-    left, right = (bug_hunt.LAWS[letter](middles + side * h)[of] for side in (-1, 1))
+    left, right = (bug_hunt.SUSPECTS[letter](middles + side * h)[of] for side in (-1, 1))
     slope = (right - left) / (2 * h)
-    return np.allclose(slope, bug_hunt.LAWS[letter](middles)[of + 1], rtol=0, atol=1e-5)
+    return np.allclose(slope, bug_hunt.SUSPECTS[letter](middles)[of + 1], rtol=0, atol=1e-5)
 
 
 def makes_the_way(letter: str) -> bool:
     """Tell whether the mean velocity is 1, by the midpoints."""
     middles = (X[1:] + X[:-1]) / 2
-    return abs(float(np.mean(bug_hunt.LAWS[letter](middles)[1])) - 1) < 1e-6
+    return abs(float(np.mean(bug_hunt.SUSPECTS[letter](middles)[1])) - 1) < 1e-6
 
 
 def has_its_peak(letter: str) -> bool:
     """Tell whether the largest acceleration is that of the law in its name, by its closed form."""
-    peak = float(np.abs(bug_hunt.LAWS[letter](X)[2]).max())
+    peak = float(np.abs(bug_hunt.SUSPECTS[letter](X)[2]).max())
     return abs(peak - PEAKS[named(letter)]) < 1e-5
 
 
@@ -94,21 +94,21 @@ def failed(letter: str) -> set[str]:
     return {name for name, passes in EXAMINATION.items() if not passes(letter)}
 
 
-@pytest.mark.parametrize("letter", bug_hunt.LAWS)
+@pytest.mark.parametrize("letter", bug_hunt.SUSPECTS)
 def test_each_fails_in_the_examination_what_it_is_made_to_fail(letter: str) -> None:
     assert failed(letter) == FAILS[letter]
 
 
 def test_exactly_one_passes_and_the_exercise_says_so() -> None:
-    (right,) = (letter for letter in bug_hunt.LAWS if not failed(letter))
+    (right,) = (letter for letter in bug_hunt.SUSPECTS if not failed(letter))
     assert right == HUNT.answer
-    assert HUNT.judge(right, SOURCE).state == "right"
+    assert HUNT.judge(right, EXAMPLE).state == "right"
 
 
 @pytest.mark.parametrize("letter", SPEAKS_OF)
 def test_the_reason_speaks_of_a_test_that_it_fails(letter: str) -> None:
     assert HUNT.reasons.keys() == SPEAKS_OF.keys()
-    said = HUNT.judge(letter, SOURCE).text
+    said = HUNT.judge(letter, EXAMPLE).text
     spoken_of = {test for test, words in WORDS.items() if re.search(words, said)}
     assert SPEAKS_OF[letter] in spoken_of <= FAILS[letter]
 
@@ -127,12 +127,14 @@ def test_the_words_of_praise_in_the_reasons_are_true() -> None:
 
 
 def test_the_right_one_is_the_modified_sine_of_the_package() -> None:
-    curves: tuple[Floats, ...] = bug_hunt.LAWS[HUNT.answer](X)
+    curves: tuple[Floats, ...] = bug_hunt.SUSPECTS[HUNT.answer](X)
     for derivative, curve in enumerate(curves):
         expected = cm.LAWS["modified sine"](X, derivative=derivative)
         np.testing.assert_allclose(curve, expected, rtol=0, atol=1e-12)
 
 
 def test_the_options_name_the_laws_that_the_docstrings_name() -> None:
-    assert HUNT.options == {letter: f"law_{letter}, a {named(letter)}" for letter in bug_hunt.LAWS}
-    assert {named(letter) for letter in bug_hunt.LAWS} == PEAKS.keys()
+    assert HUNT.options == {
+        letter: f"law_{letter}, a {named(letter)}" for letter in bug_hunt.SUSPECTS
+    }
+    assert {named(letter) for letter in bug_hunt.SUSPECTS} == PEAKS.keys()

@@ -9,25 +9,25 @@ from bs4 import BeautifulSoup, Tag
 from judging import each_choice
 
 import cammotion as cm
-from cammotion.exercises import desk
-from cammotion.exercises.cards import _COLOURS, Feedback, Line, Progress
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.controls import ChoiceControl
-from cammotion.exercises.desk import Desk
-from cammotion.exercises.kinds import ChoiceExercise, Verdict
-from cammotion.exercises.store import GRADING, Store
+from cammotion.teaching import session
+from cammotion.teaching.controls import ChoiceControl
+from cammotion.teaching.exercise import ChoiceExercise, Verdict
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.messages import _COLOURS, Feedback, Line, Progress
+from cammotion.teaching.session import Session
+from cammotion.teaching.store import GRADING, Store
 
 
 @pytest.fixture(autouse=True)
-def _own_desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Keep what is done in a folder of this test's own."""
     monkeypatch.delenv(GRADING, raising=False)
-    monkeypatch.setattr(desk, "_DESK", Desk(Store(lambda: tmp_path)))
+    monkeypatch.setattr(session, "_SESSION", Session(Store(lambda: tmp_path)))
 
 
 def restart() -> None:
     """Begin anew, as a new kernel does."""
-    desk._DESK = Desk(Store(desk._DESK.store._find_folder))
+    session._SESSION = Session(Store(session._SESSION.store._find_folder))
 
 
 def html_of(thing: Any) -> BeautifulSoup:

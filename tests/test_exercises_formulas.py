@@ -9,8 +9,8 @@ import pytest
 import sympy
 from judging import ACCELERATION, each_formula, is_right, say
 
-from cammotion.exercises.expressions import ExpressionExercise
-from cammotion.variants import SOURCE
+from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.expression_exercise import ExpressionExercise
 
 t, h_m, t_m = sympy.symbols("t h_m t_m")
 FORMULA = h_m / t_m**2 * (6 - 12 * t / t_m)
@@ -67,7 +67,7 @@ RIGHT_FORMULAS: dict[str, Any] = {
 
 @pytest.mark.parametrize("formula", RIGHT_FORMULAS.values(), ids=RIGHT_FORMULAS)
 def test_the_right_formula_in_every_sensible_form(formula: Any) -> None:
-    assert is_right(ACCELERATION, formula), ACCELERATION.judge(formula, SOURCE)
+    assert is_right(ACCELERATION, formula), ACCELERATION.judge(formula, EXAMPLE)
 
 
 ODD_FORMULAS: list[tuple[Any, str]] = [
@@ -104,12 +104,12 @@ def test_a_wrong_formula_is_told_why(formula: Any, said: str, capsys: Any) -> No
 def test_each_slip_in_the_formula_gets_its_own_reason(exercise: ExpressionExercise) -> None:
     assert len({slip.reason for slip in exercise.slips}) == len(exercise.slips) > 0
     for slip in exercise.slips:
-        assert say(exercise, slip.answer(SOURCE)) == slip.reason
+        assert say(exercise, slip.answer(EXAMPLE)) == slip.reason
 
 
 @each_formula
 def test_each_formula_in_several_forms(exercise: ExpressionExercise) -> None:
-    right, symbols = exercise.solution(SOURCE), sympy.symbols(exercise.variables)
+    right, symbols = exercise.solution(EXAMPLE), sympy.symbols(exercise.variables)
     other = {symbol: sympy.Symbol(symbol.name, positive=True) for symbol in symbols}
     for form in (sympy.expand(right), sympy.factor(right), sympy.together(right)):
         for formula in (form, form.subs(other), sympy.lambdify(symbols, form)):

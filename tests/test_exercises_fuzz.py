@@ -16,10 +16,11 @@ from hypothesis import strategies as st
 from judging import ACCELERATION, CHOICES, FORMULAS, NUMBERS
 from machines import examples
 
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.expressions import ExpressionExercise
-from cammotion.exercises.kinds import ChoiceExercise, Exercise, NumberExercise, Verdict
-from cammotion.variants import SOURCE, machine_for
+from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Verdict
+from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import machine_for
 
 MACHINE = machine_for("fuzz")
 FAST = [e for e in NUMBERS if e.number not in {"04.1", "04.3", "05.2", "06.4"}]
@@ -224,7 +225,7 @@ PLACES: Mapping[ExpressionExercise, list[dict[str, float]]] = {
 def formulas(exercise: ExpressionExercise) -> st.SearchStrategy[Any]:
     """Return formulas made of an exercise's variables and of its right one."""
     symbols = sympy.symbols(exercise.variables)
-    right = exercise.solution(SOURCE)
+    right = exercise.solution(EXAMPLE)
     return st.recursive(
         st.sampled_from([*symbols, sympy.Integer(2), sympy.pi, right]),
         lambda inner: combined(inner, symbols[0]),
@@ -262,11 +263,11 @@ FORMULAS_OF = st.sampled_from(FORMULAS).flatmap(
 @examples(300)
 def test_no_wrong_formula_is_taken_as_right(drawn: tuple[ExpressionExercise, Any]) -> None:
     exercise, formula = drawn
-    verdict = exercise.judge(formula, SOURCE)
+    verdict = exercise.judge(formula, EXAMPLE)
     assert verdict.text.strip()
     if verdict.state == "right":
         for place in PLACES[exercise]:
-            right = exercise.solution(SOURCE).subs(place)
+            right = exercise.solution(EXAMPLE).subs(place)
             assert complex(formula.subs(place)) == pytest.approx(complex(right))
 
 

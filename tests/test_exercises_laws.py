@@ -16,13 +16,13 @@ from known_slips_laws import half_turn, hard, least, up
 from scipy.optimize import linprog
 
 import cammotion as cm
-from cammotion.checks import Floats
-from cammotion.exercises import lesson_05, lesson_06
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.variants import SOURCE, Machine, machine_for
+from cammotion.quantities import Floats
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.lessons import EXERCISES, lesson_05, lesson_06
+from cammotion.teaching.variants import machine_for
 
 PLACES = np.linspace(0, 1, 40_001)
-FEW = [SOURCE, *(machine_for(f"limit {n}") for n in range(20))]
+FEW = [EXAMPLE, *(machine_for(f"limit {n}") for n in range(20))]
 BRAKED = [m for m in FEW if later(m) > half_turn(m) / 2]
 PUSHED = [m for m in FEW if later(m) <= half_turn(m) / 2]
 
@@ -63,7 +63,7 @@ def test_a_line_in_the_middle_of_an_integrated_law(p: float, law: str) -> None:
     fast = squeezed >= 1 / 2  # along the line
     velocity = {"cycloid": (1 - np.cos(2 * np.pi * squeezed)) / 2, "triangle": 2 * squeezed}[law]
     way = integral(np.where(fast, 1, velocity))[-1]
-    assert float(EXERCISES["05.4"].solution(SOURCE).subs("p", p)) == pytest.approx(1 / way, 1e-7)
+    assert float(EXERCISES["05.4"].solution(EXAMPLE).subs("p", p)) == pytest.approx(1 / way, 1e-7)
 
 
 @pytest.mark.parametrize("r", [0.001, 0.05, 0.125, 0.2, 0.25])
@@ -74,13 +74,13 @@ def test_the_peak_of_a_law_of_straight_ramps_by_integration(r: float) -> None:
     way = integral(velocity)[-1]
     assert velocity[-1] == pytest.approx(0, abs=1e-12)
     assert velocity.max() / way == pytest.approx(2, 1e-6)
-    right = float(EXERCISES["06.2"].solution(SOURCE).subs("r", r))
+    right = float(EXERCISES["06.2"].solution(EXAMPLE).subs("r", r))
     assert right == pytest.approx(1 / way, 1e-6)
 
 
 def test_sixteen_thirds_is_the_peak_with_ramps_of_an_eighth() -> None:
     exercise = EXERCISES["06.2"]
-    assert exercise.solution(SOURCE).subs("r", sympy.Rational(1, 8)) == sympy.Rational(16, 3)
+    assert exercise.solution(EXAMPLE).subs("r", sympy.Rational(1, 8)) == sympy.Rational(16, 3)
     assert "With r = 1/8 it is 16/3" in exercise.right
 
 
@@ -125,13 +125,13 @@ def bound_of_law(*, rests_at_end: bool) -> float:
 
 def test_no_hammer_has_a_smaller_factor_and_no_move_to_rest() -> None:
     hammer, to_rest = bound_of_law(rests_at_end=False), bound_of_law(rests_at_end=True)
-    assert EXERCISES["06.1"].solution(SOURCE) == pytest.approx(hammer, rel=1e-6)
-    assert EXERCISES["05.1"].solution(SOURCE) == pytest.approx(
-        hard(SOURCE, die(SOURCE), to_rest), rel=1e-6
+    assert EXERCISES["06.1"].solution(EXAMPLE) == pytest.approx(hammer, rel=1e-6)
+    assert EXERCISES["05.1"].solution(EXAMPLE) == pytest.approx(
+        hard(EXAMPLE, die(EXAMPLE), to_rest), rel=1e-6
     )
 
 
-def bound_of_die(m: Machine, travel_mm: float = np.inf) -> float:
+def bound_of_die(m: MillAndDie, travel_mm: float = np.inf) -> float:
     """Return what no motion of the die can be below in m/s², over both ways and without symmetry.
 
     It leaves the bottom at rest and comes back to rest there, and is high enough from the first
@@ -154,7 +154,9 @@ def test_machines_of_both_kinds_are_tried() -> None:
 
 
 @pytest.mark.parametrize("m", [*BRAKED[:6], *PUSHED[:6]], ids=lambda m: m.who or "source")
-def test_no_motion_of_the_die_can_do_with_less_and_the_one_of_the_question_does(m: Machine) -> None:
+def test_no_motion_of_the_die_can_do_with_less_and_the_one_of_the_question_does(
+    m: MillAndDie,
+) -> None:
     """Also where the first angle comes before the brake: then the push alone decides."""
     right = EXERCISES["06.3"].solution(m)
     below = bound_of_die(m)
@@ -179,14 +181,14 @@ def test_where_the_push_alone_decides_the_least_peak_is_that_of_a_push_to_the_fi
 def test_the_two_numbers_of_the_last_exercise_hold_the_least_peak_with_limited_travel() -> None:
     low, high = (float(number) for number in re.findall(r"0\.\d+", _question("06.6")))
     x = np.sqrt(0.38 / 2)  # where 19 of 50 mm are made by a constant acceleration
-    built = hard(SOURCE, later(SOURCE) / (1 - x), 4)
+    built = hard(EXAMPLE, later(EXAMPLE) / (1 - x), 4)
     assert low <= built <= high
-    assert least(SOURCE) < 0.999 * low
-    assert 0.997 * low <= bound_of_die(SOURCE, travel_mm=50) <= built
+    assert least(EXAMPLE) < 0.999 * low
+    assert 0.997 * low <= bound_of_die(EXAMPLE, travel_mm=50) <= built
 
 
 def _question(number: str) -> str:
-    return EXERCISES[number].question(SOURCE)
+    return EXERCISES[number].question(EXAMPLE)
 
 
 def test_the_force_of_the_servo_by_its_energy() -> None:
@@ -210,7 +212,7 @@ def test_with_the_jerk_of_the_modified_trapezoid_straight_ramps_gain_little() ->
     """As notebook 06 and the answer to 05.2 say."""
     ca, jerk = (float(getattr(cm.LAWS["modified trapezoid"], name)) for name in ("Ca", "Cj"))
     r = sympy.Symbol("r")
-    ramped = EXERCISES["06.2"].solution(SOURCE)
+    ramped = EXERCISES["06.2"].solution(EXAMPLE)
     best = min(
         float(ramped.subs(r, ramp)) for ramp in sympy.solve(ramped / r - sympy.nsimplify(jerk), r)
     )
@@ -220,11 +222,11 @@ def test_with_the_jerk_of_the_modified_trapezoid_straight_ramps_gain_little() ->
 def test_no_common_slip_is_taken_as_right_with_the_numbers_of_the_source() -> None:
     for exercise in (*lesson_05.EXERCISES, *lesson_06.EXERCISES):
         for slip in getattr(exercise, "slips", ()):
-            assert exercise.judge(slip.answer(SOURCE), SOURCE).state == "wrong", slip.reason
+            assert exercise.judge(slip.answer(EXAMPLE), EXAMPLE).state == "wrong", slip.reason
 
 
 @pytest.mark.parametrize("m", FEW[:6], ids=lambda m: m.who or "source")
-def test_the_cycloid_is_compared_with_the_least_peak(m: Machine) -> None:
+def test_the_cycloid_is_compared_with_the_least_peak(m: MillAndDie) -> None:
     x = place((m.wait_mm - m.margin_mm) / stroke(m), lambda x: _cycloid(x))
     peak = hard(m, later(m) / (1 - x), 2 * np.pi)
     assert EXERCISES["06.4"].solution(m) == pytest.approx(peak / least(m), rel=1e-6)

@@ -11,10 +11,10 @@ from typing import Any, NoReturn
 import pytest
 
 import cammotion as cm
-from cammotion.exercises import desk
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.desk import Desk
-from cammotion.exercises.store import FILE, GRADING, Store, work_folder
+from cammotion.teaching import session
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.session import Session
+from cammotion.teaching.store import FILE, GRADING, Store, work_folder
 
 STRANGERS = {
     "empty": b"",
@@ -39,16 +39,16 @@ def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     (folder.parent / "workbook.py").touch()
     monkeypatch.chdir(folder)
     monkeypatch.delenv(GRADING, raising=False)
-    before = desk._DESK
+    before = session._SESSION
     restart()
     yield folder
-    desk._DESK = before
+    session._SESSION = before
 
 
-def restart() -> Desk:
+def restart() -> Session:
     """Begin anew, as a new kernel does."""
-    desk._DESK = Desk(Store(work_folder))
-    return desk._DESK
+    session._SESSION = Session(Store(work_folder))
+    return session._SESSION
 
 
 def read_file(folder: Path) -> Any:
@@ -292,23 +292,23 @@ def test_what_a_killed_kernel_left_behind_is_removed(work: Path) -> None:
 def test_two_kernels_do_not_lose_each_others_records() -> None:
     one, other = restart(), restart()
     for number, exercise in EXERCISES.items():
-        desk._DESK = one if desk._DESK is other else other
-        cm.check(number, exercise.solution(desk._DESK.machine))
+        session._SESSION = one if session._SESSION is other else other
+        cm.check(number, exercise.solution(session._SESSION.machine))
         cm.predict(number, "mm").field.value = number
-    for desk._DESK in (one, other, restart()):
+    for session._SESSION in (one, other, restart()):
         assert cm.progress().right == len(EXERCISES)
         assert all(cm.predict(number, "mm").prediction == number for number in EXERCISES)
 
 
 def test_two_kernels_when_the_disk_was_full_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
     one, other = restart(), restart()
-    desk._DESK = one
+    session._SESSION = one
     with monkeypatch.context() as broken:
         broken.setattr("json.dump", refuse(DISK_FULL))
         cm.check("01.1", 55)
-    desk._DESK = other
+    session._SESSION = other
     cm.check("01.2", 0.5)
-    desk._DESK = one
+    session._SESSION = one
     assert cm.progress().right == 2
     cm.check("02.4", 1.44)
     restart()

@@ -5,8 +5,8 @@ import re
 import pytest
 from judging import MACHINES, each_choice, each_exercise, is_right, reasons_of, say
 
-from cammotion.exercises.kinds import ChoiceExercise, Exercise, NumberExercise
-from cammotion.variants import machine_for
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise
+from cammotion.teaching.variants import machine_for
 
 
 @each_choice

@@ -11,10 +11,10 @@ import pytest
 from machines import RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
-from cammotion.explorers.overlap import OverlapExplorer
-from cammotion.explorers.scca import SccaExplorer
-from cammotion.explorers.shares import ShareExplorer
-from cammotion.live import Explorer
+from cammotion.views.explorers.overlap import OverlapExplorer
+from cammotion.views.explorers.scca import SccaExplorer
+from cammotion.views.explorers.shares import ShareExplorer
+from cammotion.views.live import Explorer
 
 DIAGRAM = make_diagram()
 

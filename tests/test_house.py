@@ -1,7 +1,6 @@
 """The house stands as it is drawn: who may import whom, and what an import costs."""
 
 import ast
-import importlib
 import json
 import re
 import subprocess
@@ -16,27 +15,6 @@ import cammotion
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "cammotion"
 
-# Top to bottom: a room, a module or a folder of them, imports only what stands above its own line.
-FLOORS = [
-    {"checks"},
-    {"files"},
-    {"curves"},
-    {"motion_law"},
-    {"sampled", "scca_family"},
-    {"laws"},
-    {"kinematics"},
-    {"arcs"},
-    {"segments"},
-    {"motions"},
-    {"diagram"},
-    {"clearance", "tables"},
-    {"limits", "overlap"},
-    {"variants"},
-    {"plots", "setup_check"},
-    {"law_plots", "live", "server", "timing_plots"},
-    {"animation", "exercises", "explorers"},
-]
-VIEWS = {"animation", "exercises", "explorers", "law_plots", "live", "plots", "timing_plots"}
 VIEW_LIBRARIES = {"matplotlib", "mpl_toolkits", "ipywidgets", "anywidget", "drawsvg", "PIL"}
 
 
@@ -54,8 +32,24 @@ MODULES = {
 
 
 def room_of(module: str) -> str:
-    """Return the room in which a module lives."""
+    """Return the room in which a module lives: a folder, or a module beside the folders."""
     return module.split(".")[0]
+
+
+def declared() -> dict[str, set[str]]:
+    """Return what each room may import, as README's table of the rooms says it."""
+    text = (ROOT / "README.md").read_text("utf-8")
+    _, _, table = text.partition("| Room | What lives there | It may import |")
+    rows = [line.split("|")[1:-1] for line in table.split("\n\n")[0].splitlines()[2:]]
+    return {
+        room: set(re.findall(r"`(\w+)", imported))
+        for rooms, _, imported in rows
+        for room in re.findall(r"`(\w+)", rooms)
+    }
+
+
+ROOMS = declared()
+VIEWS = {"views", "teaching"}
 
 
 def imports(path: Path) -> set[str]:
@@ -84,16 +78,21 @@ def own_imports(module: str) -> set[str]:
     return {name.removeprefix("cammotion.") for name in inside}
 
 
-def test_every_module_has_its_floor() -> None:
-    assert set().union(*FLOORS) == {room_of(module) for module in MODULES}
+def test_every_module_is_in_a_room_of_the_table() -> None:
+    assert {room_of(module) for module in MODULES} == set(ROOMS)
+
+
+def test_the_table_runs_one_way() -> None:
+    above: set[str] = set()
+    for room, imported in ROOMS.items():
+        assert imported <= above, room
+        above.add(room)
 
 
 @pytest.mark.parametrize("module", sorted(MODULES))
-def test_imports_run_one_way(module: str) -> None:
+def test_a_room_imports_only_what_the_table_says(module: str) -> None:
     room = room_of(module)
-    floor = next(n for n, rooms in enumerate(FLOORS) if room in rooms)
-    above = set().union(*FLOORS[:floor])
-    assert {room_of(name) for name in own_imports(module)} <= above | {room}
+    assert {room_of(name) for name in own_imports(module)} <= ROOMS[room] | {room}
 
 
 def test_no_module_imports_itself_by_a_detour() -> None:
@@ -129,7 +128,7 @@ def test_the_notation_table_names_what_exists() -> None:
     last_columns = [line.split("|")[-2] for line in table.splitlines() if line.startswith("| $")]
     names = re.findall(r"`([\w.]+)`", " ".join(last_columns))
     assert len(names) > 20
-    law = importlib.import_module("cammotion.laws").LAWS["cycloidal"]
+    law = cammotion.LAWS["cycloidal"]
     move = cammotion.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     for name in names:
         last = name.removeprefix("law.")

@@ -8,7 +8,7 @@ import pytest
 from matplotlib import pyplot as plt
 
 import cammotion as cm
-from cammotion.law_plots import CURVES, full_name
+from cammotion.views.law_plots import CURVES, full_name
 
 mpl.use("agg")
 

@@ -11,7 +11,7 @@ from machines import CURVES, DIPPING, MONOTONE, OVERSHOOTING, TURNING, WAVY, exa
 
 import cammotion as cm
 from cammotion import LAWS, MotionLaw, x
-from cammotion.curves.zones import cut
+from cammotion.laws.zones import cut
 
 CYCLOIDAL = LAWS["cycloidal"]
 unit_interval = st.floats(0, 1)

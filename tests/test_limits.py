@@ -18,10 +18,10 @@ from scipy.optimize import brentq
 import cammotion as cm
 from cammotion import ClearanceRule, TimingDiagram, beyond, within
 from cammotion.limits.least import LeastAcceleration, least_acceleration
-from cammotion.motions import Motion
+from cammotion.machine.motions import Motion
 
 OFF_MM = float(make_mill().offset_mm(135))
-SOURCE = ClearanceRule(beyond("die", 19), only_while=within("mill", OFF_MM))
+EXAMPLE = ClearanceRule(beyond("die", 19), only_while=within("mill", OFF_MM))
 LOOSE = ClearanceRule(beyond("die", 1000), only_while=within("mill", 0.65))  # never binds
 STILL = [DOWN_DEG]
 TRAVEL = (0, 50)
@@ -39,7 +39,7 @@ def solve(
     travel: tuple[float, float] | None = None,
     jerk: float = math.inf,
     cells: int = 180,
-    rule: ClearanceRule = SOURCE,
+    rule: ClearanceRule = EXAMPLE,
 ) -> LeastAcceleration:
     return least_acceleration(
         make_diagram(), "die", rule, still=STILL, travel_mm=travel, jerk_limit=jerk, cells=cells
@@ -218,7 +218,7 @@ def test_where_nothing_drives_it_the_motion_stays() -> None:
 
 def test_between_two_arcs_at_one_height_it_stays_too() -> None:
     found = least_acceleration(
-        make_diagram(), "die", SOURCE, still=[(205, 230), (250, 270), (280, 305)], cells=90
+        make_diagram(), "die", EXAMPLE, still=[(205, 230), (250, 270), (280, 305)], cells=90
     )
     assert [segment.kind for segment in found.motion.segments] == ["return", "rise", "dwell"]
     assert found.bound == pytest.approx(solve(cells=90).bound, rel=0.01)
@@ -258,7 +258,7 @@ STILL_ARCS: dict[str, list[tuple[float, float]]] = {
 def test_the_motion_keeps_what_it_has_to(name: str) -> None:
     found = CASES[name]()
     before, after = (diagram[found.motion.name] for diagram in (found.diagram, found.design))
-    rule = LOOSE if "step" in name else RULE if name.startswith(("mill", "beside")) else SOURCE
+    rule = LOOSE if "step" in name else RULE if name.startswith(("mill", "beside")) else EXAMPLE
     assert cm.find_violations(found.design, rule) == ()
     if name.startswith(("held", "coarse", "beside")):
         lowest, highest = after.range_mm
@@ -316,7 +316,7 @@ def test_its_peaks_are_what_is_said_of_it(name: str) -> None:
 def test_it_stays_off_its_limits_by_more_than_the_solver_rounds(jerk: float) -> None:
     for travel in (None, TRAVEL):
         found = solve(travel, jerk, cells=360)
-        assert 5e-7 < cm.smallest_clearance(found.design, SOURCE).clearance_mm < 1e-5
+        assert 5e-7 < cm.smallest_clearance(found.design, EXAMPLE).clearance_mm < 1e-5
 
 
 def test_the_law_of_the_motion_has_few_zones() -> None:
@@ -341,7 +341,7 @@ def test_where_a_rise_and_a_return_meet_the_acceleration_goes_on() -> None:
 
 @pytest.mark.parametrize("name", cm.LAWS)
 def test_no_law_beats_the_bound(name: str) -> None:
-    widest = cm.widest_move(make_diagram(make_mill(), make_die(law=name)), "die", SOURCE)
+    widest = cm.widest_move(make_diagram(make_mill(), make_die(law=name)), "die", EXAMPLE)
     assert widest.peak_acceleration >= solve(TRAVEL, cells=360).bound
     jerk = widest.diagram.peak_jerk("die")
     if jerk < math.inf:
@@ -604,18 +604,18 @@ ARCS = [
 @pytest.mark.parametrize(("more", "match"), NUMBERS)
 def test_numbers_that_make_no_sense_are_refused(more: dict[str, Any], match: str) -> None:
     with pytest.raises(cm.InputError, match=match):
-        least_acceleration(make_diagram(), "die", SOURCE, still=STILL, **more)
+        least_acceleration(make_diagram(), "die", EXAMPLE, still=STILL, **more)
 
 
 @pytest.mark.parametrize(("still", "match"), ARCS)
 def test_arcs_over_which_it_cannot_stand_are_refused(still: Any, match: str) -> None:
     with pytest.raises(cm.InputError, match=match):
-        least_acceleration(make_diagram(), "die", SOURCE, still=still, cells=12)
+        least_acceleration(make_diagram(), "die", EXAMPLE, still=still, cells=12)
 
 
 def test_what_is_no_question_is_refused() -> None:
     with pytest.raises(cm.InputError, match=r"^There is no motion 'punch': use one of 'mill', 'di"):
-        least_acceleration(make_diagram(), "punch", SOURCE, still=STILL)
+        least_acceleration(make_diagram(), "punch", EXAMPLE, still=STILL)
     with pytest.raises(cm.InputError, match=r"^The clearance rules are \[\]: give one or a list"):
         least_acceleration(make_diagram(), "die", [], still=STILL)
     unknown = ClearanceRule(beyond("punch", 19), only_while=within("mill", 0.65))
@@ -627,12 +627,12 @@ def test_a_rule_that_does_not_let_it_stand_is_refused() -> None:
     early = make_diagram(make_mill(middle_deg=155), make_die())
     match = r"^At 205 deg the die has to stand at 50 mm, where the rules or the travel do not let"
     with pytest.raises(cm.InputError, match=match):
-        least_acceleration(early, "die", SOURCE, still=STILL)
+        least_acceleration(early, "die", EXAMPLE, still=STILL)
 
 
 def test_too_little_jerk_is_refused() -> None:
     with pytest.raises(cm.InputError, match=r"^No motion keeps all of this: allow more jerk or mo"):
-        least_acceleration(make_diagram(), "die", SOURCE, still=STILL, jerk_limit=1, cells=90)
+        least_acceleration(make_diagram(), "die", EXAMPLE, still=STILL, jerk_limit=1, cells=90)
 
 
 def test_where_the_simplex_method_cannot_tell_another_one_does() -> None:
@@ -648,6 +648,6 @@ def test_where_the_simplex_method_cannot_tell_another_one_does() -> None:
 def test_an_infinite_jerk_limit_is_none() -> None:
     for none in (math.inf, np.float64(np.inf)):
         found = least_acceleration(
-            make_diagram(), "die", SOURCE, still=STILL, jerk_limit=none, cells=36
+            make_diagram(), "die", EXAMPLE, still=STILL, jerk_limit=none, cells=36
         )
         assert found.bound == solve(cells=36).bound

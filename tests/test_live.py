@@ -14,9 +14,9 @@ from matplotlib.lines import Line2D
 from PIL import Image
 
 import cammotion as cm
-from cammotion.checks import Floats
-from cammotion.explorers.move import MoveExplorer
-from cammotion.live import LiveFigure, NumberControl
+from cammotion.quantities import Floats
+from cammotion.views.explorers.move import MoveExplorer
+from cammotion.views.live import LiveFigure, NumberControl
 
 DIE = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
 

@@ -17,9 +17,10 @@ from typing import Any
 import pytest
 
 import cammotion as cm
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.expressions import ExpressionExercise
-from cammotion.variants import Machine, machine_for
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import machine_for
 
 ROOT = Path(__file__).parent.parent
 PAGE = (ROOT / "docs" / "teaching.md").read_text("utf-8")
@@ -151,7 +152,7 @@ def numbers_of(lesson: str) -> list[str]:
     return [number for number in EXERCISES if number.startswith(f"{lesson}.")]
 
 
-def solution(number: str, machine: Machine) -> str:
+def solution(number: str, machine: MillAndDie) -> str:
     """Return the right answer to an exercise as code."""
     exercise = EXERCISES[number]
     if isinstance(exercise, ExpressionExercise):

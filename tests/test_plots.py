@@ -9,7 +9,7 @@ from matplotlib import pyplot as plt
 from matplotlib.container import BarContainer
 
 import cammotion as cm
-from cammotion.plots import CURVES
+from cammotion.views.plots import CURVES
 
 mpl.use("agg")
 

@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 
 import cammotion as cm
 from cammotion import LAWS, MotionLaw, law_from_points
-from cammotion.curves.zones import cut
+from cammotion.laws.zones import cut
 
 CYCLOIDAL = LAWS["cycloidal"]
 

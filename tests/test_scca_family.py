@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from machines import examples
 
 import cammotion as cm
-from cammotion.scca_family import NAMED_PARTS, SccaCurves, acceleration_factor
+from cammotion.laws.scca_family import NAMED_PARTS, SccaCurves, acceleration_factor
 
 THIRDS = (1 / 3, 1 / 3, 1 / 3)
 EDGES = [(1, 0, 0), (0.4, 0.6, 0), (0, 0.3, 0.7), (0.7, 0, 0.3), (0.01, 0.98, 0.01), THIRDS]

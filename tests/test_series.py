@@ -11,10 +11,10 @@ from machines import examples
 
 import cammotion as cm
 from cammotion import LAWS, x
-from cammotion.curves.series import Series
-from cammotion.curves.series_reader import series_of
-from cammotion.curves.turning import turning_points
-from cammotion.curves.zones import as_series, cut
+from cammotion.laws.series import Series
+from cammotion.laws.series_reader import series_of
+from cammotion.laws.turning import turning_points
+from cammotion.laws.zones import as_series, cut
 
 PI = sympy.pi
 CURVES = [
@@ -136,7 +136,7 @@ def test_peaks_are_the_same_with_and_without_series(monkeypatch: pytest.MonkeyPa
 
     names = ["modified trapezoid", "4-5-6-7 polynomial", "Gutman 1-3"]
     quick = [factors(name) for name in names]
-    monkeypatch.setattr("cammotion.motion_law.as_series", tuple)
+    monkeypatch.setattr("cammotion.laws.motion_law.as_series", tuple)
     assert quick == [pytest.approx(factors(name), rel=1e-13) for name in names]
 
 

@@ -4,7 +4,7 @@ from importlib import metadata
 
 import pytest
 
-from cammotion.setup_check import check_setup, setup_problems
+from cammotion.teaching.setup_check import check_setup, setup_problems
 
 
 def with_version(package: str, version: str | None) -> list[str]:

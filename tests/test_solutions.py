@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 import cammotion as cm
-from cammotion.exercises.cards import Feedback
-from cammotion.exercises.catalogue import EXERCISES
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.messages import Feedback
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"
 SOLUTIONS = sorted((NOTEBOOKS / "solutions").glob("*.ipynb"))

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 import cammotion as cm
-from cammotion.timing_plots import movement
+from cammotion.views.timing_plots import movement
 
 mpl.use("agg")
 

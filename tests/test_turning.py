@@ -9,8 +9,8 @@ from machines import DIPPING, MONOTONE, WAVY, Array, examples
 
 import cammotion as cm
 from cammotion import MotionLaw
-from cammotion.curves.turning import bisect, turning_points
-from cammotion.laws import x
+from cammotion.laws.catalogue import x
+from cammotion.laws.turning import bisect, turning_points
 
 PI = sympy.pi
 MANY_TURNS = [

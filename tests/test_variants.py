@@ -14,12 +14,13 @@ import sympy
 from known_slips import die, law, place, rest, stroke, widest
 
 import cammotion as cm
-from cammotion.checks import Floats
-from cammotion.clearance import find_violations
-from cammotion.exercises.catalogue import EXERCISES
-from cammotion.exercises.kinds import NumberExercise
-from cammotion.overlap import with_angle
-from cammotion.variants import SOURCE, Machine, machine_for
+from cammotion.machine.clearance import find_violations
+from cammotion.machine.overlap import with_angle
+from cammotion.quantities import Floats
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.exercise import NumberExercise
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import machine_for
 
 RANGES = {
     "rate_per_hour": (1200, 3000),
@@ -43,26 +44,26 @@ NEVER_CHANGED: dict[str | int, tuple[float, ...]] = {
 
 
 @pytest.fixture(scope="module")
-def machines() -> list[Machine]:
+def machines() -> list[MillAndDie]:
     """Return 10,000 machines, of names and of numbers."""
     return [machine_for(who) for n in range(5000) for who in (n, f"Learner {n}")]
 
 
 @pytest.fixture(scope="module")
-def sample(machines: list[Machine]) -> list[Machine]:
+def sample(machines: list[MillAndDie]) -> list[MillAndDie]:
     return machines[::50]
 
 
-def column(machines: list[Machine], name: str) -> Floats:
+def column(machines: list[MillAndDie], name: str) -> Floats:
     """Return a property of all machines."""
     return np.array([getattr(machine, name) for machine in machines], dtype=float)
 
 
-def numbers_of(machine: Machine) -> tuple[float, ...]:
+def numbers_of(machine: MillAndDie) -> tuple[float, ...]:
     return tuple(getattr(machine, name) for name in RANGES)
 
 
-def test_every_number_is_in_its_range(machines: list[Machine]) -> None:
+def test_every_number_is_in_its_range(machines: list[MillAndDie]) -> None:
     for name, (low, high) in RANGES.items():
         values = column(machines, name)
         assert low <= values.min()
@@ -70,7 +71,7 @@ def test_every_number_is_in_its_range(machines: list[Machine]) -> None:
         assert {low, high} <= {*values}, name
 
 
-def test_the_die_always_has_room(machines: list[Machine]) -> None:
+def test_the_die_always_has_room(machines: list[MillAndDie]) -> None:
     angles = column(machines, "die_angle_deg")
     assert angles.min() >= 40
     left = 360 - column(machines, "mill_angle_deg") - column(machines, "work_deg")
@@ -78,7 +79,7 @@ def test_the_die_always_has_room(machines: list[Machine]) -> None:
     assert (column(machines, "margin_mm") < column(machines, "wait_mm")).all()
 
 
-def test_the_widest_move_always_leaves_a_rest_at_the_top(machines: list[Machine]) -> None:
+def test_the_widest_move_always_leaves_a_rest_at_the_top(machines: list[MillAndDie]) -> None:
     share = column(machines, "limit_mm") / column(machines, "stroke_mm")
     low, high = np.zeros_like(share), np.ones_like(share)
     for _ in range(50):  # the cycloid's inverse, by halving
@@ -90,12 +91,12 @@ def test_the_widest_move_always_leaves_a_rest_at_the_top(machines: list[Machine]
     assert (360 - column(machines, "work_deg") - 2 * widest_deg).min() >= 4 - 1e-9
 
 
-def test_hardly_any_two_are_alike(machines: list[Machine]) -> None:
+def test_hardly_any_two_are_alike(machines: list[MillAndDie]) -> None:
     assert len({*machines}) >= 9990
-    assert SOURCE not in machines
+    assert EXAMPLE not in machines
 
 
-def test_the_widest_move_keeps_its_rule_and_a_wider_one_breaks_it(sample: list[Machine]) -> None:
+def test_the_widest_move_keeps_its_rule_and_a_wider_one_breaks_it(sample: list[MillAndDie]) -> None:
     for machine in sample:
         angle = machine.widest_deg
         assert angle == pytest.approx(widest(machine), abs=1e-6)
@@ -106,14 +107,14 @@ def test_the_widest_move_keeps_its_rule_and_a_wider_one_breaks_it(sample: list[M
             assert bool(find_violations(diagram, [machine.rule])) is breaks, (machine.who, wider)
 
 
-def test_every_answer_is_finite_and_positive(machines: list[Machine]) -> None:
+def test_every_answer_is_finite_and_positive(machines: list[MillAndDie]) -> None:
     for number in CHEAP:
         answers = np.array([EXERCISES[number].solution(machine) for machine in machines])
         assert np.isfinite(answers).all(), number
         assert answers.min() > 0, number
 
 
-def test_every_exercise_is_solvable_with_a_sample(sample: list[Machine]) -> None:
+def test_every_exercise_is_solvable_with_a_sample(sample: list[MillAndDie]) -> None:
     for exercise in EXERCISES.values():
         if isinstance(exercise, NumberExercise):
             answers = np.array([exercise.solution(machine) for machine in sample])
@@ -121,7 +122,7 @@ def test_every_exercise_is_solvable_with_a_sample(sample: list[Machine]) -> None
             assert answers.min() > 0, exercise.number
 
 
-def test_the_numbers_agree_with_those_done_by_hand(sample: list[Machine]) -> None:
+def test_the_numbers_agree_with_those_done_by_hand(sample: list[MillAndDie]) -> None:
     for machine in sample:
         assert machine.stroke_mm == stroke(machine)
         assert machine.die_angle_deg == die(machine)
@@ -138,7 +139,7 @@ def test_a_name_leads_to_the_same_numbers_for_ever(who: str | int) -> None:
 
 def test_the_numbers_do_not_depend_on_the_hash_of_a_run() -> None:
     code = (
-        "from cammotion.variants import machine_for\n"
+        "from cammotion.teaching.variants import machine_for\n"
         f"for who in {[*NEVER_CHANGED]!r}:\n"
         f"    print([getattr(machine_for(who), name) for name in {[*RANGES]!r}])"
     )
@@ -174,13 +175,13 @@ def test_spellings_of_a_number(seven: Any) -> None:
 
 @pytest.mark.parametrize("nobody", ["", "   ", "\n\t", "\u3000"])
 def test_without_a_name_the_numbers_are_the_sources(nobody: str) -> None:
-    assert machine_for(nobody) == SOURCE == machine_for()
-    assert asdict(SOURCE) == asdict(Machine())
+    assert machine_for(nobody) == EXAMPLE == machine_for()
+    assert asdict(EXAMPLE) == asdict(MillAndDie())
 
 
 @pytest.mark.parametrize("who", [0, -7, 2**64, "\ud800", "a\0b", "x" * 100_000, "🙂", "王"])
 def test_odd_names_get_a_machine_too(who: str | int) -> None:
-    assert machine_for(who) != SOURCE
+    assert machine_for(who) != EXAMPLE
 
 
 @pytest.mark.parametrize(
@@ -201,7 +202,7 @@ def test_a_machine_says_its_numbers() -> None:
     assert said.startswith("The machine of Anna: ")
     assert f"{machine_for('Anna').rate_per_hour} pieces per hour" in said
     assert f"a stroke of {machine_for('Anna').stroke_mm:g} mm" in said
-    assert str(SOURCE).startswith("The machine of the source: 2000 pieces per hour")
+    assert str(EXAMPLE).startswith("The machine of the source: 2000 pieces per hour")
 
 
 def test_who_it_is_does_not_make_another_machine() -> None:

@@ -7,4 +7,6 @@ or ipywidgets only when it draws or derives something.
 
 import lazy_loader
 
+__version__ = "0.2.0"
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,32 +1,11 @@
-from . import (
-    animation,
-    arcs,
-    checks,
-    clearance,
-    curves,
-    diagram,
-    exercises,
-    explorers,
-    kinematics,
-    law_plots,
-    laws,
-    limits,
-    live,
-    motion_law,
-    motions,
-    overlap,
-    plots,
-    sampled,
-    scca_family,
-    segments,
-    setup_check,
-    tables,
-    timing_plots,
-    variants,
-)
-from .animation import animate
-from .checks import InputError
-from .clearance import (
+from .exchange.tables import read_segments, write_curves, write_segments
+from .laws.catalogue import LAWS, as_law, fifth_degree_linear, polynomial
+from .laws.from_points import law_from_points
+from .laws.motion_law import MotionLaw
+from .laws.scca_family import scca
+from .laws.zones import x
+from .limits.least import LeastAcceleration, least_acceleration
+from .machine.clearance import (
     ClearanceRule,
     beyond,
     find_clearances,
@@ -34,14 +13,8 @@ from .clearance import (
     smallest_clearance,
     within,
 )
-from .curves.zones import x
-from .diagram import TimingDiagram
-from .exercises import ask, check, choose, hint, predict, progress, variant
-from .explorers.move import explore_move
-from .explorers.overlap import explore_overlap
-from .explorers.scca import explore_scca
-from .explorers.shares import explore_shares
-from .kinematics import (
+from .machine.diagram import TimingDiagram
+from .machine.kinematics import (
     Move,
     cycle_time,
     indexing_time,
@@ -49,68 +22,62 @@ from .kinematics import (
     peak_jerk,
     peak_velocity,
 )
-from .law_plots import plot_laws
-from .laws import LAWS, as_law, fifth_degree_linear, polynomial
-from .limits.least import LeastAcceleration, least_acceleration
-from .motion_law import MotionLaw
-from .motions import Motion, indexing_motion, motion
-from .overlap import widest_move, with_angle
-from .plots import plot_curves, plot_inverse_square, plot_peaks
-from .sampled import law_from_points
-from .scca_family import scca
-from .segments import Segment, dwell, return_, rise
-from .setup_check import check_setup
-from .tables import read_segments, write_curves, write_segments
-from .timing_plots import plot_clearance, plot_timing
+from .machine.motions import Motion, indexing_motion, motion
+from .machine.overlap import widest_move, with_angle
+from .machine.segments import Segment, dwell, return_, rise
+from .quantities import InputError
+from .teaching.bug_hunt import SUSPECTS
+from .teaching.example import EXAMPLE, MillAndDie
+from .teaching.session import ask, check, choose, hint, predict, progress, variant
+from .teaching.setup_check import check_setup
+from .views.animation.picture import animate
+from .views.explorers.move import explore_move
+from .views.explorers.overlap import explore_overlap
+from .views.explorers.scca import explore_scca
+from .views.explorers.shares import explore_shares
+from .views.law_plots import plot_laws
+from .views.live import NumberControl
+from .views.plots import plot_curves, plot_inverse_square, plot_peaks
+from .views.timing_plots import plot_clearance, plot_timing
+
+__version__: str
 
 __all__ = [
+    "EXAMPLE",
     "LAWS",
+    "SUSPECTS",
     "ClearanceRule",
     "InputError",
     "LeastAcceleration",
+    "MillAndDie",
     "Motion",
     "MotionLaw",
     "Move",
+    "NumberControl",
     "Segment",
     "TimingDiagram",
     "animate",
-    "animation",
-    "arcs",
     "as_law",
     "ask",
     "beyond",
     "check",
     "check_setup",
-    "checks",
     "choose",
-    "clearance",
-    "curves",
     "cycle_time",
-    "diagram",
     "dwell",
-    "exercises",
     "explore_move",
     "explore_overlap",
     "explore_scca",
     "explore_shares",
-    "explorers",
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
     "hint",
     "indexing_motion",
     "indexing_time",
-    "kinematics",
     "law_from_points",
-    "law_plots",
-    "laws",
     "least_acceleration",
-    "limits",
-    "live",
     "motion",
-    "motion_law",
-    "motions",
-    "overlap",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
@@ -120,23 +87,15 @@ __all__ = [
     "plot_laws",
     "plot_peaks",
     "plot_timing",
-    "plots",
     "polynomial",
     "predict",
     "progress",
     "read_segments",
     "return_",
     "rise",
-    "sampled",
     "scca",
-    "scca_family",
-    "segments",
-    "setup_check",
     "smallest_clearance",
-    "tables",
-    "timing_plots",
     "variant",
-    "variants",
     "widest_move",
     "with_angle",
     "within",

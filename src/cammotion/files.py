@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from cammotion.checks import InputError, shorten
+from cammotion.quantities import InputError, shorten
 
 
 def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:

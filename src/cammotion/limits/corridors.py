@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cammotion.arcs import ROUNDING_DEG, Arc, intersect, join
-from cammotion.arcs import arcs as as_set
-from cammotion.checks import Floats, InputError, shorten
-from cammotion.clearance import ClearanceRule, Condition, as_rules
-from cammotion.diagram import TimingDiagram
-from cammotion.kinematics import DEG_PER_TURN
-from cammotion.motions import Motion
-from cammotion.segments import CAM_ANGLE, POSITION
+from cammotion.machine.arcs import ROUNDING_DEG, Arc, intersect, unwrap
+from cammotion.machine.arcs import arcs as as_set
+from cammotion.machine.clearance import ClearanceRule, Condition, as_rules
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import CAM_ANGLE, POSITION
+from cammotion.quantities import Floats, InputError, shorten
 
 _ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
 _ROUNDING_MM = 1e-9
@@ -159,7 +159,7 @@ def _still_arcs(motion: Motion, still: Any) -> list[Arc]:
 def _check_stands(motion: Motion, still: list[Arc]) -> None:
     moves = as_set((move.from_deg, move.to_deg) for move in motion.moves)
     for start, end in still:
-        for first, last in join(intersect(as_set([(start, end)]), moves)):
+        for first, last in unwrap(intersect(as_set([(start, end)]), moves)):
             raise InputError(
                 f"In the still arc from {start:g} to {end:g} deg the {motion.name} moves, from "
                 f"{first:g} to {last:g} deg; a still arc is one over which it stands: give one of "

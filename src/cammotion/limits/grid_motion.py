@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cammotion.checks import Floats, InputError
-from cammotion.kinematics import DEG_PER_TURN
 from cammotion.limits.corridors import Corridor
-from cammotion.limits.pieces import Piece, law_of
-from cammotion.motions import Motion
-from cammotion.segments import Segment
+from cammotion.limits.ramps import Piece, law_of
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
+from cammotion.quantities import Floats, InputError
 
 _ROUNDING_MM = 1e-9  # by so much positions may differ and be one
 _ROUNDING_TIME = 1e-6  # of a cell

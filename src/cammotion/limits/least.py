@@ -20,14 +20,14 @@ from typing import Any
 
 import numpy as np
 
-from cammotion.arcs import Arc
-from cammotion.checks import Floats, InputError, Quantity
-from cammotion.clearance import ClearanceRule
-from cammotion.diagram import TimingDiagram
-from cammotion.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.limits.corridors import Corridor, corridor
 from cammotion.limits.grid_motion import GridMotion
-from cammotion.motions import Motion
+from cammotion.machine.arcs import Arc
+from cammotion.machine.clearance import ClearanceRule
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats, InputError, Quantity
 
 Matrix = Any  # SciPy's sparse matrices come without types
 System = tuple[Sequence[Matrix], Sequence[Floats]]

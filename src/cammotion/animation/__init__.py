@@ -1,5 +1,0 @@
-"""The machine in motion: one SVG, and its player in the lab."""
-
-from cammotion.animation.picture import Animation, animate
-
-__all__ = ["Animation", "animate"]

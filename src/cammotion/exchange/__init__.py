@@ -1,0 +1,1 @@
+"""Files in and out: diagrams as tables that a spreadsheet opens."""

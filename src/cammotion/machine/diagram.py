@@ -1,0 +1,189 @@
+"""The timing diagram: the motions of all mechanisms of a machine on one camshaft, at a rate."""
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
+from cammotion.machine.kinematics import DEG_PER_TURN, RATE, Move, cycle_time
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import CAM_ANGLE
+from cammotion.quantities import InputError, Numbers, Quantity, one_of, shorten
+
+TIME = Quantity("time", "s", example=0.9, low=-math.inf)
+
+
+@dataclass(frozen=True)
+class TimingDiagram:
+    """The motions of any number of mechanisms, and the machine rate N in pieces/h.
+
+    Each motion has a name of its own, by which it is asked for. Raises InputError for no motion,
+    for two of one name, and for a rate that is not above 0.
+
+    >>> import cammotion as cm
+    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+    >>> die = cm.motion(
+    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
+    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
+    >>> diagram = cm.TimingDiagram([mill, die], rate_per_hour=2000)
+    >>> diagram.position_mm("die", 177.5)
+    25.0
+    >>> diagram.position_mm("die", time_s=0.8875)
+    25.0
+    >>> print(f"{diagram.peak_acceleration('die'):.3f} m/s2")
+    4.154 m/s2
+    """
+
+    motions: Sequence[Motion]
+    rate_per_hour: float
+
+    def __post_init__(self) -> None:
+        given: Any = self.motions
+        motions = tuple(given) if isinstance(given, Iterable) else ()
+        if not motions or not all(isinstance(motion, Motion) for motion in motions):
+            raise InputError(
+                f"The motions of the diagram are {shorten(given)}: give a list of motions, made "
+                "with motion and indexing_motion."
+            )
+        object.__setattr__(self, "motions", motions)
+        object.__setattr__(self, "rate_per_hour", RATE.number(self.rate_per_hour))
+        name, times = Counter(self.names).most_common(1)[0]
+        if times > 1:
+            raise InputError(
+                f"{times} motions of the diagram are called {name!r}: give each its own name."
+            )
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the motions, in order."""
+        return tuple(motion.name for motion in self.motions)
+
+    @property
+    def cycle_time_s(self) -> float:
+        """The time of one turn in s."""
+        return float(cycle_time(self.rate_per_hour))
+
+    def __getitem__(self, name: str) -> Motion:
+        """Return the motion of that name; an unknown one raises InputError with the known."""
+        return self.motions[self.names.index(one_of("motion", name, self.names))]
+
+    def with_motion(self, motion: Motion) -> "TimingDiagram":
+        """Return the diagram with this motion in the place of that of the same name."""
+        self[motion.name]
+        motions = [motion if old.name == motion.name else old for old in self.motions]
+        return TimingDiagram(tuple(motions), self.rate_per_hour)
+
+    def angle_deg(self, time_s: ArrayLike) -> Numbers:
+        """Return the cam angle in deg at a time in s, a number or an array; 0 deg is at 0 s."""
+        angles = TIME.array(time_s) * (DEG_PER_TURN / self.cycle_time_s)
+        return angles if np.ndim(angles) else float(angles)
+
+    def position_mm(
+        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+    ) -> Numbers:
+        """Return the position in mm of the motion `name` at a cam angle in deg or a time in s.
+
+        Give the one or the other, a number or an array of any shape, of any size; the result has
+        its shape. Raises InputError for what is not finite, for both or neither, and for an
+        unknown name.
+        """
+        return self[name].position_mm(self._angle(angle_deg, time_s))
+
+    def offset_mm(
+        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+    ) -> Numbers:
+        """Return the position in mm, of an indexing motion the distance from the nearest stop.
+
+        Parameters, shapes and errors are those of `position_mm`.
+        """
+        return self[name].offset_mm(self._angle(angle_deg, time_s))
+
+    def velocity(
+        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+    ) -> Numbers:
+        """Return the velocity in m/s; parameters, shapes and errors are those of `position_mm`.
+
+        Where two segments meet it is that of the one which begins there.
+        """
+        return self._derivative(1, name, angle_deg, time_s)
+
+    def acceleration(
+        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+    ) -> Numbers:
+        """Return the acceleration in m/s2; else like `velocity`."""
+        return self._derivative(2, name, angle_deg, time_s)
+
+    def jerk(
+        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+    ) -> Numbers:
+        """Return the jerk in m/s3; else like `velocity`."""
+        return self._derivative(3, name, angle_deg, time_s)
+
+    def moves(self, name: str) -> tuple[Move, ...]:
+        """Return the rises and returns of a motion as moves, with their times and their peaks."""
+        return tuple(
+            Move(
+                stroke_mm=abs(segment.change_mm),
+                angle_deg=segment.angle_deg,
+                rate_per_hour=self.rate_per_hour,
+                law=segment.law or "cycloidal",
+            )
+            for segment in self[name].moves
+        )
+
+    def peak_velocity(self, name: str) -> float:
+        """Return the peak velocity of a motion in m/s; 0 for one that stands still."""
+        return max((move.peak_velocity for move in self.moves(name)), default=0.0)
+
+    def peak_acceleration(self, name: str) -> float:
+        """Return the peak acceleration of a motion in m/s2; 0 for one that stands still."""
+        return max((move.peak_acceleration for move in self.moves(name)), default=0.0)
+
+    def peak_jerk(self, name: str) -> float:
+        """Return the peak jerk of a motion in m/s3; 0 for one that stands still."""
+        return max((move.peak_jerk for move in self.moves(name)), default=0.0)
+
+    def overlap(self, *names: str) -> list[Arc]:
+        """Return the arcs of the turn in deg over which two or more of these motions move at once.
+
+        Without names it looks at all motions. An arc that crosses 360 deg ends above 360.
+        """
+        moving = [
+            arcs((segment.from_deg, segment.to_deg) for segment in self[name].moves)
+            for name in names or self.names
+        ]
+        return unwrap(
+            arcs(arc for these, those in combinations(moving, 2) for arc in intersect(these, those))
+        )
+
+    def _angle(self, angle_deg: ArrayLike | None, time_s: ArrayLike | None) -> Numbers:
+        if angle_deg is not None and time_s is None:
+            return CAM_ANGLE.array(angle_deg)
+        if angle_deg is None and time_s is not None:
+            return self.angle_deg(time_s)
+        raise InputError(
+            "A curve is asked for at a cam angle or at a time, at one of the two: give "
+            "angle_deg=180 or time_s=0.9."
+        )
+
+    def _derivative(
+        self, order: int, name: str, angle_deg: ArrayLike | None, time_s: ArrayLike | None
+    ) -> Numbers:
+        angle = self._angle(angle_deg, time_s)
+        return self[name].derivative(order, angle, self.rate_per_hour)
+
+
+def as_diagram(diagram: Any) -> TimingDiagram:
+    """Return what is a timing diagram; raise InputError for anything else."""
+    if isinstance(diagram, TimingDiagram):
+        return diagram
+    raise InputError(
+        f"The diagram is {shorten(diagram)}: give a TimingDiagram of the motions, for example "
+        "TimingDiagram([mill, die], rate_per_hour=2000)."
+    )

@@ -1,0 +1,202 @@
+"""From the machine rate N, the indexing angle Bm and the stroke hm to tm, v, a and their peaks.
+
+One piece a turn: a turn of the camshaft lasts T = 3600/N seconds, and a move over Bm degrees lasts
+tm = Bm/360 T. Lengths come in mm; velocity, acceleration and jerk are returned in m/s, m/s2 and
+m/s3. Units are converted here, or with the numbers from here.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.laws.catalogue import MotionLaw, as_law
+from cammotion.quantities import Numbers, Quantity, broadcast
+
+STROKE = Quantity("stroke", "mm", example=50)
+ANGLE = Quantity("indexing angle", "deg", example=55, high=360)
+RATE = Quantity("machine rate", "pieces/h", example=2000)
+
+SECONDS_PER_HOUR = 3600
+DEG_PER_TURN = 360
+MM_PER_M = 1000
+STANDARD_GRAVITY = 9.80665  # m/s2, by definition
+
+
+def cycle_time(rate_per_hour: ArrayLike) -> Numbers:
+    """Return the time of one turn, T = 3600/N.
+
+    `rate_per_hour` is the machine rate N in pieces/h, a number or an array; the result in s has
+    its shape. Raises InputError for a rate that is not a finite number above 0.
+
+    >>> cycle_time(2000)
+    1.8
+    """
+    return _plain(SECONDS_PER_HOUR / RATE.array(rate_per_hour))
+
+
+def indexing_time(angle_deg: ArrayLike, rate_per_hour: ArrayLike) -> Numbers:
+    """Return the time of one move, tm = Bm/360 * 3600/N.
+
+    `angle_deg` is the indexing angle Bm in deg, above 0 and at most 360; `rate_per_hour` the
+    machine rate N in pieces/h. Both may be arrays that broadcast; the result is in s. Raises
+    InputError for a value out of range.
+
+    >>> indexing_time(55, 2000)
+    0.275
+    """
+    angle, rate = ANGLE.array(angle_deg), RATE.array(rate_per_hour)
+    broadcast(angle_deg=angle, rate_per_hour=rate)
+    return _plain(angle * SECONDS_PER_HOUR / (DEG_PER_TURN * rate))
+
+
+def peak_velocity(
+    stroke_mm: ArrayLike,
+    angle_deg: ArrayLike,
+    rate_per_hour: ArrayLike,
+    law: str | MotionLaw = "cycloidal",
+) -> Numbers:
+    """Return the peak velocity of a move, v_max = Cv hm/tm, in m/s.
+
+    Parameters, shapes and errors are those of `peak_acceleration`.
+
+    >>> print(f"{peak_velocity(50, 55, 2000):.4f} m/s")
+    0.3636 m/s
+    """
+    return _peak(1, as_law(law).Cv, stroke_mm, angle_deg, rate_per_hour)
+
+
+def peak_acceleration(
+    stroke_mm: ArrayLike,
+    angle_deg: ArrayLike,
+    rate_per_hour: ArrayLike,
+    law: str | MotionLaw = "cycloidal",
+) -> Numbers:
+    """Return the peak acceleration of a move, a_max = Ca hm/tm^2, in m/s2.
+
+    `stroke_mm` is the stroke hm in mm, `angle_deg` the indexing angle Bm in deg (above 0, at most
+    360), `rate_per_hour` the machine rate N in pieces/h; numbers or arrays that broadcast. `law`
+    is the name of a motion law or a law; for the cycloidal one Ca = 2 pi. Raises InputError for a
+    value out of range or an unknown law.
+
+    >>> print(f"{peak_acceleration(50, 55, 2000):.3f} m/s2")
+    4.154 m/s2
+    >>> peak_acceleration(50, [55, 110], 2000).round(3)  # twice the angle, a quarter
+    array([4.154, 1.039])
+    """
+    return _peak(2, as_law(law).Ca, stroke_mm, angle_deg, rate_per_hour)
+
+
+def peak_jerk(
+    stroke_mm: ArrayLike,
+    angle_deg: ArrayLike,
+    rate_per_hour: ArrayLike,
+    law: str | MotionLaw = "cycloidal",
+) -> Numbers:
+    """Return the peak jerk of a move, j_max = Cj hm/tm^3, in m/s3.
+
+    Parameters, shapes and errors are those of `peak_acceleration`.
+
+    >>> print(f"{peak_jerk(50, 55, 2000):.1f} m/s3")
+    94.9 m/s3
+    """
+    return _peak(3, as_law(law).Cj, stroke_mm, angle_deg, rate_per_hour)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Move:
+    """One move: a stroke, made over an indexing angle, at a machine rate, by a motion law.
+
+    >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    >>> die.time_s
+    0.275
+    >>> print(f"{die.peak_acceleration:.3f} m/s2")
+    4.154 m/s2
+    >>> die.displacement_mm(die.time_s / 2)
+    25.0
+    """
+
+    stroke_mm: float
+    angle_deg: float
+    rate_per_hour: float
+    law: str | MotionLaw = "cycloidal"
+
+    def __post_init__(self) -> None:
+        STROKE.number(self.stroke_mm)
+        ANGLE.number(self.angle_deg)
+        RATE.number(self.rate_per_hour)
+        as_law(self.law)
+
+    @cached_property
+    def time_s(self) -> float:
+        """The indexing time tm in s."""
+        return float(indexing_time(self.angle_deg, self.rate_per_hour))
+
+    @property
+    def peak_velocity(self) -> float:
+        """The peak velocity in m/s."""
+        return float(peak_velocity(*self._numbers, self.law))
+
+    @property
+    def peak_acceleration(self) -> float:
+        """The peak acceleration in m/s2."""
+        return float(peak_acceleration(*self._numbers, self.law))
+
+    @property
+    def peak_jerk(self) -> float:
+        """The peak jerk in m/s3."""
+        return float(peak_jerk(*self._numbers, self.law))
+
+    def displacement_mm(self, time_s: ArrayLike) -> Numbers:
+        """Return the displacement h in mm at `time_s`, 0 to tm, a number or an array."""
+        return self._curve(0, time_s) * MM_PER_M
+
+    def velocity(self, time_s: ArrayLike) -> Numbers:
+        """Return the velocity v in m/s at `time_s`, 0 to tm, a number or an array."""
+        return self._curve(1, time_s)
+
+    def acceleration(self, time_s: ArrayLike) -> Numbers:
+        """Return the acceleration a in m/s2 at `time_s`, 0 to tm, a number or an array.
+
+        >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+        >>> print(f"{die.acceleration(die.time_s / 4):.3f} m/s2")
+        4.154 m/s2
+        """
+        return self._curve(2, time_s)
+
+    def jerk(self, time_s: ArrayLike) -> Numbers:
+        """Return the jerk j in m/s3 at `time_s`, 0 to tm, a number or an array."""
+        return self._curve(3, time_s)
+
+    @property
+    def _numbers(self) -> tuple[float, float, float]:
+        return self.stroke_mm, self.angle_deg, self.rate_per_hour
+
+    def _curve(self, derivative: int, time_s: ArrayLike) -> Numbers:
+        tm = self.time_s
+        time = Quantity("time", "s", example=tm / 2, high=tm, low_included=True).array(time_s)
+        factor = as_law(self.law)(time / tm, derivative)
+        return dimensional(derivative, factor, self.stroke_mm, tm)
+
+
+def dimensional(derivative: int, factor: Numbers, stroke_mm: Numbers, time_s: Numbers) -> Numbers:
+    """Return factor * hm/tm^derivative in m and s: a value of S, V, A or J made h, v, a or j."""
+    return factor * stroke_mm / MM_PER_M / time_s**derivative
+
+
+def _peak(
+    derivative: int,
+    factor: float,
+    stroke_mm: ArrayLike,
+    angle_deg: ArrayLike,
+    rate_per_hour: ArrayLike,
+) -> Numbers:
+    stroke, time = STROKE.array(stroke_mm), np.asarray(indexing_time(angle_deg, rate_per_hour))
+    broadcast(stroke_mm=stroke, time_s=time)
+    return _plain(dimensional(derivative, factor, stroke, time))
+
+
+def _plain(values: Numbers) -> Numbers:
+    """Return a float for a single number, the array for an array."""
+    return values if np.ndim(values) else float(values)

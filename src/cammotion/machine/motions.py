@@ -1,0 +1,322 @@
+"""The motion of one mechanism over a turn of the camshaft.
+
+It is said as an engineer says it: rise 50 mm over 55 deg, dwell 100, return 50 over 55, dwell 150,
+starting at 150 deg. It fills one turn of 360 deg, may run on from one turn into the next, and
+repeats. Most mechanisms come back to where they began. One that does not is an indexing motion:
+each turn takes it one pitch on, from stop to stop, until the stops have closed the turret.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.laws.catalogue import MotionLaw
+from cammotion.machine.arcs import Arc, arcs, intersect
+from cammotion.machine.kinematics import DEG_PER_TURN, RATE
+from cammotion.machine.segments import CAM_ANGLE, POSITION, Part, Segment
+from cammotion.quantities import Floats, InputError, Numbers, shorten
+
+_ROUNDING = 1e-9  # by so much angles in deg and positions in mm may differ and mean the same
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What one mechanism does during a turn; `motion` and `indexing_motion` make one in words.
+
+    `segments` follow each other without a gap over 360 deg. `stops` is None for a motion that
+    comes back to where it began; for an indexing one, the number of stops that close the turret.
+    Raises InputError for segments that overlap, leave a gap, jump, or do not close.
+    """
+
+    name: str
+    segments: Sequence[Segment]
+    stops: int | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str) or not self.name.strip():
+            raise InputError(f"The name of a motion is {shorten(self.name)}: give one like 'die'.")
+        object.__setattr__(self, "name", self.name.strip())
+        object.__setattr__(self, "segments", _segments(self.name, self.segments))
+        for before, after in pairwise(self.segments):
+            self._check_joint(before, after)
+        self._check_turn()
+        self._check_end()
+
+    @property
+    def is_indexing(self) -> bool:
+        """Whether it moves on from stop to stop instead of coming back."""
+        return self.stops is not None
+
+    @property
+    def start_deg(self) -> float:
+        """The cam angle at which the first segment begins."""
+        return self.segments[0].from_deg
+
+    @property
+    def start_mm(self) -> float:
+        """The position at which the first segment begins; of an indexing motion, a stop."""
+        return self.segments[0].from_mm
+
+    @property
+    def pitch_mm(self) -> float:
+        """How far a turn takes it: from stop to stop, or 0 for a motion that comes back."""
+        return self.segments[-1].to_mm - self.start_mm if self.is_indexing else 0.0
+
+    @property
+    def moves(self) -> tuple[Segment, ...]:
+        """The segments that are no dwells."""
+        return tuple(segment for segment in self.segments if not segment.is_dwell)
+
+    @cached_property
+    def turning_degs(self) -> tuple[float, ...]:
+        """The cam angles at which the position can be largest or smallest, in order."""
+        return tuple(angle for segment in self.segments for angle in segment.turning_degs)
+
+    @cached_property
+    def offset_turning_degs(self) -> tuple[float, ...]:
+        """The cam angles at which `offset_mm` can be largest or smallest.
+
+        That of an indexing motion also turns at each stop it passes, and half-way between two.
+        """
+        if not self.is_indexing:
+            return self.turning_degs
+        levels = {level for low, high in self._pitches for level in (low, (low + high) / 2, high)}
+        passed = (end for level in levels for arc in self._where_above(level) for end in arc)
+        return (*self.turning_degs, *passed)
+
+    @cached_property
+    def range_mm(self) -> tuple[float, float]:
+        """The lowest and the highest position in a turn, the first one of an indexing motion."""
+        places = [s.position_mm(angle) for s in self.segments for angle in s.turning_degs]
+        return float(min(places)), float(max(places))
+
+    def shifted(self, angle_deg: float) -> "Motion":
+        """Return the same motion, begun so many deg later, or earlier if below 0."""
+        way = CAM_ANGLE.number(angle_deg)
+        segments = (
+            replace(s, from_deg=s.from_deg + way, to_deg=s.to_deg + way) for s in self.segments
+        )
+        return replace(self, segments=tuple(segments))
+
+    def with_law(self, law: str | MotionLaw) -> "Motion":
+        """Return the same motion with another law for all its moves.
+
+        >>> import cammotion as cm
+        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+        >>> mill.with_law("modified sine").moves[0].law
+        'modified sine'
+        """
+        segments = (s if s.is_dwell else replace(s, law=law) for s in self.segments)
+        return replace(self, segments=tuple(segments))
+
+    def position_mm(self, angle_deg: ArrayLike) -> Numbers:
+        """Return the position in mm at a cam angle in deg, a number or an array of any shape.
+
+        Any finite angle is allowed. A motion that comes back repeats every 360 deg; an indexing
+        one is a pitch further each turn, until its stops have closed the turret.
+
+        >>> import cammotion as cm
+        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+        >>> mill.position_mm([75, 150, 360 + 75, 23 * 360 + 75, 24 * 360 + 75])
+        array([  50.,  100.,  150., 2350.,   50.])
+        """
+        angles = CAM_ANGLE.array(angle_deg)
+        positions = self._over_segments(Segment.position_mm, angles)
+        if self.stops is not None:
+            turns = np.floor((angles - self.start_deg) / DEG_PER_TURN)
+            positions = positions + self.pitch_mm * np.mod(turns, self.stops)
+        return _plain(positions)
+
+    def offset_mm(self, angle_deg: ArrayLike) -> Numbers:
+        """Return what a clearance is judged by, in mm, at a cam angle in deg, number or array.
+
+        For a motion that comes back it is the position, for an indexing one the distance from the
+        nearest stop.
+
+        >>> import cammotion as cm
+        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+        >>> mill.offset_mm([0, 15, 75, 135, 150]).round(4)
+        array([ 0.    ,  0.6451, 50.    ,  0.6451,  0.    ])
+        """
+        positions = self._over_segments(Segment.position_mm, CAM_ANGLE.array(angle_deg))
+        if self.is_indexing:
+            passed = np.mod(positions - self.start_mm, abs(self.pitch_mm))
+            positions = np.minimum(passed, abs(self.pitch_mm) - passed)
+        return _plain(positions)
+
+    def derivative(self, order: int, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:
+        """Return the velocity, acceleration or jerk (order 1, 2, 3) at a machine rate, in m and s.
+
+        Where two segments meet it is that of the one which begins there.
+        """
+        rate, angles = RATE.number(rate_per_hour), CAM_ANGLE.array(angle_deg)
+        values = self._over_segments(lambda s, here: s.derivative(order, here, rate), angles)
+        return _plain(values)
+
+    def where_beyond(self, limit_mm: float) -> list[Arc]:
+        """Return the arcs of the turn over which `offset_mm` is larger than a limit, in deg.
+
+        They are solved for, not sampled. Raises InputError for a limit that is not finite.
+
+        >>> import cammotion as cm
+        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+        >>> [(start, end)] = mill.where_beyond(0.65)
+        >>> print(f"{start:.4f} {end:.4f}")
+        15.0383 134.9617
+        """
+        limit = POSITION.number(limit_mm)
+        if not self.is_indexing:
+            return self._where_above(limit)
+        return arcs(
+            arc
+            for stop, next_stop in self._pitches
+            for arc in intersect(
+                self._where_above(stop + limit), self._where_below(next_stop - limit)
+            )
+        )
+
+    @property
+    def _pitches(self) -> list[tuple[float, float]]:
+        """Each stop that an indexing motion comes to in a turn, with the next one above it."""
+        first, second = sorted((self.start_mm, self.segments[-1].to_mm))
+        pitch = second - first
+        low, high = (math.floor((end - first) / pitch) for end in self.range_mm)
+        return [(first + n * pitch, second + n * pitch) for n in range(low, high + 1)]
+
+    def _where_above(self, limit_mm: float) -> list[Arc]:
+        return arcs(arc for segment in self.segments for arc in segment.where_above(limit_mm))
+
+    def _where_below(self, limit_mm: float) -> list[Arc]:
+        return arcs(arc for segment in self.segments for arc in segment.where_below(limit_mm))
+
+    def _over_segments(self, curve: Any, angles: Floats) -> Floats:
+        """Put `curve` together from the segments, each for the angles that lie in it."""
+        phase = self.start_deg + np.mod(angles - self.start_deg, DEG_PER_TURN)
+        which = np.searchsorted([s.to_deg for s in self.segments[:-1]], phase, side="right")
+        values = np.empty(np.shape(phase))
+        for number in np.unique(which):
+            here = which == number
+            values[here] = curve(self.segments[number], phase[here])
+        return values
+
+    def _check_joint(self, before: Segment, after: Segment) -> None:
+        gap = after.from_deg - before.to_deg
+        if gap < -_ROUNDING:
+            raise InputError(
+                f"Segments of {self.name!r} overlap: the {before.kind} ends at "
+                f"{before.to_deg:g} deg, but the {after.kind} after it begins at "
+                f"{after.from_deg:g} deg: let it begin {-gap:g} deg later."
+            )
+        if gap > _ROUNDING:
+            raise InputError(
+                f"The segments of {self.name!r} leave a gap from {before.to_deg:g} to "
+                f"{after.from_deg:g} deg: add a dwell of {gap:g} deg."
+            )
+        if abs(after.from_mm - before.to_mm) > _ROUNDING:
+            raise InputError(
+                f"The motion {self.name!r} jumps at {after.from_deg:g} deg from "
+                f"{before.to_mm:g} to {after.from_mm:g} mm: let each segment begin where the one "
+                "before it ends."
+            )
+
+    def _check_turn(self) -> None:
+        total = self.segments[-1].to_deg - self.start_deg
+        missing = DEG_PER_TURN - total
+        if abs(missing) > _ROUNDING:
+            fix = f"add a dwell of {missing:g}" if missing > 0 else f"take away {-missing:g}"
+            raise InputError(
+                f"The segments of {self.name!r} add up to {total:g} deg; a cam turn is "
+                f"{DEG_PER_TURN}: {fix} deg."
+            )
+
+    def _check_end(self) -> None:
+        way = self.segments[-1].to_mm - self.start_mm
+        if self.stops is None and abs(way) > _ROUNDING:
+            raise InputError(
+                f"The motion {self.name!r} ends {abs(way):g} mm from where it began: add a "
+                f"{'return' if way > 0 else 'rise'} of {abs(way):g} mm, or make it with "
+                "indexing_motion if it moves on from stop to stop."
+            )
+        if self.stops is None:
+            return
+        if not isinstance(self.stops, int) or isinstance(self.stops, bool) or self.stops < 1:
+            raise InputError(
+                f"The number of stops of {self.name!r} is {shorten(self.stops)}; it has to be a "
+                "whole number above 0: give, for example, 24."
+            )
+        if abs(way) <= _ROUNDING:
+            raise InputError(
+                f"The indexing motion {self.name!r} ends where it began, and an indexing motion "
+                "moves on: leave out its return, or make it with motion."
+            )
+
+
+def motion(name: str, *parts: Part, start_deg: float = 0, start_mm: float = 0) -> Motion:
+    """Return the motion that begins at an angle and a position and goes on part by part.
+
+    The parts are made by `rise`, `return_` and `dwell`; together they fill 360 deg and come back.
+    Raises InputError if they do not.
+
+    >>> import cammotion as cm
+    >>> die = cm.motion(
+    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
+    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
+    >>> die.position_mm([150, 177.5, 205, 305, 360])
+    array([ 0., 25., 50., 50.,  0.])
+    """
+    return Motion(name, _place(name, parts, start_deg, start_mm))
+
+
+def indexing_motion(
+    name: str, *parts: Part, stops: int, start_deg: float = 0, start_mm: float = 0
+) -> Motion:
+    """Return a motion that goes on from stop to stop, one pitch each turn; else like `motion`.
+
+    `stops` of its pitches close the turret.
+
+    >>> import cammotion as cm
+    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
+    >>> mill.pitch_mm
+    100.0
+    """
+    return Motion(name, _place(name, parts, start_deg, start_mm), stops)
+
+
+def _segments(name: str, given: Any) -> tuple[Segment, ...]:
+    segments = tuple(given) if isinstance(given, Iterable) else ()
+    if not segments or not all(isinstance(segment, Segment) for segment in segments):
+        raise InputError(
+            f"The segments of {name!r} are {shorten(given)}: give a list of Segment, or make the "
+            "motion with motion('die', rise(50, over_deg=55), dwell(100), ...)."
+        )
+    return segments
+
+
+def _place(name: str, parts: Iterable[Any], start_deg: float, start_mm: float) -> list[Segment]:
+    """Lay the parts one after the other."""
+    angle, height = CAM_ANGLE.number(start_deg), POSITION.number(start_mm)
+    segments = []
+    for part in parts:
+        if not isinstance(part, Part):
+            raise InputError(
+                f"A part of {name!r} is {shorten(part)}: make each with rise(50, over_deg=55), "
+                "dwell(100) or return_(50, over_deg=55)."
+            )
+        ends = angle + part.angle_deg
+        to_mm = round(height + part.change_mm, 9)  # 0.1 + 0.2 - 0.3 is 0 on any machine
+        segments.append(
+            Segment(from_deg=angle, to_deg=ends, from_mm=height, to_mm=to_mm, law=part.law)
+        )
+        angle, height = ends, to_mm
+    return segments
+
+
+def _plain(values: Floats) -> Numbers:
+    """Return a float for a single number, the array for an array."""
+    return values if values.ndim else float(values)

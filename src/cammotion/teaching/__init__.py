@@ -1,0 +1,1 @@
+"""Teaching: the example and its variants, questions, answers checked with reasons, progress."""

@@ -1,0 +1,123 @@
+"""The running example: a die that presses into an indexing mill, and its numbers."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from cammotion.machine.clearance import ClearanceRule, beyond, within
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion, indexing_motion, motion
+from cammotion.machine.overlap import widest_move
+from cammotion.machine.segments import dwell, return_, rise
+
+QUIET_SHARE = 0.1
+"""The share of the mill's time, at either end of its move, in which it does the die no harm."""
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class MillAndDie:
+    """The numbers of a die that presses into an indexing mill; lengths in mm, angles in deg.
+
+    >>> EXAMPLE.die_angle_deg
+    55.0
+    >>> print(f"{EXAMPLE.widest_deg:.2f}")
+    124.84
+    """
+
+    who: str = field(default="", compare=False)
+    rate_per_hour: int = 2000
+    pitch_mm: float = 100
+    stops: int = 24
+    mill_angle_deg: float = 150
+    work_deg: float = 100
+    wait_mm: float = 20
+    pocket_mm: float = 31
+    gap_mm: float = 1
+    margin_mm: float = 1
+    die_mass_kg: float = 12
+
+    def __repr__(self) -> str:
+        """Say all the numbers in words."""
+        whose = f"The machine of {self.who}" if self.who else "The machine of the source"
+        return (
+            f"{whose}: {self.rate_per_hour:g} pieces per hour. The mill moves {self.pitch_mm:g} mm "
+            f"over {self.mill_angle_deg:g} degrees and has {self.stops} stops. The die, "
+            f"{self.die_mass_kg:g} kg, waits {self.wait_mm:g} mm above it and goes into a pocket "
+            f"of {self.pocket_mm:g} mm, to {self.gap_mm:g} mm above the bottom: a stroke of "
+            f"{self.stroke_mm:g} mm. It works for {self.work_deg:g} degrees."
+        )
+
+    def _repr_markdown_(self) -> str:
+        return repr(self)
+
+    @property
+    def stroke_mm(self) -> float:
+        """The stroke of the die: to the mill, and into the pocket but for a gap."""
+        return self.wait_mm + self.pocket_mm - self.gap_mm
+
+    @property
+    def die_angle_deg(self) -> float:
+        """The indexing angle of the die without overlap: half of what mill and work leave."""
+        return (DEG_PER_TURN - self.mill_angle_deg - self.work_deg) / 2
+
+    @property
+    def down_deg(self) -> float:
+        """The cam angle at which the die is down, without overlap and with it."""
+        return self.mill_angle_deg + self.die_angle_deg
+
+    @property
+    def quiet_deg(self) -> float:
+        """The cam angle at either end of the mill's move in which it hardly moves."""
+        return QUIET_SHARE * self.mill_angle_deg
+
+    @property
+    def limit_mm(self) -> float:
+        """How deep the die may be while the mill is on its way."""
+        return self.wait_mm - self.margin_mm
+
+    @property
+    def overlapped_deg(self) -> float:
+        """The indexing angle of the die if it only uses the quiet ends of the mill's move."""
+        return self.die_angle_deg + self.quiet_deg
+
+    @cached_property
+    def widest_deg(self) -> float:
+        """The widest indexing angle of the die that keeps the rule."""
+        return widest_move(self.diagram, "die", self.rule).angle_deg
+
+    @property
+    def mill(self) -> Motion:
+        """The motion of the mill, from 0 deg on."""
+        return indexing_motion(
+            "mill",
+            rise(self.pitch_mm, over_deg=self.mill_angle_deg),
+            dwell(DEG_PER_TURN - self.mill_angle_deg),
+            stops=self.stops,
+        )
+
+    @property
+    def die(self) -> Motion:
+        """The motion of the die without overlap: from when the mill stands."""
+        return motion(
+            "die",
+            rise(self.stroke_mm, over_deg=self.die_angle_deg),
+            dwell(self.work_deg),
+            return_(self.stroke_mm, over_deg=self.die_angle_deg),
+            dwell(self.mill_angle_deg),
+            start_deg=self.mill_angle_deg,
+        )
+
+    @property
+    def diagram(self) -> TimingDiagram:
+        """The timing diagram of both without overlap."""
+        return TimingDiagram((self.mill, self.die), self.rate_per_hour)
+
+    @property
+    def rule(self) -> ClearanceRule:
+        """The clearance rule: deep only while the mill is as near a stop as in its quiet ends."""
+        near = float(self.mill.offset_mm(self.mill_angle_deg - self.quiet_deg))
+        return ClearanceRule(beyond("die", self.limit_mm), only_while=within("mill", near))
+
+
+EXAMPLE = MillAndDie()
+"""The machine of the source."""

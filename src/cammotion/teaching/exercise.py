@@ -1,0 +1,208 @@
+"""The kinds of exercises, and how an answer is judged: right, wrong for a reason, or still open."""
+
+import cmath
+import math
+import numbers
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping, Sized
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import sympy
+
+from cammotion.machine.kinematics import STANDARD_GRAVITY
+from cammotion.quantities import shorten
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
+
+State = Literal["open", "right", "wrong"]
+_NEAR = 0.02  # so near to the right answer it is the rounding
+_AROUND_A_LETTER = " \t\n().:'\""
+_NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What there is to say of an answer."""
+
+    state: State
+    text: str
+
+
+@dataclass(frozen=True)
+class Slip:
+    """A known way to go wrong: what it leads to, a number or an expression, and the reason."""
+
+    answer: Callable[[MillAndDie], Any]
+    reason: str
+
+
+class OddAnswerError(Exception):
+    """An answer that is no answer to the question at all; the message says why."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exercise:
+    """What all kinds have in common.
+
+    `number` names the notebook and the exercise, like "02.3". `question` asks it with the numbers
+    of a machine. `right` says why a right answer matters. `hints` are three steps towards the
+    answer, which end before it.
+    """
+
+    number: str
+    question: Callable[[MillAndDie], str]
+    right: str
+    hints: tuple[str, str, str]
+
+    def judge(self, answer: Any, machine: MillAndDie) -> Verdict:
+        """Judge an answer of any type, by the numbers of a machine; never raise."""
+        try:
+            if answer is None or answer is ... or (isinstance(answer, str) and not answer.strip()):
+                return Verdict("open", "not answered yet")
+            reason = self.find_fault(answer, machine)
+        except OddAnswerError as odd:
+            reason = str(odd)
+        except Exception:  # an object may do anything when it is looked at
+            reason = f"This cannot be read as an answer. What is asked for is {self.wanted}."
+        return Verdict("wrong", reason) if reason else Verdict("right", self.right)
+
+    @property
+    def wanted(self) -> str:
+        """What kind of answer is asked for, in words."""
+        raise NotImplementedError
+
+    def solution(self, machine: MillAndDie) -> Any:
+        """Return the right answer, computed for a machine."""
+        raise NotImplementedError
+
+    def find_fault(self, answer: Any, machine: MillAndDie) -> str:
+        """Return why an answer is wrong, "" for a right one; raise OddAnswerError for no answer."""
+        raise NotImplementedError
+
+
+def to_number(answer: Any, wanted: str) -> float:
+    """Return an answer as a float if it is one real, finite number, else raise OddAnswerError."""
+    if isinstance(answer, str | bytes):
+        raise OddAnswerError(f"This is a text. Write {wanted}, without quotes and unit.")
+    if isinstance(answer, np.ndarray) and answer.ndim == 0:
+        answer = answer.item()
+    if isinstance(answer, Iterable | Sized):
+        raise OddAnswerError(
+            f"This may hold several values (it is of type {type(answer).__name__}). What is asked "
+            f"for is {wanted}: take it out, for example with [0]."
+        )
+    symbols = sorted(map(str, getattr(answer, "free_symbols", ())))
+    if symbols:
+        raise OddAnswerError(
+            f"There still is {', '.join(symbols)} in it. Put in the numbers, with subs."
+        )
+    is_number = isinstance(answer, numbers.Number | sympy.Expr)
+    if not is_number or isinstance(answer, bool | np.bool_):
+        raise OddAnswerError(f"{shorten(answer)} is no number. Write {wanted}.")
+    try:
+        value = complex(answer)
+    except OverflowError:
+        raise OddAnswerError(
+            "This number is larger than any that a computer counts with."
+        ) from None
+    if not cmath.isfinite(value):
+        raise OddAnswerError("This is not a finite number. Was something divided by zero?")
+    if abs(value.imag) > _NO_IMAGINARY_PART * abs(value):
+        raise OddAnswerError("This is a complex number. Is there a root of something negative?")
+    return value.real
+
+
+@dataclass(frozen=True, kw_only=True)
+class NumberExercise(Exercise):
+    """A number with a unit, right within `tolerance`, a share of it."""
+
+    unit: str
+    answer: Callable[[MillAndDie], float]
+    slips: tuple[Slip, ...] = ()
+    tolerance: float = 0.004
+
+    @property
+    def wanted(self) -> str:
+        """What kind of answer is asked for, in words."""
+        return f"one number in {self.unit}" if self.unit else "one number"
+
+    def solution(self, machine: MillAndDie) -> float:
+        """Return the right number for a machine."""
+        return float(self.answer(machine))
+
+    def find_fault(self, answer: Any, machine: MillAndDie) -> str:
+        """Return why a number is wrong; "" if it is right."""
+        given, right = to_number(answer, self.wanted), self.solution(machine)
+        if self._is(given, right):
+            return ""
+        slips = (slip.reason for slip in self.slips if self._is(given, slip.answer(machine)))
+        known = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
+        ratios = (said for ratio, said in known.items() if self._is(given, ratio * right))
+        return (
+            next(slips, "")
+            or self._in_g(given, right)
+            or next(ratios, "")
+            or self._far(given, right)
+        )
+
+    def _is(self, given: float, value: float) -> bool:
+        return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)
+
+    def _in_g(self, given: float, right: float) -> str:
+        if self.unit == "m/s²" and self._is(given * STANDARD_GRAVITY, right):
+            return "This is the acceleration in g. It is asked for in m/s²."
+        return ""
+
+    def _far(self, given: float, right: float) -> str:
+        """Say what there is to say of a number with no known history."""
+        off = abs(given - right) / abs(right)
+        if off <= _NEAR:
+            return (
+                f"Close, but off by {100 * off:.2g} %. That is often a number that was rounded on "
+                "the way: keep all digits until the end."
+            )
+        if given * right < 0:
+            return "The sign is wrong, and so is the size. Which way does it go?"
+        size = "large" if abs(given) > abs(right) else "small"
+        return (
+            f'This is too {size}. Read the question once more; cm.hint("{self.number}") gives a '
+            "hint."
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChoiceExercise(Exercise):
+    """One of several options by their letters; each wrong one has a reason."""
+
+    options: Mapping[str, str]
+    answer: str
+    reasons: Mapping[str, str]
+
+    @property
+    def wanted(self) -> str:
+        """What kind of answer is asked for, in words."""
+        return f"one of the letters {', '.join(self.options)}, as a text like 'a'"
+
+    def solution(self, machine: MillAndDie) -> str:  # noqa: ARG002 - it is the same for all
+        """Return the letter of the right option."""
+        return self.answer
+
+    def find_fault(self, answer: Any, machine: MillAndDie) -> str:  # noqa: ARG002
+        """Return why an option is wrong; "" for the right one."""
+        if not isinstance(answer, str):
+            raise OddAnswerError(
+                f"This is no letter (it is of type {type(answer).__name__}). Write {self.wanted}."
+            )
+        letter = self.letter(answer)
+        if not letter:
+            raise OddAnswerError(f"There is no {shorten(answer[:60])} here. Write {self.wanted}.")
+        return "" if letter == self.answer else self.reasons[letter]
+
+    def letter(self, answer: Any) -> str:
+        """Return the letter of the option that an answer means, "" if it means none."""
+        if not issubclass(type(answer), str):
+            return ""
+        letter = unicodedata.normalize("NFKC", answer).strip(_AROUND_A_LETTER).casefold()
+        return letter if letter in self.options else ""

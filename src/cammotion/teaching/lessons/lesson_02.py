@@ -1,0 +1,288 @@
+"""Exercises of notebook 02, how hard the die is pushed."""
+
+import math
+
+import sympy
+
+from cammotion.machine.kinematics import (
+    MM_PER_M,
+    STANDARD_GRAVITY,
+    cycle_time,
+    indexing_time,
+    peak_acceleration,
+    peak_jerk,
+    peak_velocity,
+)
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.expression_exercise import ExpressionExercise
+
+FASTER = 400  # pieces/h more, in 02.4
+ANGLE_FACTOR = 1.3  # in 02.5
+
+_t, _h_m, _t_m = sympy.symbols("t h_m t_m")
+
+
+def _time(m: MillAndDie) -> float:
+    return float(indexing_time(m.die_angle_deg, m.rate_per_hour))
+
+
+def _peak(m: MillAndDie) -> float:
+    return float(peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour))
+
+
+def _constant(m: MillAndDie) -> float:
+    return 4 * m.stroke_mm / MM_PER_M / _time(m) ** 2
+
+
+def _ratio(m: MillAndDie) -> float:
+    return (m.rate_per_hour + FASTER) / m.rate_per_hour
+
+
+_PEAK_SLIPS = (
+    Slip(
+        lambda m: m.stroke_mm / MM_PER_M / _time(m) ** 2,
+        "The factor 2 pi has been lost. The chain rule brings it out when the velocity is "
+        "differentiated, and this time nothing cancels it.",
+    ),
+    Slip(
+        lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / _time(m),
+        "The time enters only once here. Acceleration is displacement differentiated "
+        "twice: the time has to be squared.",
+    ),
+    Slip(
+        _constant,
+        "This is the mean over the first half, or what a constant acceleration would need. "
+        "The peak of the sine is higher.",
+    ),
+    Slip(
+        lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / cycle_time(m.rate_per_hour) ** 2,
+        "This is computed with the time of a whole turn. The die has only its indexing "
+        "angle for the move.",
+    ),
+    Slip(
+        lambda m: peak_velocity(m.stroke_mm, m.die_angle_deg, m.rate_per_hour),
+        "This is the peak velocity, in m/s. Differentiate once more.",
+    ),
+    Slip(
+        lambda m: peak_jerk(m.stroke_mm, m.die_angle_deg, m.rate_per_hour),
+        "This is the peak jerk, in m/s³. That was differentiated once too often.",
+    ),
+    Slip(
+        lambda m: peak_acceleration(m.pitch_mm, m.mill_angle_deg, m.rate_per_hour),
+        "This is the mill's peak acceleration. The die's is asked for.",
+    ),
+    Slip(
+        lambda m: 2 * m.stroke_mm / MM_PER_M / _time(m) ** 2,
+        "A constant acceleration would bring it so far in this time, but not to rest: the die has "
+        "to be braked as well. And the peak of the sine is higher than a constant one.",
+    ),
+    Slip(
+        lambda m: peak_acceleration(m.stroke_mm, 2 * m.die_angle_deg, m.rate_per_hour),
+        "This is computed with twice the angle. The degrees of the question are for one way, down.",
+    ),
+    Slip(
+        lambda m: peak_acceleration(m.stroke_mm, math.radians(m.die_angle_deg), m.rate_per_hour),
+        "The angle was made radians. Its part of a turn is degrees out of 360.",
+    ),
+)
+
+
+def _of_the_force(slip: Slip) -> Slip:
+    """Return what a slip in the acceleration becomes in the force."""
+    return Slip(
+        lambda m: m.die_mass_kg * slip.answer(m),
+        f"The mass is right, the acceleration is not. {slip.reason}",
+    )
+
+
+EXERCISES = (
+    NumberExercise(
+        number="02.1",
+        question=lambda m: (
+            f"The die goes {m.stroke_mm:g} mm down over {m.die_angle_deg:g} degrees, by the "
+            f"cycloidal law, at {m.rate_per_hour:g} pieces per hour. What is its peak "
+            "acceleration?"
+        ),
+        unit="m/s²",
+        answer=_peak,
+        right="Times the mass of the die this is the force that the cam has to bear, twice a move.",
+        slips=_PEAK_SLIPS,
+        hints=(
+            "You need the indexing time first: which part of a turn does the die have?",
+            "For the cycloidal law the peak is 2 pi times the stroke over the time squared.",
+            "Put the stroke in as metres and the time in seconds, 10 Bm/N.",
+        ),
+    ),
+    ExpressionExercise(
+        number="02.2",
+        question=lambda m: (
+            "Another motion law: $h = h_m\\left(3x^2 - 2x^3\\right)$ with $x = t/t_m$. Derive its "
+            "acceleration $a$ as an expression in the symbols `t`, `h_m` and `t_m`, or as a "
+            "function of these three."
+        ),
+        variables=("t", "h_m", "t_m"),
+        along="t",
+        until="t_m",
+        answer=_h_m / _t_m**2 * (6 - 12 * _t / _t_m),
+        right=(
+            "It jumps from nothing to its peak at the start. You will meet this law again in "
+            "notebook 05, and what the jump does."
+        ),
+        slips=(
+            Slip(
+                lambda m: _h_m * (6 - 12 * _t / _t_m),
+                "The chain rule is missing: each derivative by t brings out a factor 1/t_m.",
+            ),
+            Slip(
+                lambda m: _h_m / _t_m * (6 - 12 * _t / _t_m),
+                "The chain rule was used once only. Each of the two derivatives brings out a "
+                "factor 1/t_m.",
+            ),
+            Slip(
+                lambda m: 6 * _h_m / _t_m * (_t / _t_m - _t**2 / _t_m**2),
+                "This is the velocity. Differentiate once more.",
+            ),
+            Slip(
+                lambda m: _h_m * (3 * _t**2 / _t_m**2 - 2 * _t**3 / _t_m**3),
+                "This is the displacement itself. Differentiate it twice.",
+            ),
+            Slip(
+                lambda m: -12 * _h_m / _t_m**3,
+                "This is the jerk: differentiated once too often.",
+            ),
+            Slip(
+                lambda m: _h_m / _t_m**2 * (6 - 12 * _t),
+                "In the bracket t stands where x does: put in x = t/t_m there, too.",
+            ),
+            Slip(
+                lambda m: (6 - 12 * _t / _t_m) / _t_m**2,
+                "The stroke is missing: h_m is a constant factor, and stays one when you "
+                "differentiate.",
+            ),
+            Slip(
+                lambda m: 6 * _h_m / _t_m**2,
+                "This is the peak alone, at t = 0. What is asked for changes with t.",
+            ),
+            Slip(
+                lambda m: 2 * sympy.pi * _h_m / _t_m**2 * sympy.sin(2 * sympy.pi * _t / _t_m),
+                "This is the acceleration of the cycloid. Here the law is another one, without a "
+                "sine.",
+            ),
+        ),
+        hints=(
+            "Put x = t/t_m into the law first, and differentiate by t.",
+            "The velocity is h_m/t_m times (6x - 6x²). Once more the same way.",
+            "Each derivative by t brings out 1/t_m. What is left is the second derivative of "
+            "3x² - 2x³ by x.",
+        ),
+    ),
+    NumberExercise(
+        number="02.3",
+        question=lambda m: (
+            f"The die has a mass of {m.die_mass_kg:g} kg and moves as in exercise 02.1. What is "
+            "the largest force that its inertia asks of the cam?"
+        ),
+        unit="N",
+        answer=lambda m: m.die_mass_kg * _peak(m),
+        right="The force scales as the acceleration does: what halves the one halves the other.",
+        slips=(
+            Slip(
+                lambda m: m.die_mass_kg * STANDARD_GRAVITY,
+                "This is the weight of the die. It is there when the machine stands still, too.",
+            ),
+            Slip(
+                lambda m: m.die_mass_kg * (_peak(m) + STANDARD_GRAVITY),
+                "Here the weight was added. The force of the inertia alone is asked for.",
+            ),
+            Slip(_peak, "This is the acceleration. A force is mass times acceleration."),
+            Slip(
+                lambda m: m.die_mass_kg * _peak(m) / STANDARD_GRAVITY,
+                "This is in kilograms of weight, divided by g. Newtons are asked for.",
+            ),
+            Slip(
+                lambda m: m.die_mass_kg * _peak(m) * STANDARD_GRAVITY,
+                "This was multiplied by g. Kilograms times m/s² already are newtons.",
+            ),
+            *map(_of_the_force, _PEAK_SLIPS),
+        ),
+        hints=(
+            "Newton: force is mass times acceleration.",
+            "The largest force comes with the largest acceleration, that of exercise 02.1.",
+            "Kilograms times m/s² are newtons; nothing has to be converted.",
+        ),
+    ),
+    NumberExercise(
+        number="02.4",
+        question=lambda m: (
+            f"The machine is to make {m.rate_per_hour + FASTER:g} instead of "
+            f"{m.rate_per_hour:g} pieces per hour, with the same cams. By which factor does the "
+            "peak acceleration of the die grow?"
+        ),
+        unit="",
+        answer=lambda m: _ratio(m) ** 2,
+        right="A little more output is paid for twice. Ask for this before you turn up a rate.",
+        slips=(
+            Slip(
+                _ratio,
+                "The rate grows by this factor. The time shrinks by it, and it counts twice in the "
+                "acceleration.",
+            ),
+            Slip(
+                lambda m: _ratio(m) ** -2,
+                "The acceleration would get smaller. A faster machine has less time for the move.",
+            ),
+            Slip(
+                lambda m: _ratio(m) ** 2 - 1,
+                "This is by how much it grows. The factor is asked for: new by old.",
+            ),
+            Slip(
+                lambda m: 100 * (_ratio(m) ** 2 - 1),
+                "This is the growth in percent. The factor is asked for: new by old.",
+            ),
+            Slip(
+                lambda m: _ratio(m) ** 3,
+                "The third power belongs to the jerk. The acceleration has the second.",
+            ),
+            Slip(_peak, "This is the peak itself. The factor by which it grows is asked for."),
+            Slip(
+                lambda m: _ratio(m) ** 2 * _peak(m),
+                "This is the new peak itself, in m/s². The factor by which it grows is asked for.",
+            ),
+        ),
+        hints=(
+            "The cams are the same, so the angle stays. What becomes of the time?",
+            "The time is shorter by the ratio of the rates.",
+            "In the acceleration the time stands squared, below.",
+        ),
+    ),
+    ChoiceExercise(
+        number="02.5",
+        question=lambda m: (
+            f"You may either halve the die's stroke, or give it {ANGLE_FACTOR:g} times the angle. "
+            "Which makes the peak acceleration smaller?"
+        ),
+        options={
+            "a": "half the stroke",
+            "b": f"{ANGLE_FACTOR:g} times the angle",
+            "c": "both the same",
+        },
+        answer="a",
+        reasons={
+            "b": (
+                "The angle does count twice, but 1/1.3² is 0.59, and half the stroke gives 0.5. "
+                "From 1.42 times the angle on you would be right."
+            ),
+            "c": "Compare the two factors: 1/2, and 1 over the square of 1.3.",
+        },
+        right=(
+            "Half the stroke gives 0.5, the angle 1/1.3² = 0.59. With the square root of 2, 1.41 "
+            "times the angle, they are even."
+        ),
+        hints=(
+            "By which factor does the peak change with the stroke, and by which with the angle?",
+            "The stroke enters once. The angle enters squared, below.",
+            "Compute 1 over the square of 1.3 and compare it with a half.",
+        ),
+    ),
+)

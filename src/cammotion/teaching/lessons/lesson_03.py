@@ -1,0 +1,314 @@
+"""Exercises of notebook 03, how far two motions may overlap."""
+
+import math
+
+from cammotion.laws.catalogue import LAWS
+from cammotion.machine.kinematics import DEG_PER_TURN, peak_acceleration
+from cammotion.teaching.example import QUIET_SHARE, MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+
+IN_DEGREES = (
+    "This comes out if the sine counts in degrees. 2 pi x is in radians: let the sine count in "
+    "radians."
+)
+
+_LAW = LAWS["cycloidal"]
+
+
+def _way(share: float) -> float:
+    """Return x at which the cycloid has covered a share of the stroke."""
+    return float(_LAW.inverse(share))
+
+
+def _place(m: MillAndDie) -> float:
+    return _way(m.limit_mm / m.stroke_mm)
+
+
+def law_in_degrees(x: float) -> float:
+    """Return S(x) as it comes out if the sine takes 2 pi x for degrees."""
+    return x - math.sin(math.radians(2 * math.pi * x)) / (2 * math.pi)
+
+
+def _place_in_degrees(m: MillAndDie) -> float:
+    """Return the place that this law leads to; as good as a straight line, so by the rule of three.
+
+    The sine of so small an angle is the angle.
+    """
+    return m.limit_mm / m.stroke_mm / law_in_degrees(1)
+
+
+def _quiet_way_mm(m: MillAndDie) -> float:
+    return m.pitch_mm * float(_LAW(QUIET_SHARE))
+
+
+EXERCISES = (
+    NumberExercise(
+        number="03.1",
+        question=lambda m: (
+            f"The mill moves {m.pitch_mm:g} mm over {m.mill_angle_deg:g} degrees by the cycloidal "
+            f"law. How far is it from its stop {m.quiet_deg:g} degrees before the end of its move?"
+        ),
+        unit="mm",
+        answer=_quiet_way_mm,
+        right="Not a hundredth of the way in a tenth of the time: this is where overlap lives.",
+        slips=(
+            Slip(
+                lambda m: QUIET_SHARE * m.pitch_mm,
+                "This would be so at constant velocity. The cycloid is slow at its ends: put x "
+                "into the law.",
+            ),
+            Slip(
+                lambda m: m.pitch_mm - _quiet_way_mm(m),
+                "This is how far it has come. How far does it still have to go?",
+            ),
+            Slip(
+                lambda m: 100 * float(_LAW(QUIET_SHARE)),
+                "This is the share of the stroke in percent. How many millimetres is that?",
+            ),
+            Slip(
+                lambda m: float(_LAW(QUIET_SHARE)),
+                "This is S, the share of the stroke. Multiply it by the stroke.",
+            ),
+            Slip(
+                lambda m: m.pitch_mm * 2 * math.pi**2 / 3 * QUIET_SHARE**3,
+                "This is the first term of the series, which is good for small x only. Put x into "
+                "the whole law.",
+            ),
+            Slip(lambda m: m.pitch_mm * law_in_degrees(QUIET_SHARE), IN_DEGREES),
+            Slip(
+                lambda m: m.pitch_mm * (QUIET_SHARE - math.sin(2 * math.pi * QUIET_SHARE)),
+                "Something is missing below the sine: it has to be divided by 2 pi.",
+            ),
+            Slip(
+                lambda m: m.pitch_mm * float(_LAW(m.quiet_deg / DEG_PER_TURN)),
+                "Here x is a part of the whole turn. x counts within the mill's own move: 0 at its "
+                "start, 1 at its end.",
+            ),
+        ),
+        hints=(
+            "How large a part of its move is still to come, in x?",
+            "By symmetry as much is left in the last part as was covered in the first.",
+            "Put x = 0.1 into S(x) = x - sin(2 pi x)/(2 pi), and multiply by the stroke.",
+        ),
+    ),
+    NumberExercise(
+        number="03.2",
+        question=lambda m: (
+            f"For the die the mill is still during the first and last {m.quiet_deg:g} of its "
+            f"{m.mill_angle_deg:g} degrees. The die works for {m.work_deg:g} degrees, and moves "
+            "only while the mill is still in this sense. How many degrees does it get for each way?"
+        ),
+        unit="deg",
+        answer=lambda m: m.overlapped_deg,
+        right="A first improvement that costs nothing: only the mill's effective angle is blocked.",
+        slips=(
+            Slip(
+                lambda m: m.die_angle_deg,
+                "This is the angle without overlap. The quiet ends of the mill's move come on top.",
+            ),
+            Slip(
+                lambda m: m.die_angle_deg + 2 * m.quiet_deg,
+                "Both quiet ends were given to one way. There are two ways, and one quiet end for "
+                "each.",
+            ),
+            Slip(
+                lambda m: m.die_angle_deg + m.quiet_deg / 2,
+                "Only one of the two quiet ends was counted.",
+            ),
+            Slip(
+                lambda m: 2 * m.overlapped_deg,
+                "These are both ways together. Each gets half.",
+            ),
+            Slip(
+                lambda m: (DEG_PER_TURN - m.mill_angle_deg) / 2 + m.quiet_deg,
+                "The degrees of the work were forgotten. While the die works it does not move.",
+            ),
+            Slip(
+                lambda m: m.mill_angle_deg - 2 * m.quiet_deg,
+                "This is the effective angle of the mill. What does it leave for the die?",
+            ),
+        ),
+        hints=(
+            "What is the effective angle of the mill, without its two quiet ends?",
+            "Take the effective angle and the work away from 360 degrees.",
+            "What is left is for two ways.",
+        ),
+    ),
+    NumberExercise(
+        number="03.3",
+        question=lambda m: (
+            f"The die has a stroke of {m.stroke_mm:g} mm and touches the mill after {m.wait_mm:g} "
+            f"mm. With a margin of {m.margin_mm:g} mm: at which x of its cycloidal move is it as "
+            "deep as it may be while the mill is still on its way?"
+        ),
+        unit="",
+        answer=_place,
+        right="The unknown stands inside a sine: there is an answer, but no formula for it.",
+        slips=(
+            Slip(
+                lambda m: m.limit_mm / m.stroke_mm,
+                "This is S, the share of the stroke. At which x does the law have this value?",
+            ),
+            Slip(
+                lambda m: _way(m.wait_mm / m.stroke_mm),
+                "At this x the die touches the mill. With a margin it may be less deep than that.",
+            ),
+            Slip(
+                lambda m: _way((m.wait_mm + m.margin_mm) / m.stroke_mm),
+                "The margin was added. It is to stay free: the die may be less deep, not deeper.",
+            ),
+            Slip(
+                lambda m: 1 - _place(m),
+                "This is the part of the move that is still to come. Which part is done?",
+            ),
+            Slip(
+                lambda m: float(_LAW(m.limit_mm / m.stroke_mm)),
+                "The law was used the wrong way round: S is known, and x is wanted.",
+            ),
+            Slip(_place_in_degrees, IN_DEGREES),
+            Slip(
+                lambda m: m.limit_mm,
+                "This is how deep it may be, in mm. Which share of the stroke is that, and at "
+                "which x?",
+            ),
+            Slip(
+                lambda m: m.die_angle_deg * _place(m),
+                "This is in degrees of cam angle. x itself is asked for, between 0 and 1.",
+            ),
+        ),
+        hints=(
+            "How deep may the die be, in mm? And what share of its stroke is that?",
+            "Solve x - sin(2 pi x)/(2 pi) = this share.",
+            "Let SymPy search from the middle on, sympy.nsolve(equation, x, 0.5), or ask the law's "
+            "own inverse.",
+        ),
+    ),
+    NumberExercise(
+        number="03.4",
+        question=lambda m: (
+            f"The die may start so early that it is at x of exercise 03.3 when the quiet end of "
+            f"the mill's move begins, at {m.mill_angle_deg - m.quiet_deg:g} degrees. It has to be "
+            f"down at {m.down_deg:g}. What is the widest indexing angle of the die?"
+        ),
+        unit="deg",
+        answer=lambda m: m.overlapped_deg / (1 - _place(m)),
+        right="The move's first part costs nothing, since nobody is in the way of it.",
+        slips=(
+            Slip(
+                lambda m: m.overlapped_deg / _place(m),
+                "This takes the degrees for the part before x. They are for the part after it, "
+                "1 - x.",
+            ),
+            Slip(
+                lambda m: m.overlapped_deg * (1 - _place(m)),
+                "These degrees are the part 1 - x of the whole. The whole has to be larger.",
+            ),
+            Slip(
+                lambda m: m.die_angle_deg / (1 - _place(m)),
+                "The quiet end of the mill was forgotten: the die has more than its old angle.",
+            ),
+            Slip(
+                lambda m: m.overlapped_deg / (1 - m.limit_mm / m.stroke_mm),
+                "Here the share of the stroke was taken for x. They would be equal at constant "
+                "velocity only.",
+            ),
+            Slip(
+                lambda m: 2 * m.overlapped_deg,
+                "This would be so if the die were half-way, at x = 0.5. Exercise 03.3 has its x.",
+            ),
+            Slip(
+                lambda m: m.overlapped_deg / (1 - _way(m.wait_mm / m.stroke_mm)),
+                "The margin was forgotten: this is with the x at which the die touches the mill.",
+            ),
+            Slip(
+                lambda m: m.overlapped_deg / (1 - _way((m.wait_mm + m.margin_mm) / m.stroke_mm)),
+                "The margin was added. It is to stay free: the die may be less deep, not deeper.",
+            ),
+            Slip(
+                lambda m: m.down_deg - m.overlapped_deg / (1 - _place(m)),
+                "This is the cam angle at which the die starts. How long is its move, in degrees?",
+            ),
+        ),
+        hints=(
+            "Which part of the move is still to come at x?",
+            "This part, 1 - x, takes the degrees between the two angles of the question.",
+            "(1 - x) Bm is known. Solve it for Bm.",
+        ),
+    ),
+    NumberExercise(
+        number="03.5",
+        question=lambda m: (
+            f"The die had {m.die_angle_deg:g} degrees without overlap and has the angle of "
+            "exercise 03.4 now. How many times smaller is its peak acceleration?"
+        ),
+        unit="",
+        answer=lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 2,
+        right="The inverse square again. No part of the machine was made better to get it.",
+        slips=(
+            Slip(
+                lambda m: m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg,
+                "The angle is so many times longer. The acceleration goes with its square.",
+            ),
+            Slip(
+                lambda m: (m.die_angle_deg * (1 - _place(m)) / m.overlapped_deg) ** 2,
+                "This is new by old. How many times smaller is it: old by new.",
+            ),
+            Slip(
+                lambda m: (m.overlapped_deg / m.die_angle_deg) ** 2,
+                "This is what the quiet ends alone bring. Take the angle of exercise 03.4.",
+            ),
+            Slip(
+                lambda m: peak_acceleration(
+                    m.stroke_mm, m.overlapped_deg / (1 - _place(m)), m.rate_per_hour
+                ),
+                "This is the new peak itself, in m/s². How many times smaller than the old one?",
+            ),
+            Slip(
+                lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 3,
+                "The third power belongs to the jerk. The acceleration has the second.",
+            ),
+            Slip(
+                lambda m: 100 * (1 - (m.die_angle_deg * (1 - _place(m)) / m.overlapped_deg) ** 2),
+                "This is by how many percent it is smaller. How many times is it: old by new.",
+            ),
+            Slip(
+                lambda m: (
+                    peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour)
+                    - peak_acceleration(
+                        m.stroke_mm, m.overlapped_deg / (1 - _place(m)), m.rate_per_hour
+                    )
+                ),
+                "This is the difference of the two peaks, in m/s². Divide the old one by the new.",
+            ),
+        ),
+        hints=(
+            "Stroke, rate and law are the same. Only the angle has changed.",
+            "The peak goes with 1 over the angle squared.",
+            "Square the ratio of the new angle to the old one.",
+        ),
+    ),
+    ChoiceExercise(
+        number="03.6",
+        question=lambda m: (
+            "On the clearance map the margin above the mill is made larger. What happens?"
+        ),
+        options={
+            "a": "The lower edge of the forbidden region comes down, and the widest angle shrinks.",
+            "b": "The left edge of the forbidden region moves right, and the widest angle grows.",
+            "c": "The region stays; the path of the machine moves away from it.",
+            "d": "The lower edge goes up, and the widest angle grows.",
+        },
+        answer="a",
+        reasons={
+            "b": "The left edge says how exactly the mill has to stand. The margin is about depth.",
+            "c": "The region is made by the rule, and the margin is a part of the rule.",
+            "d": "A larger margin allows the die less depth while the mill moves, not more.",
+        },
+        right="Safety has a price, and the map shows which edge it is paid at.",
+        hints=(
+            "Which of the two halves of the rule does the margin belong to?",
+            "With a larger margin, may the die be deeper, or less deep, while the mill moves?",
+            "The depth is drawn vertically. Which edge of the region is the allowed depth?",
+        ),
+    ),
+)

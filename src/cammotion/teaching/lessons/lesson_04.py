@@ -1,0 +1,180 @@
+"""Exercises of notebook 04, the machine in motion."""
+
+from cammotion.laws.catalogue import LAWS
+from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, indexing_time
+from cammotion.machine.overlap import with_angle
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
+
+BEFORE_DOWN_DEG = 30  # in 04.1
+TURN_S = 9  # in 04.2
+
+
+def _depth(m: MillAndDie, angle_deg: float) -> float:
+    """Return how deep the die is shortly before it is down, with an indexing angle."""
+    die = with_angle(m.die, angle_deg)
+    return float(die.position_mm(m.down_deg - BEFORE_DOWN_DEG))
+
+
+def _rest_deg(m: MillAndDie) -> float:
+    return DEG_PER_TURN - m.work_deg - 2 * m.widest_deg
+
+
+EXERCISES = (
+    NumberExercise(
+        number="04.1",
+        question=lambda m: (
+            f"With overlap the die moves over {m.widest_deg:.2f} degrees and is down at "
+            f"{m.down_deg:g}. Its stroke is {m.stroke_mm:g} mm. How deep is it at "
+            f"{m.down_deg - BEFORE_DOWN_DEG:g} degrees?"
+        ),
+        unit="mm",
+        answer=lambda m: _depth(m, m.widest_deg),
+        right="You can now stop the animation anywhere and say beforehand what it will show.",
+        slips=(
+            Slip(
+                lambda m: _depth(m, m.die_angle_deg),
+                "This is where the die without overlap is. The overlapped one is ahead of it.",
+            ),
+            Slip(
+                lambda m: m.stroke_mm - _depth(m, m.widest_deg),
+                "This is how far it still has to go. How deep is it?",
+            ),
+            Slip(
+                lambda m: m.stroke_mm * (1 - BEFORE_DOWN_DEG / m.widest_deg),
+                "This would be so at constant velocity. Put x into the law.",
+            ),
+            Slip(
+                lambda m: _depth(m, m.widest_deg) / m.stroke_mm,
+                "This is S, the share of the stroke. Multiply it by the stroke.",
+            ),
+            Slip(
+                lambda m: m.stroke_mm * law_in_degrees(1 - BEFORE_DOWN_DEG / m.widest_deg),
+                IN_DEGREES,
+            ),
+            Slip(
+                lambda m: (
+                    m.stroke_mm
+                    * float(LAWS["cycloidal"]((m.down_deg - BEFORE_DOWN_DEG) / DEG_PER_TURN))
+                ),
+                "Here x is a part of the whole turn. x counts within the die's own move: 0 where "
+                "it starts, 1 where it is down.",
+            ),
+        ),
+        hints=(
+            "When did the die start? Its move ends when it is down.",
+            "At the angle asked for, which part x of its move has it done?",
+            "Put x into the law and multiply by the stroke; or ask the motion with position_mm.",
+        ),
+    ),
+    NumberExercise(
+        number="04.2",
+        question=lambda m: (
+            f"At {m.rate_per_hour:g} pieces per hour, the animation shows a turn in {TURN_S} "
+            "seconds. By which factor is an acceleration on the screen smaller than in the machine?"
+        ),
+        unit="",
+        answer=lambda m: (TURN_S / cycle_time(m.rate_per_hour)) ** 2,
+        right="That is why slow motion makes every machine look gentle.",
+        slips=(
+            Slip(
+                lambda m: TURN_S / cycle_time(m.rate_per_hour),
+                "The motion is so many times slower. In an acceleration the time counts twice.",
+            ),
+            Slip(
+                lambda m: (cycle_time(m.rate_per_hour) / TURN_S) ** 2,
+                "Upside down: how many times smaller is it on the screen?",
+            ),
+            Slip(
+                lambda m: (TURN_S / cycle_time(m.rate_per_hour)) ** 3,
+                "The third power belongs to the jerk.",
+            ),
+            Slip(
+                lambda m: (TURN_S / cycle_time(m.rate_per_hour) * 60) ** 2,
+                "Pieces per hour were taken for pieces per minute: a turn takes 3600/N seconds.",
+            ),
+            Slip(
+                lambda m: (TURN_S / cycle_time(m.rate_per_hour) * 3600) ** 2,
+                "Pieces per hour were taken for pieces per second: a turn takes 3600/N seconds.",
+            ),
+        ),
+        hints=(
+            "How long does a turn take in the machine?",
+            "How many times longer does it take on the screen?",
+            "A velocity is smaller by this factor. And an acceleration?",
+        ),
+    ),
+    NumberExercise(
+        number="04.3",
+        question=lambda m: (
+            f"With overlap the die moves over {m.widest_deg:.2f} degrees each way and works for "
+            f"{m.work_deg:g}. How long does it rest at the top, in milliseconds, at "
+            f"{m.rate_per_hour:g} pieces per hour?"
+        ),
+        unit="ms",
+        answer=lambda m: 1000 * indexing_time(_rest_deg(m), m.rate_per_hour),
+        tolerance=0.01,
+        right="The overlapped die is hardly ever still, and that is what makes it gentle.",
+        slips=(
+            Slip(
+                _rest_deg,
+                "This is the rest in degrees. How long does the machine take for them?",
+            ),
+            Slip(
+                lambda m: (
+                    1000 * indexing_time(DEG_PER_TURN - m.work_deg - m.widest_deg, m.rate_per_hour)
+                ),
+                "The die moves twice in a turn, down and up.",
+            ),
+            Slip(
+                lambda m: 1000 * indexing_time(m.work_deg, m.rate_per_hour),
+                "This is how long it works at the bottom. How long does it rest at the top?",
+            ),
+            Slip(
+                lambda m: 1000 * indexing_time(DEG_PER_TURN - 2 * m.widest_deg, m.rate_per_hour),
+                "The degrees of the work have to be taken away as well. What is left is at the "
+                "top.",
+            ),
+        ),
+        hints=(
+            "What is left of 360 degrees without the work and both ways?",
+            "A degree takes 3600/N/360 seconds.",
+            "Multiply, and mind that milliseconds are asked for.",
+        ),
+    ),
+    ChoiceExercise(
+        number="04.4",
+        question=lambda m: (
+            "You have watched a design at a twentieth of its speed, for ten turns, and nothing "
+            "touched. What do you know?"
+        ),
+        options={
+            "a": "The design is free of collision.",
+            "b": "Nothing goes wrong that is large enough to see; the rest has to be solved for.",
+            "c": "Nothing: an animation has no value.",
+            "d": "It is free of collision at this speed, but perhaps not at full speed.",
+        },
+        answer="b",
+        reasons={
+            "a": (
+                "A violation of a tenth of a millimetre, or of a hundredth of a degree, is there "
+                "and cannot be seen."
+            ),
+            "c": (
+                "It shows large mistakes at once, and it shows whether you have understood what "
+                "you computed."
+            ),
+            "d": (
+                "Where the parts are depends on the cam angle, not on the speed. What speed "
+                "changes are the forces."
+            ),
+        },
+        right="Watch to understand, and solve to be sure.",
+        hints=(
+            "How long would a violation of a hundredth of a degree be on the screen?",
+            "Do the positions in a timing diagram depend on the rate?",
+            "Two options claim too much, one too little.",
+        ),
+    ),
+)

@@ -1,0 +1,491 @@
+"""Exercises of notebook 06, how good it can get."""
+
+import math
+
+import sympy
+
+from cammotion.laws.catalogue import LAWS
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    MM_PER_M,
+    STANDARD_GRAVITY,
+    cycle_time,
+    peak_acceleration,
+)
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.expression_exercise import ExpressionExercise
+
+SCREW_LEAD_MM = 10
+MOTOR_INERTIA = 1e-4
+"""Of the servo in 06.5, in kg m2."""
+
+_ACCELERATION = 0.6
+_r = sympy.Symbol("r")
+
+
+def _turn_deg(m: MillAndDie) -> float:
+    """Return how long the die is on its way to the farthest point, in deg."""
+    return (DEG_PER_TURN - m.work_deg) / 2
+
+
+def _rise_mm(m: MillAndDie) -> float:
+    """Return how high the die has to be when the mill sets off."""
+    return m.stroke_mm - m.limit_mm
+
+
+def _per_acceleration(time: float, half: float) -> float:
+    """Return the way made after a time, pushed for `half` and then braked, by unit acceleration."""
+    late = max(time - half, 0)
+    return time**2 / 2 - late**2
+
+
+def _seconds(m: MillAndDie) -> float:
+    """Return the time of a degree."""
+    return float(cycle_time(m.rate_per_hour)) / DEG_PER_TURN
+
+
+def _least(m: MillAndDie) -> float:
+    """Return the least peak of the die, in m/s2, free to move as it likes."""
+    way = _per_acceleration(m.overlapped_deg, _turn_deg(m) / 2)
+    return _rise_mm(m) / MM_PER_M / way / _seconds(m) ** 2
+
+
+def _cycloidal(m: MillAndDie, angle_deg: float | None = None) -> float:
+    angle = angle_deg or m.widest_deg
+    return float(peak_acceleration(m.stroke_mm, angle, m.rate_per_hour))
+
+
+def _steady(m: MillAndDie, way_mm: float, angle_deg: float) -> float:
+    """Return the peak of the law of constant acceleration, from rest to rest."""
+    return float(peak_acceleration(way_mm, angle_deg, m.rate_per_hour, law="constant acceleration"))
+
+
+def _by_way(m: MillAndDie, way_deg2: float) -> float:
+    """Return how hard it would be if so much way were made by an acceleration of 1 per deg2."""
+    return _rise_mm(m) / MM_PER_M / way_deg2 / _seconds(m) ** 2
+
+
+def _turned() -> float:
+    """Return by how many radians the screw turns in a metre."""
+    return 2 * math.pi / SCREW_LEAD_MM * MM_PER_M
+
+
+def _added_mass() -> float:
+    """Return for how many kg at the die the inertia of the motor counts."""
+    return MOTOR_INERTIA * _turned() ** 2
+
+
+def _force(m: MillAndDie) -> float:
+    return (m.die_mass_kg + _added_mass()) * _ACCELERATION
+
+
+EXERCISES = (
+    NumberExercise(
+        number="06.1",
+        question=lambda m: (
+            "A hammer starts from rest, and it may arrive at any speed. What is the smallest $C_a$ "
+            "that any law for it can have?"
+        ),
+        unit="",
+        answer=lambda m: 2.0,
+        right="Half of what a move to rest needs. To stop costs as much as to get going.",
+        slips=(
+            Slip(
+                lambda m: 4.0,
+                "This holds for a move that ends at rest. Without that condition there is nothing "
+                "to take away from the weight 1 - x.",
+            ),
+            Slip(
+                lambda m: 0.5,
+                "This is the integral of the weight 1 - x. The bound is one divided by it.",
+            ),
+            Slip(
+                lambda m: 1.0,
+                "With this even push it comes only half of the way. From rest, the way is half "
+                "the acceleration times the time squared.",
+            ),
+            Slip(
+                lambda m: 0.0,
+                "It has to come from 0 to 1 in its time, from rest. Without acceleration it stays.",
+            ),
+            Slip(
+                lambda m: LAWS["cycloidal"].Ca,
+                "This is the cycloid, which comes to rest at the end. The hammer need not.",
+            ),
+            Slip(
+                lambda m: LAWS["cycloidal"].Ca / 2,
+                "This is half of the cycloid. Half is a good thought, but of which law?",
+            ),
+            Slip(
+                lambda m: LAWS["modified trapezoid"].Ca,
+                "This is the modified trapezoid, which comes to rest at the end. The hammer need "
+                "not.",
+            ),
+            Slip(
+                lambda m: LAWS["simple harmonic"].Ca,
+                "This is the simple harmonic motion, which comes to rest at the end. The hammer "
+                "need not.",
+            ),
+            Slip(
+                lambda m: LAWS["simple harmonic"].Ca / 2,
+                "This is half a simple harmonic motion, pushed by a cosine. That is at its peak "
+                "only for a moment. Can a law be there for longer?",
+            ),
+            Slip(
+                lambda m: LAWS["cubic"].Ca,
+                "The law S = x³ has this peak, and is not there all the time. Can a law be there "
+                "for longer?",
+            ),
+            Slip(
+                lambda m: STANDARD_GRAVITY,
+                "This is free fall. Ca has no unit, and is good for any stroke and any time.",
+            ),
+        ),
+        hints=(
+            "S(1) = 1 is still the integral of (1 - x) A. What has become of the other condition?",
+            "V(1) is free now, so nothing may be taken away from the weight.",
+            "The integral of 1 - x from 0 to 1 is one half. The peak times this is at least S(1).",
+        ),
+    ),
+    ExpressionExercise(
+        number="06.2",
+        question=lambda m: (
+            "The acceleration of a symmetric law rises along a straight line over the time `r`, "
+            "stays at its peak, and comes down along a line over `r` to zero at $x = 1/2$; then "
+            "the same with the other sign. What is $C_a$? An expression in `r`, or a function of "
+            "it."
+        ),
+        variables=("r",),
+        answer=4 / (1 - 2 * _r),
+        right="With r = 1/8 it is 16/3. This is the price of a limited jerk, in closed form.",
+        slips=(
+            Slip(
+                lambda m: 4 / (1 - _r),
+                "Only one ramp was counted. Up to the middle there are two, one up and one down.",
+            ),
+            Slip(
+                lambda m: 4 / (1 - 4 * _r),
+                "A ramp is worth half of a flat piece of its length. Here it counts for nothing.",
+            ),
+            Slip(
+                lambda m: 2 / (1 - 2 * _r),
+                "Nearly: this comes to rest at the end, but only half-way. The velocity in the "
+                "middle of a symmetric law like this is 2.",
+            ),
+            Slip(
+                lambda m: 4 * (1 + 2 * _r),
+                "This is right for very short ramps only. Do not stop after the first term.",
+            ),
+            Slip(
+                lambda m: 4 / (1 - 2 * _r) / _r,
+                "This is the jerk, the peak over the time of a ramp. The peak itself is asked for.",
+            ),
+            Slip(
+                lambda m: sympy.Integer(4),
+                "This is the law without ramps, at r = 0. A ramp has less area below it, so the "
+                "peak has to be higher.",
+            ),
+            Slip(
+                lambda m: sympy.Integer(8),
+                "This is a triangle, without a flat piece, at r = 1/4. And before that?",
+            ),
+            Slip(
+                lambda m: sympy.Integer(2),
+                "This is the velocity in the middle. From which area does it come?",
+            ),
+            Slip(
+                lambda m: 4 + 16 * _r,
+                "This is right without ramps and for a triangle, at r = 0 and r = 1/4, but it is "
+                "no straight line between. What is the area below A?",
+            ),
+            Slip(
+                lambda m: 4 * (1 - 2 * _r),
+                "With longer ramps the peak has to be higher, not lower. Is something upside down?",
+            ),
+            Slip(
+                lambda m: 4 / (1 + 2 * _r),
+                "With longer ramps the peak has to be higher, not lower. Look at the sign of r.",
+            ),
+            Slip(
+                lambda m: 2 / (1 - _r),
+                "Without ramps, at r = 0, this is 2. Which law is it then, and what is its Ca?",
+            ),
+            Slip(
+                lambda m: 2 / (sympy.Rational(1, 2) - 2 * _r + 4 * _r / sympy.pi),
+                "This is with quarter waves of a sine, which are fuller. Here the ramps are "
+                "straight lines.",
+            ),
+        ),
+        hints=(
+            "The area below A up to the middle is the velocity there.",
+            "It is Ca times (1/2 - r): the flat piece, and two ramps that count half.",
+            "Up to the middle the mean velocity is half of it, and the way is 1/2: so V is 2.",
+        ),
+    ),
+    NumberExercise(
+        number="06.3",
+        question=lambda m: (
+            f"Your die leaves the bottom at rest, has to be {_rise_mm(m):g} mm up "
+            f"{m.overlapped_deg:g} degrees later, and turns round, at rest, after "
+            f"{_turn_deg(m):g} degrees; how high that is does not matter. It is pushed evenly for "
+            f"the first {_turn_deg(m) / 2:g} degrees and braked as hard for the rest, at "
+            f"{m.rate_per_hour:g} pieces per hour. How hard is that?"
+        ),
+        unit="m/s²",
+        answer=_least,
+        right="No motion whatever of this die can do with less, cam or not.",
+        slips=(
+            Slip(
+                lambda m: _by_way(m, m.overlapped_deg**2 / 2),
+                "This pushes it all the way to that height. It is being braked already for the "
+                "last of these degrees.",
+            ),
+            Slip(
+                lambda m: _least(m) * m.stroke_mm / _rise_mm(m),
+                "This is for the whole stroke. So early it need not be all the way up.",
+            ),
+            Slip(
+                lambda m: _least(m) * m.limit_mm / _rise_mm(m),
+                "This takes how deep it may be. How far up from the bottom is that?",
+            ),
+            Slip(
+                lambda m: _steady(m, m.stroke_mm, _turn_deg(m)),
+                "This makes just the stroke, in the whole time. What counts is the height at the "
+                "first angle.",
+            ),
+            Slip(
+                lambda m: _steady(m, _rise_mm(m), m.overlapped_deg),
+                "This brings it to rest at that height. It need not rest there, only at the top.",
+            ),
+            Slip(
+                lambda m: _cycloidal(m),
+                "This is the cycloid over its widest angle. Here it is an even push, and then an "
+                "even brake.",
+            ),
+            Slip(
+                lambda m: _steady(m, _rise_mm(m), _turn_deg(m)),
+                "So high it is only where it turns round, too late for the mill. It has to be "
+                "there at the first angle.",
+            ),
+            Slip(
+                lambda m: _by_way(m, (_turn_deg(m) / 2) ** 2 / 2),
+                "So high it is at the end of the push. Is that the angle at which it has to be so "
+                "high?",
+            ),
+            Slip(
+                lambda m: _by_way(m, (_turn_deg(m) / 2) * (m.overlapped_deg - _turn_deg(m) / 4)),
+                "Here it goes on after the push with the speed it has. But from there on it is "
+                "braked.",
+            ),
+            Slip(
+                lambda m: _by_way(
+                    m,
+                    (_turn_deg(m) / 2) ** 2 / 2
+                    - max(m.overlapped_deg - _turn_deg(m) / 2, 0) ** 2 / 2,
+                ),
+                "The brake is in it, but the speed at the end of the push has been forgotten: the "
+                "die goes on with that.",
+            ),
+            Slip(
+                lambda m: _least(m) * (m.stroke_mm - m.wait_mm) / _rise_mm(m),
+                "The margin was forgotten: take the height of the question.",
+            ),
+            Slip(
+                lambda m: (
+                    _rise_mm(m)
+                    / MM_PER_M
+                    / _per_acceleration(m.die_angle_deg, _turn_deg(m) / 2)
+                    / _seconds(m) ** 2
+                ),
+                "This is without the quiet end of the mill: take the degrees of the question.",
+            ),
+            Slip(
+                lambda m: _rise_mm(m) / MM_PER_M / (m.overlapped_deg * _seconds(m)),
+                "This is the mean velocity up to there, in m/s. The acceleration is asked for.",
+            ),
+        ),
+        hints=(
+            "How high is it, with an acceleration of 1 mm/deg², at the end of the first push?",
+            "After the push it goes on with the speed it has, less what the brake takes away.",
+            "The height is a (u²/2 - (u - p)²) after u degrees, p of them pushed; leave out the "
+            "second term as long as u is below p. Then turn mm/deg² into m/s².",
+        ),
+    ),
+    NumberExercise(
+        number="06.4",
+        question=lambda m: (
+            f"With the cycloid over its widest angle, {m.widest_deg:.2f} degrees, the die of "
+            "exercise 06.3 overlaps as far as it can. How many times the least possible peak is "
+            "its peak?"
+        ),
+        unit="",
+        answer=lambda m: _cycloidal(m) / _least(m),
+        tolerance=0.002,  # with 0.004 the slip of pi/2 would be right for the source
+        right="This factor is all that is left to gain, and you now know that it is all.",
+        slips=(
+            Slip(
+                lambda m: _least(m) / _cycloidal(m),
+                "This is the other way round. How many times the least one is it?",
+            ),
+            Slip(
+                lambda m: 100 * (_cycloidal(m) / _least(m) - 1),
+                "By so many percent it is larger. How many times the least one is it?",
+            ),
+            Slip(
+                lambda m: _cycloidal(m) - _least(m),
+                "This is the difference, in m/s². Divide the one by the other.",
+            ),
+            Slip(
+                lambda m: _cycloidal(m),
+                "This is the cycloid's peak, in m/s². Divide it by the least one.",
+            ),
+            Slip(
+                lambda m: math.pi / 2,
+                "This is 2 pi over 4, good for two moves with the same angle and stroke. The best "
+                "motion has others.",
+            ),
+            Slip(
+                lambda m: _cycloidal(m, m.die_angle_deg) / _least(m),
+                "This is the die without overlap. Take the widest angle.",
+            ),
+            Slip(
+                lambda m: _cycloidal(m, m.overlapped_deg) / _least(m),
+                "This is with the quiet ends of the mill alone. Take the widest angle.",
+            ),
+            Slip(
+                lambda m: _cycloidal(m, m.die_angle_deg) / _cycloidal(m),
+                "This is what the overlap has brought so far. How far is it from the least one?",
+            ),
+            Slip(
+                lambda m: _cycloidal(m) / _least(m) - 1,
+                "This is by how much it is larger, as a share. How many times the least one is it?",
+            ),
+            Slip(
+                lambda m: _cycloidal(m) / _steady(m, m.stroke_mm, _turn_deg(m)),
+                "Here it is compared with a die that makes just the stroke in the whole time. The "
+                "least possible peak is that of exercise 06.3.",
+            ),
+            Slip(
+                lambda m: (_cycloidal(m) / _least(m)) ** 2,
+                "This was squared. Two peaks are compared as they are.",
+            ),
+            Slip(
+                lambda m: math.sqrt(_cycloidal(m) / _least(m)),
+                "This is the root. It would compare angles; two peaks are compared as they are.",
+            ),
+        ),
+        hints=(
+            "You need the peak of the cycloid over its widest angle.",
+            "The function cm.peak_acceleration gives it, with the angle of the question.",
+            "Divide it by your answer to 06.3.",
+        ),
+    ),
+    NumberExercise(
+        number="06.5",
+        question=lambda m: (
+            f"The cam is replaced by a servo with a ball screw: lead {SCREW_LEAD_MM} mm, inertia "
+            f"of motor and screw {MOTOR_INERTIA:.4f} kg m². The die has a mass of "
+            f"{m.die_mass_kg:g} kg. Which force would accelerate die *and* motor with "
+            f"{_ACCELERATION:g} m/s², both counted at the die?"
+        ),
+        unit="N",
+        answer=_force,
+        right="Motor and screw count for more than the die: most of the force is for themselves.",
+        slips=(
+            Slip(
+                lambda m: m.die_mass_kg * _ACCELERATION,
+                "This is for the die alone. For how many kg at the die does the motor's inertia "
+                "count? The kg m² cannot be added as they are.",
+            ),
+            Slip(
+                lambda m: _added_mass() * _ACCELERATION,
+                "This is for the motor alone. The die has to be accelerated too.",
+            ),
+            Slip(
+                lambda m: (
+                    (m.die_mass_kg + MOTOR_INERTIA / (SCREW_LEAD_MM / MM_PER_M) ** 2)
+                    * _ACCELERATION
+                ),
+                "A turn is 2 pi radians: for each metre the screw turns by 2 pi over the lead.",
+            ),
+            Slip(
+                lambda m: (
+                    (m.die_mass_kg + MOTOR_INERTIA * 2 * math.pi / (SCREW_LEAD_MM / MM_PER_M))
+                    * _ACCELERATION
+                ),
+                "The ratio of the screw counts squared: once for the speed, once for the force.",
+            ),
+            Slip(
+                lambda m: m.die_mass_kg + _added_mass(),
+                "This is the mass, in kg. The force is this times the acceleration.",
+            ),
+            Slip(
+                lambda m: (m.die_mass_kg + _added_mass() / 2) * _ACCELERATION,
+                "Half of the inertia is missing. The 1/2 is in both energies, in J w²/2 and in "
+                "m v²/2, and cancels.",
+            ),
+            Slip(
+                lambda m: (m.die_mass_kg + _added_mass() / 4) * _ACCELERATION,
+                "This has pi where there should be 2 pi: a turn is 2 pi radians.",
+            ),
+            Slip(
+                lambda m: (
+                    (m.die_mass_kg + MOTOR_INERTIA / (SCREW_LEAD_MM / 2 / MM_PER_M) ** 2)
+                    * _ACCELERATION
+                ),
+                "Half of the lead was taken for a radius. The lead is the way that a whole turn "
+                "makes.",
+            ),
+            Slip(
+                lambda m: abs(m.die_mass_kg - _added_mass()) * _ACCELERATION,
+                "One was subtracted from the other. Both have to be accelerated, so they add up.",
+            ),
+            Slip(
+                lambda m: _force(m) / _turned(),
+                "This is the torque of the motor, in N m. The force at the die is asked for.",
+            ),
+            Slip(
+                lambda m: _force(m) + m.die_mass_kg * STANDARD_GRAVITY,
+                "Here the weight was added. The force for the acceleration alone is asked for.",
+            ),
+            Slip(
+                lambda m: _force(m) * STANDARD_GRAVITY,
+                "This was multiplied by g. Kilograms times m/s² already are newtons.",
+            ),
+        ),
+        hints=(
+            "How fast does the screw turn, in rad/s, while the die moves with 1 m/s?",
+            "Its energy is J w²/2. Which mass with v = 1 m/s has the same?",
+            "The mass is J (2 pi/lead)², with the lead in metres. Add the die's.",
+        ),
+    ),
+    ChoiceExercise(
+        number="06.6",
+        question=lambda m: (
+            "The program from below says 0.5195 m/s², the motion that was found has 0.5196. What "
+            "is proved?"
+        ),
+        options={
+            "a": "The least peak is 0.5195, since the solver has converged.",
+            "b": "A finer grid will find a motion below 0.5195.",
+            "c": "The least peak lies between the two, whatever the grid.",
+            "d": "Nothing, since both are computed on a grid.",
+        },
+        answer="c",
+        reasons={
+            "a": "The solver solves its program exactly, but that asks less than a motion needs. "
+            "What then is 0.5195?",
+            "b": "The program from below asks less than is asked of a motion. Can a motion do "
+            "better than it?",
+            "d": "Both are statements about real motions, not about a grid: a mean is no larger "
+            "than the peak, and the motion that was found can be built.",
+        },
+        right="Two programs, one from each side, say more than one on a very fine grid.",
+        hints=(
+            "What does a divided difference have to do with the acceleration between its nodes?",
+            "Can a real motion have a smaller peak than the program from below says?",
+            "Can the best motion have a larger peak than one that was found?",
+        ),
+    ),
+)

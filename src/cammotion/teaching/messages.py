@@ -1,0 +1,176 @@
+"""What an exercise shows: its question, a hint, what is said of an answer, and the progress."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+from cammotion.teaching.exercise import State, Verdict
+
+# Dark text on a light ground, in every theme; the word says what the colour says.
+_COLOURS: dict[State, tuple[str, str]] = {
+    "right": ("#e3f4e8", "#1e7b3a"),
+    "wrong": ("#fdeee2", "#b3560b"),
+    "open": ("#eef1f4", "#5b6670"),
+}
+_WORDS: dict[State, str] = {"right": "Right.", "wrong": "Not yet.", "open": ""}
+
+
+class Card:
+    """Something that is shown as HTML, and as plain text where there is no HTML."""
+
+    @property
+    def text(self) -> str:
+        """The plain text."""
+        raise NotImplementedError
+
+    @property
+    def html(self) -> str:
+        """The HTML."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/plain": self.text, "text/html": self.html}
+
+
+@dataclass(frozen=True, repr=False)
+class Question(Card):
+    """The question of an exercise, with the unit of its answer; it may hold formulas."""
+
+    number: str
+    question: str
+    wanted: str
+
+    @property
+    def text(self) -> str:
+        """The plain text."""
+        return f"Exercise {self.number}. {self.question} (Answer: {self.wanted}.)"
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        markdown = f"**Exercise {self.number}.** {self.question} *Answer: {self.wanted}.*"
+        return {"text/plain": self.text, "text/markdown": markdown}
+
+
+@dataclass(frozen=True, repr=False)
+class Feedback(Card):
+    """What is said of an answer."""
+
+    number: str
+    verdict: Verdict
+    note: str = ""
+
+    @property
+    def is_right(self) -> bool:
+        """Whether the answer is right."""
+        return self.verdict.state == "right"
+
+    @property
+    def text(self) -> str:
+        """The plain text."""
+        return " ".join(filter(None, [*self._parts, self.note]))
+
+    @property
+    def html(self) -> str:
+        """The HTML; a screen reader reads it out when it appears."""
+        head, *rest = map(escape, self._parts)
+        note = f"<div><small>{escape(self.note)}</small></div>" if self.note else ""
+        return _box(self.verdict.state, f"<strong>{head}</strong> {' '.join(rest)}{note}")
+
+    @property
+    def _parts(self) -> Sequence[str]:
+        if self.verdict.state == "open":
+            return (f"{self.number} is {self.verdict.text}.",)
+        return (f"{self.number}: {_WORDS[self.verdict.state]}", self.verdict.text)
+
+
+class Unseen(Feedback):
+    """Feedback that shows nothing: nbgrader tries to read points out of what a cell shows."""
+
+    def _ipython_display_(self) -> None:
+        """Show nothing."""
+
+
+@dataclass(frozen=True, repr=False)
+class Hint(Card):
+    """One step of the ladder of hints."""
+
+    number: str
+    step: int
+    steps: int
+    hint: str
+
+    @property
+    def text(self) -> str:
+        """The plain text."""
+        return f"Hint {self.step} of {self.steps} for {self.number}: {self.hint}"
+
+    @property
+    def html(self) -> str:
+        """The HTML."""
+        return _box("open", escape(self.text))
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of the progress: what has become of an exercise."""
+
+    number: str
+    state: State
+    tries: int = 0
+    hints: int = 0
+
+    @property
+    def said(self) -> str:
+        """What has become of it, in words."""
+        if not self.tries:
+            return "open"
+        tries = f"{self.tries} {'try' if self.tries == 1 else 'tries'}"
+        hints = f", {self.hints} {'hint' if self.hints == 1 else 'hints'}" if self.hints else ""
+        return f"{'right' if self.state == 'right' else 'not yet'}, {tries}{hints}"
+
+
+@dataclass(frozen=True, repr=False)
+class Progress(Card):
+    """What is done and what is open, over all notebooks."""
+
+    lines: tuple[Line, ...]
+    note: str = ""
+
+    @property
+    def right(self) -> int:
+        """The number of exercises that are right."""
+        return sum(line.state == "right" for line in self.lines)
+
+    @property
+    def summary(self) -> str:
+        """The state of all in a sentence."""
+        return f"{self.right} of {len(self.lines)} exercises are right."
+
+    @property
+    def text(self) -> str:
+        """The plain text."""
+        lines = (f"{line.number}  {line.said}" for line in self.lines)
+        return "\n".join(filter(None, [self.summary, *lines, self.note]))
+
+    @property
+    def html(self) -> str:
+        """The HTML: a table with a row for each exercise."""
+        rows = "".join(
+            f'<tr><th scope="row">{line.number}</th><td style="text-align: left">{line.said}</td>'
+            "</tr>"
+            for line in self.lines
+        )
+        head = '<tr><th scope="col">exercise</th><th scope="col">state</th></tr>'
+        note = f"<p>{escape(self.note)}</p>" if self.note else ""
+        return f"<p>{self.summary}</p><table>{head}{rows}</table>{note}"
+
+
+def _box(state: State, content: str) -> str:
+    ground, edge = _COLOURS[state]
+    return (
+        f'<div role="status" style="background: {ground}; color: #1b1b1b; padding: 0.6em 0.9em; '
+        f'border-left: 5px solid {edge}; max-width: 50em; line-height: 1.5">{content}</div>'
+    )

@@ -1,0 +1,182 @@
+"""The session of a learner: questions, checks, hints, predictions and progress."""
+
+import os
+from typing import Any
+
+from cammotion.quantities import InputError, shorten
+from cammotion.teaching.controls import ChoiceControl, PredictionControl
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, State, Verdict
+from cammotion.teaching.lessons import EXERCISES, find_exercise
+from cammotion.teaching.messages import Feedback, Hint, Line, Progress, Question, Unseen
+from cammotion.teaching.store import GRADING, Record, Store, work_folder
+from cammotion.teaching.variants import machine_for
+
+
+class Session:
+    """The machine that the exercises ask about, and what was answered."""
+
+    def __init__(self, store: Store) -> None:
+        self.machine: MillAndDie = EXAMPLE
+        self.store = store
+        self.hints: dict[str, int] = {}
+
+    def note(self, number: str, answer: Any, verdict: Verdict) -> None:
+        """Keep what has become of an answer; what was right once stays right for these numbers.
+
+        A choice that is shown or checked again is no new try.
+        """
+        before, who = self.record(number), self.machine.who.casefold()
+        was_right = before.get("state") == "right" and before.get("who") == who
+        exercise = find_exercise(number)
+        choice = exercise.letter(answer) if isinstance(exercise, ChoiceExercise) else ""
+        again = choice and choice == self.choice(number)
+        self.store.update(
+            "exercises",
+            number,
+            state="right" if was_right else verdict.state,
+            tries=_count(before, "tries") + (not again),
+            who=who,
+            **({"choice": choice} if choice else {}),
+        )
+
+    def record(self, number: str) -> Record:
+        """Return what is kept of an exercise."""
+        return self.store.records("exercises").get(number, {})
+
+    def choice(self, number: str) -> str | None:
+        """Return the letter that was chosen, None if none was."""
+        exercise = find_exercise(number)
+        letter = self.record(number).get("choice")
+        return (isinstance(exercise, ChoiceExercise) and exercise.letter(letter)) or None
+
+    def next_hint(self, number: str, steps: int) -> int:
+        """Return the step of the next hint, from 1 in each kernel; the furthest one is kept."""
+        step = min(self.hints.get(number, 0) + 1, steps)
+        self.hints[number] = step
+        shown = max(step, _count(self.record(number), "hints"))
+        self.store.update("exercises", number, hints=shown)
+        return step
+
+
+_SESSION = Session(Store(work_folder))
+
+
+def variant(who: str | int = "") -> MillAndDie:
+    """Return the machine of a learner, and let all exercises ask about it from now on.
+
+    `who` is a name or a number; the same one gives the same numbers, on any day and any computer.
+    Without one they are the source's. Raises InputError for anything else.
+
+    >>> variant("Anna").rate_per_hour == variant("anna ").rate_per_hour
+    True
+    >>> variant().rate_per_hour
+    2000
+    """
+    _SESSION.machine = machine_for(who)
+    return _SESSION.machine
+
+
+def ask(number: str) -> Question:
+    """Return the question of an exercise, by its number like "02.1", with the learner's numbers.
+
+    Raises InputError for an unknown number.
+
+    >>> ask("01.1")
+    Exercise 01.1. The mill moves over 150 degrees of each turn, ...
+    """
+    exercise = find_exercise(number)
+    return Question(number, exercise.question(_SESSION.machine), exercise.wanted)
+
+
+def check(number: str, answer: Any) -> Feedback:
+    """Return what there is to say of an answer to an exercise: right, or the reason why not.
+
+    `answer` may be anything, None while there is none. For an exercise with a control the choice
+    counts where the answer is None. Raises InputError only for an unknown number. While nbgrader
+    grades it raises AssertionError for an answer that is not right, which costs the points.
+
+    >>> check("02.1", 4154.17)
+    02.1: Not yet. This is a thousand times too large. Is a length in mm where metres belong?
+    """
+    exercise = find_exercise(number)
+    if answer is None and isinstance(exercise, ChoiceExercise) and GRADING not in os.environ:
+        answer = _SESSION.choice(number)
+    return _judge(number, answer)
+
+
+def hint(number: str) -> Hint:
+    """Return the next of three hints for an exercise; they end before the answer.
+
+    >>> hint("02.3")
+    Hint 1 of 3 for 02.3: Newton: force is mass times acceleration.
+    """
+    hints = find_exercise(number).hints
+    step = _SESSION.next_hint(number, len(hints))
+    return Hint(number, step, len(hints), hints[step - 1])
+
+
+def choose(number: str) -> ChoiceControl:
+    """Return the options of an exercise as a control that answers each choice at once.
+
+    Raises InputError for an unknown number and for an exercise without options.
+    """
+    exercise = find_exercise(number)
+    if not isinstance(exercise, ChoiceExercise):
+        raise InputError(
+            f"Exercise {number} has no options to choose from: use ask({number!r}) for its "
+            f"question and check({number!r}, answer) for your answer."
+        )
+    return ChoiceControl(
+        exercise,
+        exercise.question(_SESSION.machine),
+        _SESSION.choice(number),
+        lambda letter: _judge(number, letter),
+    )
+
+
+def predict(key: str, asked: str) -> PredictionControl:
+    """Return a field for a prediction; what was typed is kept under `key` and shown again.
+
+    `asked` says what is predicted, with its unit, like "degrees for each way". The control's
+    `said` is a sentence for the reveal.
+
+    >>> predict("01.example", "degrees for each way").said
+    'You made no prediction.'
+    """
+    if not isinstance(key, str) or not key.strip():
+        raise InputError(f"The key of a prediction is {shorten(key)}: give one like '01.angle'.")
+    kept = _SESSION.store.records("predictions").get(key, {}).get("text", "")
+    return PredictionControl(
+        str(asked), str(kept), lambda text: _SESSION.store.update("predictions", key, text=text)
+    )
+
+
+def progress() -> Progress:
+    """Return what is done and what is open, over all notebooks and since the first day."""
+    records = _SESSION.store.records("exercises")
+    lines = tuple(_line(number, records.get(number, {})) for number in EXERCISES)
+    return Progress(lines, _SESSION.store.complaint)
+
+
+def _judge(number: str, answer: Any) -> Feedback:
+    verdict = find_exercise(number).judge(answer, _SESSION.machine)
+    if GRADING in os.environ:
+        if verdict.state != "right":
+            raise AssertionError(f"{number}: {verdict.text}")
+        return Unseen(number, verdict)
+    if verdict.state != "open":
+        _SESSION.note(number, answer, verdict)
+    return Feedback(number, verdict, _SESSION.store.complaint)
+
+
+def _line(number: str, record: dict[str, Any]) -> Line:
+    tries, hints = _count(record, "tries"), _count(record, "hints")
+    state: State = "right" if record.get("state") == "right" else "wrong" if tries else "open"
+    return Line(number, state, tries, hints)
+
+
+def _count(record: dict[str, Any], field: str) -> int:
+    """Return a count; what a file holds that is none counts as 0."""
+    count = record.get(field)
+    return count if type(count) is int and count > 0 else 0

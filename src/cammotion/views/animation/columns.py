@@ -1,0 +1,243 @@
+"""The columns of the animation: what is said and drawn of each design, from top to bottom."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import drawsvg as draw
+import numpy as np
+
+from cammotion.machine.arcs import Arc, arcs
+from cammotion.machine.clearance import ClearanceRule, Violation, find_violations
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.views.animation import svg
+from cammotion.views.animation.charts import (
+    GAP_PX,
+    HEADING_PX,
+    LEFT_PX,
+    WIDEST_LABEL_PX,
+    Chart,
+    Curve,
+    acceleration_lane,
+    timing_lanes,
+)
+from cammotion.views.animation.dies import find_dies
+from cammotion.views.animation.keyframes import Trace, trace_acceleration, trace_position
+from cammotion.views.animation.scene import draw_scene, scene_height
+
+INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
+ALARMS, ALARM_PX = 3, 38  # so many are written below the machine
+FEW = 3  # so many accelerations can be told apart, and named in a line
+
+
+@dataclass(frozen=True)
+class Design:
+    """A column of the animation: a timing diagram, its title and the rules that hold for it."""
+
+    title: str
+    diagram: TimingDiagram
+    rules: tuple[ClearanceRule, ...]
+
+    @cached_property
+    def violations(self) -> tuple[Violation, ...]:
+        """Where its rules are broken."""
+        return find_violations(self.diagram, self.rules) if self.rules else ()
+
+    @property
+    def accelerated(self) -> list[str]:
+        """The motions whose acceleration is drawn: the dies, or all, or the hardest driven."""
+        dies = [
+            die.motion.name for dies in find_dies(self.diagram, self.rules).values() for die in dies
+        ]
+        names = dies or list(self.diagram.names)
+        return names if len(names) <= FEW else [self._hardest]
+
+    @property
+    def _hardest(self) -> str:
+        return max(self.diagram.names, key=self.diagram.peak_acceleration)
+
+    @property
+    def peaks(self) -> str:
+        """The peak accelerations in words; of many motions only the largest."""
+        names = self.diagram.names
+        all_of_them = len(names) <= FEW
+        peaks = [
+            f"{name} {self.diagram.peak_acceleration(name):.3g}"
+            for name in (names if all_of_them else [self._hardest])
+        ]
+        return f"{'' if all_of_them else 'largest '}peak acceleration: {', '.join(peaks)} m/s²"
+
+    @property
+    def verdict(self) -> str:
+        """Whether and where there is a collision, in words; nothing where there is no rule."""
+        arcs_in_words = [
+            f"{broken.start_deg % DEG_PER_TURN:.4g} to {broken.end_deg % DEG_PER_TURN:.4g}°"
+            for broken in self.violations
+        ]
+        if arcs_in_words:
+            return f"COLLISION from {' and from '.join(arcs_in_words)}"
+        return "no collision" if self.rules else ""
+
+    def describe(self) -> str:
+        """Say it in words."""
+        told = [self.peaks, self.verdict, *map(str, self.violations)]
+        return "; ".join(filter(None, told))
+
+    def collisions(self) -> dict[str, list[Arc]]:
+        """Return for each motion that collides the arcs over which it does.
+
+        Of a turret and a die it is the die.
+        """
+        found: dict[str, list[Arc]] = {}
+        for broken in self.violations:
+            pair = [broken.rule.when.motion, broken.rule.only_while.motion]
+            movers = [name for name in pair if not self.diagram[name].is_indexing]
+            for name in movers or pair:
+                found.setdefault(name, []).append((broken.start_deg, broken.end_deg))
+        return {name: arcs(pieces) for name, pieces in found.items()}
+
+
+class Layout:
+    """What the columns have in common, so that they can be compared across."""
+
+    def __init__(self, designs: Iterable[Design], turn_s: float) -> None:
+        designs = list(designs)
+        self.turn_s = turn_s
+        self.scene = max(scene_height(design.diagram, design.rules) for design in designs)
+        self.alarm = ALARM_PX * max(len(design.violations[:ALARMS]) for design in designs)
+        self.peak = max(d.diagram.peak_acceleration(n) for d in designs for n in d.accelerated)
+        labels = [
+            curve.label
+            for design in designs
+            for curve in (*self._movements(design), *self._accelerations(design))
+        ]
+        widest = min(max(svg.text_px(label, bold=True) for label in labels), WIDEST_LABEL_PX)
+        self.chart = INNER_PX - LEFT_PX - GAP_PX - widest
+        self.timing = max(self._timing(design).whole_height for design in designs)
+        self.acceleration_top = HEADER_PX + self.scene + self.alarm + self.timing + 10
+        self.height = self.acceleration_top + self._acceleration(designs[0]).whole_height + 24
+
+    def draw_column(self, design: Design, number: int) -> Any:
+        """Draw a design from (0, 0) on."""
+        column = draw.Group(data_design=number)
+        column.append(self._header(design))
+        scene = svg.placed(0, HEADER_PX)
+        collisions = design.collisions()
+        scene.append(draw_scene(design.diagram, design.rules, collisions, INNER_PX, self.turn_s))
+        column.append(scene)
+        every = arcs(arc for these in collisions.values() for arc in these)
+        if every:
+            column.append(self._alarm(design, every))
+        timing, acceleration = self._timing(design), self._acceleration(design)
+        timing_top = HEADER_PX + self.scene + self.alarm + 4
+        column.append(svg.placed(0, timing_top, timing.draw(every)))
+        column.append(svg.placed(0, self.acceleration_top, acceleration.draw()))
+        below = self.acceleration_top + acceleration.whole_height + 12
+        middle = LEFT_PX + self.chart / 2
+        column.append(svg.label("cam angle", middle, below, size=svg.SMALL, text_anchor="middle"))
+        column.append(self._cursor(timing, timing_top, acceleration))
+        return column
+
+    def _header(self, design: Design) -> Any:
+        room = INNER_PX - 62
+        header = svg.placed(
+            0,
+            0,
+            svg.label(design.title, 0, 20, width=room, size=svg.LARGE, font_weight="bold"),
+            svg.label(design.peaks, 0, 39, width=room),
+        )
+        if design.verdict:
+            alarmed: dict[str, Any] = (
+                {"fill": svg.ALARM, "font_weight": "bold"} if design.violations else {}
+            )
+            header.append(svg.label(design.verdict, 0, 56, width=room, **alarmed))
+        header.append(svg.placed(INNER_PX - 27, 24, self._dial()))
+        name: dict[str, Any] = {"size": svg.SMALL, "text_anchor": "middle"}
+        header.append(svg.label("camshaft", INNER_PX - 27, 57, **name))
+        return header
+
+    def _dial(self) -> Any:
+        """Draw the camshaft, whose hand goes round once a turn."""
+        dial = draw.Group()
+        dial.append(draw.Circle(0, 0, 19, fill="white", stroke=svg.GREY, stroke_width=1.2))
+        ticks = draw.Path(stroke=svg.GREY, stroke_width=1.5, fill="none")
+        for x, y in ((0, -1), (1, 0), (0, 1), (-1, 0)):
+            ticks.M(19 * x, 19 * y).L(14 * x, 14 * y)
+        hand = svg.moving(_LINEAR, self.turn_s, "rotate", data={"part": "hand"})
+        hand.append(draw.Path(fill=svg.INK).M(-2, 4).L(0, -16).L(2, 4).Z())
+        dial.extend([ticks, hand, draw.Circle(0, 0, 3, fill=svg.INK)])
+        dial.append_title("cam angle: one turn of the camshaft")
+        return dial
+
+    def _alarm(self, design: Design, every: list[Arc]) -> Any:
+        """Draw the word and the frame round the machine, and what collides below."""
+        alarm = draw.Group()
+        machine = svg.seen_during(every, self.turn_s)
+        frame = {"fill": "none", "stroke": svg.ALARM, "stroke_width": 4}
+        machine.append(svg.box(0, HEADER_PX, INNER_PX, self.scene - 6, **frame))
+        machine.append(svg.box(INNER_PX - 116, HEADER_PX, 116, 26, fill=svg.ALARM))
+        plain: dict[str, Any] = {"fill": "white", "stroke": "none", "font_weight": "bold"}
+        word: dict[str, Any] = {"text_anchor": "middle", "size": svg.LARGE}
+        machine.append(svg.label("COLLISION", INNER_PX - 58, HEADER_PX + 19, **word, **plain))
+        alarm.append(machine)
+        for slot, broken in enumerate(design.violations[:ALARMS]):
+            top = HEADER_PX + self.scene + slot * ALARM_PX
+            seen = svg.seen_during(arcs([(broken.start_deg, broken.end_deg)]), self.turn_s)
+            seen.append(svg.box(0, top, INNER_PX, ALARM_PX - 4, fill=svg.PALE_ALARM))
+            alarm.append(seen)
+            small: dict[str, Any] = {"size": svg.SMALL, "fill": svg.ALARM, "stroke": "none"}
+            lines = svg.wrapped(str(broken), INNER_PX - 8, svg.SMALL)
+            for line, y in zip(lines, (top + 13, top + 28), strict=False):
+                alarm.append(svg.label(line, 4, y, width=INNER_PX - 8, **small))
+        return alarm
+
+    def _cursor(self, timing: Chart, timing_top: float, acceleration: Chart) -> Any:
+        """Draw the cursor through both charts, with the dots on their curves."""
+        way = _LINEAR.scaled(self.chart / DEG_PER_TURN)
+        cursor = svg.moving(way, self.turn_s, "x", data={"part": "cursor"})
+        line = draw.Path(stroke=svg.INK, stroke_width=1.4, fill="none")
+        for chart, top in ((timing, timing_top), (acceleration, self.acceleration_top)):
+            line.M(0, svg.px(top + HEADING_PX)).v(svg.px(chart.height))
+            cursor.append(svg.placed(0, top, chart.draw_dots(self.turn_s)))
+        cursor.insert(0, line)
+        return svg.placed(LEFT_PX, 0, cursor)
+
+    def _movements(self, design: Design) -> list[Curve]:
+        return [
+            Curve(number, motion.name, _way_since_start(trace_position(motion), motion.is_indexing))
+            for number, motion in enumerate(design.diagram.motions)
+        ]
+
+    def _accelerations(self, design: Design) -> list[Curve]:
+        diagram, names = design.diagram, design.accelerated
+        return [
+            Curve(
+                diagram.names.index(name),
+                _peak_label(diagram.peak_acceleration(name), "" if len(names) == 1 else name),
+                trace_acceleration(diagram[name], diagram.rate_per_hour),
+            )
+            for name in names
+        ]
+
+    def _timing(self, design: Design) -> Chart:
+        lanes = timing_lanes(self._movements(design), TIMING_PX)
+        return Chart("movement in mm", lanes, self.chart)
+
+    def _acceleration(self, design: Design) -> Chart:
+        lane = acceleration_lane(self._accelerations(design), self.peak, ACCELERATION_PX)
+        of = " and ".join(design.accelerated)
+        return Chart(f"acceleration of the {of} in m/s²", [lane], self.chart)
+
+
+def _peak_label(peak: float, name: str) -> str:
+    return f"{peak:.3g} {name}" if name else f"max {peak:.3g}"
+
+
+_LINEAR = Trace(*(np.array([0.0, DEG_PER_TURN]) for _ in range(2)))
+
+
+def _way_since_start(trace: Trace, is_indexing: bool) -> Trace:
+    """Return a trace of positions; that of an indexing motion begins at 0 with the turn."""
+    return trace.scaled(1, -trace.values[0]) if is_indexing else trace

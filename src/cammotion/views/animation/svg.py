@@ -1,0 +1,235 @@
+"""What the drawings of the machine in motion are made of: texts that fit, and what moves.
+
+`drawsvg` writes the SVG. It escapes texts and titles but no attributes, so whatever a user has
+typed goes into texts and titles only.
+"""
+
+import unicodedata
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import drawsvg as draw
+
+from cammotion.machine.arcs import Arc
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.quantities import Floats
+from cammotion.views.animation.keyframes import Trace
+from cammotion.views.plots import COLOURS, LINE_STYLES, colour
+from cammotion.views.timing_plots import COLLISION
+
+FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
+INK, GREY = "#222222", "#777777"
+ALARM, PALE_ALARM = COLLISION["edgecolor"], COLLISION["facecolor"]
+SMALL, NORMAL, LARGE = 11, 12, 15
+
+# What the reader's wish for less motion stops, unless a player has taken the class cm-still away.
+STYLE = """
+@media (prefers-reduced-motion: reduce) {
+.cm-still .cm-moves { transform: none !important }
+.cm-still .cm-off { visibility: hidden !important }
+.cm-still .cm-on { visibility: visible !important }
+}"""
+
+_DASHES = {"-": (), "--": (3.7, 1.6), "-.": (6.4, 1.6, 1, 1.6), ":": (1, 1.65)}
+_HATCH_PX = 7
+_THOUSAND = 1000
+
+
+class Viewport(draw.DrawingParentElement):  # type: ignore[misc]
+    """A rectangle, at whose edges what is drawn in it is cut off; nothing in it may move.
+
+    Chromium gives what moves in it a clock of its own, which no player would reach.
+    """
+
+    TAG_NAME = "svg"
+
+
+class Description(draw.Title):  # type: ignore[misc]
+    """The description of a drawing, for those who do not see it."""
+
+    TAG_NAME = "desc"
+
+
+def px(value: float, digits: int = 2) -> float:
+    """Return a rounded number; a tie is rounded one way on every machine."""
+    return round(float(value) + 1e-9, digits) or 0.0
+
+
+def mixed(name: str, other: int, share: float) -> str:
+    """Return a colour with a share of black (0) or white (255) in it."""
+    parts = (int(name[place : place + 2], 16) for place in (1, 3, 5))
+    return "#" + "".join(f"{round(part + share * (other - part)):02x}" for part in parts)
+
+
+def pale(number: int) -> str:
+    """Return the colour of a mechanism for areas."""
+    return mixed(colour(number), 255, 0.78)
+
+
+def dark(number: int) -> str:
+    """Return the colour of a mechanism for text."""
+    return mixed(colour(number), 0, 0.4)
+
+
+def line_style(number: int) -> dict[str, Any]:
+    """Return colour, width and dashes of the curve of a mechanism."""
+    # from the seventh mechanism on colours come again, but with other dashes
+    style = LINE_STYLES[(number + number // len(COLOURS)) % len(LINE_STYLES)]
+    dashes = _DASHES[style] if isinstance(style, str) else style[1]
+    pattern = " ".join(f"{px(2 * dash):g}" for dash in dashes)
+    return {
+        "stroke": colour(number),
+        "stroke_width": 2,
+        "stroke_dasharray": pattern or None,
+        "fill": "none",
+    }
+
+
+def printable(text: str) -> str:
+    """Return a text in one line, without what XML cannot hold."""
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
+
+
+def short_number(value: float) -> str:
+    """Return a number for a scale.
+
+    >>> short_number(0.1111), short_number(-1000.4), short_number(-1e-12)
+    ('0.111', '−1000', '0')
+    """
+    value = round(value, 10) or 0.0
+    return f"{value:.{3 if abs(value) < _THOUSAND else 4}g}".replace("-", "−")
+
+
+def text_px(text: str, size: int = NORMAL, *, bold: bool = False) -> float:
+    """Return how wide a text becomes in the widest of the fonts, about, in px."""
+    return size * (1.13 if bold else 1) * sum(map(_ems, text))
+
+
+def wrapped(text: str, width: float, size: int = NORMAL, *, bold: bool = False) -> list[str]:
+    """Return the lines into which a text is broken to be no wider than `width` px."""
+    lines = [""]
+    for word in printable(text).split():
+        longer = f"{lines[-1]} {word}".strip()
+        if lines[-1] and text_px(longer, size, bold=bold) > width:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return lines
+
+
+def label(
+    text: str, x: float, y: float, *, width: float = 1000, size: int = NORMAL, **style: Any
+) -> Any:
+    """Return a text that is cut, with an ellipsis, where it could be wider than `width`.
+
+    The whole text is then in its title. A white seam keeps it readable over lines.
+    """
+    whole = printable(text)
+    style = {"fill": INK, "stroke": "white", "stroke_width": 3, "paint_order": "stroke"} | style
+    cut = _cut(whole, width, size, bold=style.get("font_weight") == "bold")
+    element = draw.Text(cut, size, px(x), px(y), stroke_linejoin="round", **style)
+    if cut != whole:
+        element.append_title(whole)
+    return element
+
+
+def polyline(points: Iterable[tuple[float, float]], **style: Any) -> Any:
+    """Return a line through points in px."""
+    path = draw.Path(**style)
+    for number, (x, y) in enumerate(points):
+        (path.L if number else path.M)(px(x, 1), px(y, 1))
+    return path
+
+
+def box(x: float, y: float, width: float, height: float, **style: Any) -> Any:
+    """Return a rectangle in px."""
+    return draw.Rectangle(px(x), px(y), px(width), px(height), **style)
+
+
+def placed(x: float, y: float, *children: Any) -> Any:
+    """Return a group whose origin is at a place in px."""
+    return draw.Group(children, transform=f"translate({_short(x, 3)} {_short(y, 3)})")
+
+
+def alarm_area(x: float, y: float, width: float, height: float) -> Any:
+    """Return a red area with a hatch, which says collision without a colour too."""
+    area = Viewport(x=px(x), y=px(y), width=px(width), height=px(height))
+    area.append(box(0, 0, width, height, fill=PALE_ALARM))
+    hatch = draw.Path(stroke=ALARM, stroke_width=1.2, fill="none")
+    for left in range(-int(height // _HATCH_PX) * _HATCH_PX - _HATCH_PX, int(width), _HATCH_PX):
+        hatch.M(left, px(height)).l(px(height), px(-height))
+    area.append(hatch)
+    return area
+
+
+def moving(
+    trace: Trace, turn_s: float, direction: str = "y", *, data: dict[str, Any] | None = None
+) -> Any:
+    """Return a group that is drawn where it is at 0 deg, and moves from there by a trace.
+
+    The trace is in px along "x" or "y", or in deg about the origin for "rotate".
+    """
+    ways = trace.values - trace.values[0]
+    write: Callable[[float], str] = {
+        "x": lambda way: _short(way, 3),
+        "y": lambda way: f"0 {_short(way, 3)}",
+        "rotate": lambda way: _short(way, 4),
+    }[direction]
+    group = draw.Group(class_="cm-moves", **{f"data_{key}": v for key, v in (data or {}).items()})
+    if ways.any():
+        group.append_anim(
+            draw.AnimateTransform(
+                "rotate" if direction == "rotate" else "translate",
+                f"{turn_s:g}s",
+                ";".join(map(write, ways)),
+                keyTimes=_key_times(trace.angles_deg),
+                repeatCount="indefinite",
+            )
+        )
+    return group
+
+
+def seen_during(these: list[Arc], turn_s: float) -> Any:
+    """Return a group that is seen only over these arcs of the turn."""
+    changes = {0.0: "hidden"}
+    for start, end in these:
+        changes |= {start: "visible"} | ({end: "hidden"} if end < DEG_PER_TURN else {})
+    first = changes[0.0]
+    group = draw.Group(visibility=first, class_="cm-on" if first == "visible" else "cm-off")
+    group.append_anim(
+        draw.Animate(
+            "visibility",
+            f"{turn_s:g}s",
+            ";".join(changes.values()),
+            calcMode="discrete",
+            keyTimes=_key_times(changes),
+            repeatCount="indefinite",
+        )
+    )
+    return group
+
+
+def _key_times(angles_deg: Iterable[float] | Floats) -> str:
+    return ";".join(_short(angle / DEG_PER_TURN, 6) for angle in angles_deg)
+
+
+def _short(value: float, digits: int) -> str:
+    text = f"{px(value, digits):.{digits}f}"
+    return text.rstrip("0").rstrip(".")
+
+
+def _cut(text: str, width: float, size: int, *, bold: bool) -> str:
+    if text_px(text, size, bold=bold) <= width:
+        return text
+    while text and text_px(text + "…", size, bold=bold) > width:
+        text = text[:-1]
+    return text.rstrip() + "…"
+
+
+def _ems(character: str) -> float:
+    """Return how wide a character is, in the widest of the fonts."""
+    if unicodedata.east_asian_width(character) in "WF" or character in "mwMW@%…":
+        return 1.0
+    if character in "fijlrt.,;:()'|! -":
+        return 0.42
+    return 0.74 if character.isupper() else 0.64

@@ -1,0 +1,276 @@
+"""The drawing of a turret, an indexing motion, with the dies above its stops."""
+
+import math
+from collections.abc import Iterable
+from functools import cached_property
+from typing import Any
+
+import drawsvg as draw
+import numpy as np
+
+from cammotion.machine.arcs import Arc
+from cammotion.machine.motions import Motion
+from cammotion.views.animation import svg
+from cammotion.views.animation.dies import Die
+from cammotion.views.animation.keyframes import Trace, trace_position
+from cammotion.views.plots import colour
+
+TURRET_PX = 192
+_LAND = 0.22  # of gap and pocket together: what is left of the rim below a pocket
+_STROKE_PX = 1.8
+HALF_TURN = 180.0
+_NAME_PX = 110  # at most so much is left free for the name of an outer die
+
+
+def panel_height(dies: list[Die]) -> float:
+    """Return how high the drawing of a turret with these dies is, in px."""
+    return TURRET_PX if dies else 0.6 * TURRET_PX
+
+
+class Turret:
+    """A turret and its dies, in px about the turret's centre, up being negative."""
+
+    def __init__(
+        self, number: int, motion: Motion, dies: list[Die], width: float, turn_s: float
+    ) -> None:
+        self.number, self.motion, self.dies = number, motion, dies
+        self.width, self.height, self.turn_s = width, panel_height(dies), turn_s
+        self.stops = motion.stops or 1
+        self.step = 360 / self.stops
+        self.degs = [(place - (len(dies) - 1) / 2) * self.step for place in range(len(dies))]
+        true_pitch = abs(motion.pitch_mm)
+        self.pocket = max((die.pocket for die in dies), default=0.3 * true_pitch)
+        gap = max((die.gap for die in dies), default=0.0)
+        self.unit = gap + self.pocket
+        self.tool = self.pocket + 0.1 * self.unit
+        self.guide = gap + self.tool + 0.05 * self.unit  # from the rim up to its lower edge
+        self.above = self.guide + 0.22 * self.unit if dies else 0.2 * self.unit
+        self.pitch = self._drawn_pitch(true_pitch)
+        self.is_to_scale = self.pitch == true_pitch
+        self.radius = self.stops * self.pitch / (2 * math.pi)
+        self.inner = max(self.radius - self.pocket - _LAND * self.unit, 0.1 * self.radius)
+        self.tool_width = 0.3 * self.pitch
+        tolerance = min((die.tolerance_mm for die in dies), default=0.0)
+        loose = self.tool_width + 2 * tolerance * self.pitch / true_pitch
+        self.pocket_width = min(loose, 0.9 * self.pitch, 1.4 * self.radius)
+        self.scale, self.centre = self._fit()
+
+    def _drawn_pitch(self, true_pitch: float) -> float:
+        """Return the pitch, unless the pockets would not fit into the turret, or not be seen."""
+        high = self.above + self.pocket + _LAND * self.unit
+        least = max(0.3 * high, 4 * math.pi * self.pocket / self.stops)
+        return max(min(true_pitch, 1.2 * high), least) if self.dies else true_pitch
+
+    def _fit(self) -> tuple[float, float]:
+        """Return px per mm, and how far below the panel's top the centre is."""
+        angles = np.radians(self.degs or [0.0])
+        outer = self.radius + self.above
+        is_small = self.radius <= max(self.above, 1.2 * self.pitch)
+        lowest = -self.radius if is_small else min(self.inner * np.cos(angles))
+        bottom = min(lowest, *(outer * np.cos(angles) - self.tool_width))
+        top = max(outer * np.cos(angles) + 0.6 * self.tool_width * np.abs(np.sin(angles)))
+        across = 2 * max(outer * np.abs(np.sin(angles))) + 1.5 * self.tool_width
+        least = across if self.dies else min(2.4 * self.pitch, 2.2 * self.radius)
+        names = [svg.text_px(die.motion.name, bold=True) for die in self.dies]
+        beside = 2 * min(max(names) + 12, _NAME_PX) if len(names) > 1 else 0
+        fits = (self.width - beside) / max(across, least)
+        scale = min((self.height - 8) / (top - bottom), fits)
+        return float(scale), float(4 + top * scale)
+
+    @cached_property
+    def turning(self) -> Trace:
+        """The angle in deg to which the turret has turned, away from a stop under the dies."""
+        per_mm = 360 / (self.stops * abs(self.motion.pitch_mm))
+        start = (self.degs[0] if self.degs else 0.0) - self.motion.start_mm * per_mm
+        return trace_position(self.motion).scaled(per_mm, start)
+
+    @property
+    def seen(self) -> float:
+        """The angle in deg from the top to where the rim leaves the panel."""
+        half = self.width / 2 / (self.radius * self.scale)
+        is_whole = self.centre < self.height or half >= 1
+        return HALF_TURN if is_whole else math.degrees(math.asin(half))
+
+    def draw(self, collisions: dict[str, list[Arc]]) -> Any:
+        """Draw it all in a panel from (0, 0) on; `collisions` are arcs by motion."""
+        # the id tells the size: in a page with several drawings, one id always means the same
+        clip = draw.ClipPath(id=f"cm-panel-{self.width:.0f}-{self.height:.0f}")
+        clip.append(svg.box(0, 0, self.width, self.height))
+        panel = draw.Group(clip_path=clip)
+        panel.append(svg.box(0.5, 0.5, self.width - 1, self.height - 1, fill="#fafafa"))
+        about_centre = svg.placed(self.width / 2, self.centre)
+        turret = draw.Group(transform=f"rotate({svg.px(self.turning.values[0], 4):g})")
+        wheel = svg.moving(
+            self.turning, self.turn_s, "rotate", data={"part": "turret", "motion": self.number}
+        )
+        wheel.append(self._rim())
+        turret.append(wheel)
+        about_centre.append(turret)
+        for die, deg in zip(self.dies, self.degs, strict=True):
+            about_centre.append(self._die(die, deg, collisions.get(die.motion.name, [])))
+        if self.turning.values.any():
+            about_centre.append(self._arrow())
+        panel.append(about_centre)
+        panel.extend(self._texts())
+        panel.append(
+            svg.box(0.5, 0.5, self.width - 1, self.height - 1, fill="none", stroke="#c8c8c8")
+        )
+        return panel
+
+    def _rim(self) -> Any:
+        """Draw the rim with a pocket at each stop that comes into sight."""
+        swing = self.turning.values
+        reach = self.seen + self.step
+        first = math.floor((-reach - swing.max()) / self.step)
+        last = math.ceil((reach - swing.min()) / self.step)
+        is_whole = last - first + 1 >= self.stops
+        if is_whole:
+            first, last = 0, self.stops - 1
+        path = draw.Path(
+            fill=svg.pale(self.number),
+            stroke=colour(self.number),
+            stroke_width=_STROKE_PX,
+            stroke_linejoin="round",
+        )
+        half = math.degrees(math.asin(self.pocket_width / 2 / self.radius))
+        start = first * self.step - (half if is_whole else self.step / 2)
+        path.M(*self._at(self.radius, start))
+        for stop in range(first, last + 1):
+            deg = stop * self.step
+            if not is_whole or stop > first:
+                self._arc(path, self.radius, start, deg - half)
+            self._pocket(path, deg)
+            start = deg + half
+        if is_whole:
+            self._arc(path, self.radius, start, 360 - half)
+            path.Z()
+            whole = draw.Group()
+            whole.append(path)
+            hub = {"fill": "#fafafa", "stroke": colour(self.number), "stroke_width": 1}
+            whole.append(draw.Circle(0, 0, svg.px(0.12 * self.radius * self.scale), **hub))
+            return whole
+        end = last * self.step + self.step / 2
+        self._arc(path, self.radius, start, end)
+        path.L(*self._at(self.inner, end))
+        self._arc(path, self.inner, end, first * self.step - self.step / 2)
+        return path.Z()
+
+    def _pocket(self, path: Any, deg: float) -> None:
+        half, bottom = self.pocket_width / 2, max(self.radius - self.pocket, 0.15 * self.radius)
+        top = math.sqrt(self.radius**2 - half**2)
+        for x, up in ((-half, bottom), (half, bottom), (half, top)):
+            path.L(*self._at(math.hypot(x, up), deg + math.degrees(math.atan2(x, up))))
+
+    def _arc(self, path: Any, radius: float, start: float, end: float) -> None:
+        r = svg.px(radius * self.scale)
+        path.A(r, r, 0, int(abs(end - start) > HALF_TURN), int(end > start), *self._at(radius, end))
+
+    def _at(self, radius: float, deg: float) -> tuple[float, float]:
+        """Return the place in px at so many mm from the centre and deg from the top."""
+        way, angle = radius * self.scale, math.radians(deg)
+        return svg.px(way * math.sin(angle)), svg.px(-way * math.cos(angle))
+
+    def _die(self, die: Die, deg: float, collisions: list[Arc]) -> Any:
+        """Draw a die that slides in its guide towards the centre."""
+        s = self.scale
+        half, tool = self.tool_width / 2 * s, self.tool * s
+        tip = -(self.radius + die.gap) * s
+        shape = {
+            "fill": svg.pale(die.number),
+            "stroke": colour(die.number),
+            "stroke_width": _STROKE_PX,
+        }
+        depth = die.depth.scaled(s)
+        body = svg.moving(
+            depth,
+            self.turn_s,
+            data={"part": "body", "motion": die.number, "px-per-mm": svg.px(s, 6)},
+        )
+        ram = (self.above + die.travel + self.unit) * s
+        body.append(svg.box(-0.3 * half, tip - tool - ram, 0.6 * half, ram, **shape))
+        body.append(svg.box(-half, tip - tool, 2 * half, tool, **shape))
+        if collisions:
+            alarm = svg.seen_during(collisions, self.turn_s)
+            alarm.append(svg.alarm_area(-half, tip - tool, 2 * half, tool))
+            outline = {"fill": "none", "stroke": svg.ALARM, "stroke_width": 3.5}
+            alarm.append(svg.box(-half, tip - tool, 2 * half, tool, **outline))
+            body.append(alarm)
+        placed = svg.placed(0, depth.values[0], body)
+        guide = -(self.radius + self.guide) * s
+        height = 0.17 * self.unit * s
+        group = draw.Group(transform=f"rotate({svg.px(deg, 4):g})")
+        group.append(placed)
+        for side in (-1, 1):  # two jaws, between which the ram is seen to slide
+            left = side * 0.3 * half - (0.7 * half if side < 0 else 0)
+            group.append(
+                svg.box(left, guide - height, 0.7 * half, height, fill="#d0d0d0", stroke="#555555")
+            )
+        return group
+
+    def _arrow(self) -> Any:
+        """Draw which way the turret turns."""
+        way = 1 if self.motion.pitch_mm > 0 else -1
+        outside = self.radius + 0.13 * self.unit
+        free = min(self.seen, 75)
+        ends = (-0.78 * free, -0.42 * free)
+        if self.dies:
+            wide = math.degrees(self.pitch / self.radius)
+            ends = (self.degs[0] - 0.8 * wide, self.degs[0] - 0.45 * wide)
+        start, end = ends[::way]
+        style = {"stroke": colour(self.number), "stroke_width": 2.5}
+        line = draw.Path(**style, fill="none").M(*self._at(outside, start))
+        self._arc(line, outside, start, end)
+        head = draw.Path(fill=colour(self.number))
+        tip = math.degrees(9 / (outside * self.scale)) * way
+        five = 5 / self.scale
+        head.M(*self._at(outside + five, end)).L(*self._at(outside, end + tip))
+        head.L(*self._at(outside - five, end)).Z()
+        arrow = draw.Group()
+        arrow.extend([line, head])
+        return arrow
+
+    def _texts(self) -> Iterable[Any]:
+        note = "" if self.is_to_scale else ", pitch not to scale"
+        stops = f"{self.stops} stop{'s' if self.stops > 1 else ''}"
+        bar = _round_down(0.25 * self.width / self.scale)
+        right, low = self.width - 10, self.height - 10
+        room = self.width - bar * self.scale - 40
+        yield svg.label(
+            f"{self.motion.name}: {stops}{note}",
+            8,
+            low,
+            width=room,
+            fill=svg.dark(self.number),
+            font_weight="bold",
+        )
+        left = right - bar * self.scale
+        ends = draw.Path(stroke=svg.INK, stroke_width=1.5, fill="none")
+        ends.M(svg.px(left), low - 5).v(5).H(svg.px(right)).v(-5)
+        yield ends
+        yield svg.label(f"{bar:g} mm", right, low - 7, text_anchor="end", size=svg.SMALL)
+        for die, deg in zip(self.dies, self.degs, strict=True):
+            yield self._name(die, deg)
+
+    def _name(self, die: Die, deg: float) -> Any:
+        """Write the name of a die beside its guide: to the left of one on the left."""
+        outside = self.radius + self.guide + 0.08 * self.unit
+        x, y = self._at(outside, deg)
+        side, angle = (-1 if deg < 0 else 1), math.radians(abs(deg))
+        beside = self.tool_width * math.cos(angle) / 2 + 0.1 * self.unit * math.sin(angle)
+        x += self.width / 2 + side * (beside * self.scale + 6)
+        room = self.width - x if side > 0 else x
+        return svg.label(
+            die.motion.name,
+            x,
+            y + self.centre + 4,
+            width=min(outside * math.radians(self.step) * self.scale, room) - 6,
+            text_anchor="start" if side > 0 else "end",
+            fill=svg.dark(die.number),
+            font_weight="bold",
+        )
+
+
+def _round_down(value: float) -> float:
+    """Return the largest of ... 1, 2, 5, 10, 20 ... that is not above a value."""
+    decade = 10.0 ** math.floor(math.log10(value))
+    return float(max(s * decade for s in (1, 2, 5) if s * decade <= value))

@@ -1,0 +1,64 @@
+"""Pictures of motion laws, without units: what a law is, before it has a stroke and a time."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+
+from cammotion.laws.catalogue import MotionLaw, as_law
+from cammotion.quantities import InputError, one_of, shorten
+from cammotion.views.plots import style_axes, style_line
+
+CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
+_PLACES = 1001
+_REST = 0.06  # of the time, drawn before the move and after it
+
+
+def plot_laws(
+    laws: str | MotionLaw | Iterable[str | MotionLaw], *, curve: str = "A", ax: Axes | None = None
+) -> Axes:
+    """Draw one curve of each law over x = t/tm, from rest to rest, and return the Axes.
+
+    `laws` are laws or their names, `curve` is one of "S", "V", "A" and "J"; no axis has a unit.
+    The legend gives each law with its other names. Raises InputError for an unknown law or curve.
+
+    >>> plot_laws(["cycloidal", "modified sine"]).get_ylabel()
+    'acceleration A'
+    """
+    drawn = _as_laws(laws)
+    derivative = [*CURVES].index(one_of("curve", curve, CURVES))
+    if ax is None:
+        _, ax = plt.subplots(figsize=(7.5, 4.6), facecolor="white", layout="constrained")
+    style_axes(ax, "x = t/tm", CURVES[curve])
+    x = np.linspace(0, 1, _PLACES)
+    at_rest = [(-_REST, 0), (0, 0)], [(1, int(curve == "S")), (1 + _REST, int(curve == "S"))]
+    for number, law in enumerate(drawn):
+        points = np.vstack([at_rest[0], np.column_stack([x, law(x, derivative)]), at_rest[1]])
+        style_line(ax.plot(*points.T, label=full_name(law))[0], number)
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    ax.margins(x=0)
+    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    return ax
+
+
+def full_name(law: MotionLaw) -> str:
+    """Return the name of a law, with its other names in brackets.
+
+    >>> full_name(as_law("cycloidal"))
+    'cycloidal (inclined sine, Bestehorn)'
+    """
+    others = ", ".join(law.also_called)
+    return f"{law.name} ({others})" if others else law.name
+
+
+def _as_laws(laws: Any) -> list[MotionLaw]:
+    several = isinstance(laws, Iterable) and not isinstance(laws, str)
+    given = [as_law(law) for law in (laws if several else [laws])]
+    if not given:
+        raise InputError(
+            f"There is nothing to draw: the laws are {shorten(laws)}. Give one or a list, for "
+            'example ["cycloidal", "modified sine"].'
+        )
+    return given

@@ -1,0 +1,212 @@
+"""Pictures of moves and their peaks.
+
+Every function takes the thing to draw and an optional `ax`, labels it with units and returns the
+Axes. Colours are told apart by the colour-blind (Okabe and Ito), and never carry a meaning alone:
+line styles and direct labels say the same. No global Matplotlib setting is touched.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.text import Annotation
+from matplotlib.ticker import ScalarFormatter
+
+from cammotion.machine.kinematics import Move
+from cammotion.quantities import Floats, InputError, one_of
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#000000")
+LINE_STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
+REFERENCE_STYLE: dict[str, Any] = {"color": "#555555", "linestyle": "--", "linewidth": 2}
+
+CURVES = {
+    "displacement": "displacement h in mm",
+    "velocity": "velocity v in m/s",
+    "acceleration": "acceleration a in m/s²",
+    "jerk": "jerk j in m/s³",
+}
+_SAMPLES = 241
+_DECADE = 10
+
+
+def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
+    """Return times in s and the values of a `curve` of the move at them, both of one length.
+
+    `curve` is one of "displacement" (mm), "velocity" (m/s), "acceleration" (m/s2), "jerk" (m/s3).
+
+    >>> time, h = sample_curve(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000), "displacement")
+    >>> float(time[-1]), float(h[-1])
+    (0.275, 50.0)
+    """
+    time = np.linspace(0.0, move.time_s, _SAMPLES)
+    functions = {
+        "displacement": move.displacement_mm,
+        "velocity": move.velocity,
+        "acceleration": move.acceleration,
+        "jerk": move.jerk,
+    }
+    return time, np.asarray(functions[one_of("curve", curve, CURVES)](time))
+
+
+def plot_curves(
+    moves: Move | Iterable[Move],
+    *,
+    curve: str = "acceleration",
+    labels: Sequence[str] | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw one curve of each move against time and return the Axes.
+
+    `curve` is one of "displacement", "velocity", "acceleration" and "jerk"; `labels`, one for each
+    move, stand at the end of its curve and are the indexing angles unless given.
+
+    >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    >>> plot_curves(die, curve="velocity").get_ylabel()
+    'velocity v in m/s'
+    """
+    moves, labels = _labelled(moves, labels)
+    one_of("curve", curve, CURVES)
+    ax = _styled(ax, "time t in s", CURVES[curve])
+    for number, (move, label) in enumerate(zip(moves, labels, strict=True)):
+        time, values = sample_curve(move, curve)
+        style_line(ax.plot(time, values, label=label)[0], number)
+        write(ax, label, (time[-1], values[-1]), colour(number))
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    ax.margins(x=0.08, y=0.12)
+    return ax
+
+
+def plot_peaks(
+    moves: Iterable[Move], *, labels: Sequence[str] | None = None, ax: Axes | None = None
+) -> Axes:
+    """Draw the peak acceleration of each move as a bar, its value above it; return the Axes.
+
+    `labels`, one for each move, stand under the bars and are the indexing angles unless given.
+    """
+    moves, labels = _labelled(moves, labels)
+    ax = _styled(ax, "indexing angle Bm", "peak acceleration a_max in m/s²")
+    bars = ax.bar(labels, [move.peak_acceleration for move in moves], color=COLOURS[0], width=0.6)
+    ax.bar_label(bars, fmt="%#.3g", padding=3, fontsize=11)
+    ax.margins(y=0.12)
+    ax.grid(visible=False, axis="x")
+    return ax
+
+
+def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axes:
+    """Draw peak acceleration against indexing angle on logarithmic scales; return the Axes.
+
+    The moves are the points. The line over them is the law a_max ~ 1/Bm^2, put through the first
+    move alone: that the other points lie on it is the evidence. The moves may differ only in
+    their angle.
+    """
+    moves, _ = _labelled(moves, None)
+    first = moves[0]
+    if any(_all_but_angle(move) != _all_but_angle(first) for move in moves):
+        raise InputError(
+            "The moves differ in more than their angle: give them one stroke, one machine rate "
+            "and one law, or the inverse-square law of the angle cannot be seen."
+        )
+    ax = _styled(ax, "indexing angle Bm in deg", "peak acceleration a_max in m/s²")
+    angles = np.array([move.angle_deg for move in moves])
+    line = np.geomspace(angles.min() / 1.3, angles.max() * 1.3, 2)
+    law = first.peak_acceleration * (first.angle_deg / line) ** 2
+    ax.loglog(line, law, color=COLOURS[1], linestyle="--", linewidth=2)
+    peaks = [move.peak_acceleration for move in moves]
+    ax.loglog(angles, peaks, "o", color=COLOURS[0], markersize=9)
+    for angle, peak in zip(angles, peaks, strict=True):
+        write(ax, f"{angle:g}°: {peak:#.3g}", (angle, peak), offset=(8, 4))
+    middle = np.sqrt(line.prod())
+    write(
+        ax, r"slope $-2$", (middle, law[0] * (line[0] / middle) ** 2), COLOURS[1], offset=(-70, -24)
+    )
+    _plain_ticks(ax)
+    ax.set_xlim(line[0], line[1] * 1.25)
+    return ax
+
+
+def style_axes(ax: Axes, xlabel: str, ylabel: str) -> None:
+    """Give the axes the workbook's look: labels, grid, readable text, no box."""
+    ax.set_facecolor("white")
+    ax.set_xlabel(xlabel, fontsize=11)
+    ax.set_ylabel(ylabel, fontsize=11)
+    ax.tick_params(labelsize=10)
+    ax.grid(visible=True, color="#dddddd", linewidth=0.8)
+    ax.set_axisbelow(True)
+    ax.spines[["top", "right"]].set_visible(False)
+
+
+def style_line(line: Line2D, number: int) -> Line2D:
+    """Give a line the colour and the dashes of its number."""
+    line.set(color=colour(number), linestyle=LINE_STYLES[number % len(LINE_STYLES)], linewidth=2)
+    return line
+
+
+def colour(number: int) -> str:
+    """Return the colour of the line with that number, the first being 0."""
+    return COLOURS[number % len(COLOURS)]
+
+
+def write(
+    ax: Axes,
+    text: str,
+    at: tuple[float, float],
+    color: str = "#000000",
+    offset: tuple[float, float] = (0, 6),
+) -> Annotation:
+    """Write a text beside a point, `offset` in points (1/72 inch), readable over curves."""
+    return ax.annotate(
+        text,
+        at,
+        offset,
+        textcoords="offset points",
+        color=color,
+        fontsize=11,
+        ha="left" if offset[0] else "center",
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
+    )
+
+
+def _styled(ax: Axes | None, xlabel: str, ylabel: str) -> Axes:
+    if ax is None:
+        _, ax = plt.subplots(figsize=(7.5, 4.2), facecolor="white")
+    style_axes(ax, xlabel, ylabel)
+    return ax
+
+
+def _labelled(
+    moves: Move | Iterable[Move], labels: Sequence[str] | None
+) -> tuple[list[Move], list[str]]:
+    moves = [moves] if isinstance(moves, Move) else list(_iterable(moves))
+    if not moves or not all(isinstance(move, Move) for move in moves):
+        raise InputError(
+            "There is nothing to draw: give one Move or a list of them, for example "
+            "[Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)]."
+        )
+    if labels is None:
+        labels = [f"{move.angle_deg:g}°" for move in moves]
+    if len(labels) != len(moves):
+        raise InputError(
+            f"There are {len(moves)} moves but {len(labels)} labels: give one label for each move."
+        )
+    return moves, list(labels)
+
+
+def _iterable(moves: Any) -> Iterable[Any]:
+    return moves if isinstance(moves, Iterable) else ()
+
+
+def _all_but_angle(move: Move) -> tuple[object, ...]:
+    return move.stroke_mm, move.rate_per_hour, move.law
+
+
+def _plain_ticks(ax: Axes) -> None:
+    """Write 50 and 0.5 on logarithmic axes where Matplotlib would write powers of ten."""
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = axis.get_view_interval()
+        steps = [step * _DECADE**power for power in range(-6, 7) for step in (1.0, 2.0, 5.0)]
+        axis.set_ticks([step for step in steps if low <= step <= high])
+        axis.set_ticks([], minor=True)
+        axis.set_major_formatter(ScalarFormatter())

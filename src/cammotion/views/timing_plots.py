@@ -1,0 +1,304 @@
+"""Pictures of timing diagrams and of clearances, in the manner of `plots`."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.patches import Patch, Rectangle
+from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
+
+from cammotion.machine.arcs import Arc
+from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
+from cammotion.machine.diagram import TimingDiagram, as_diagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
+from cammotion.quantities import Floats, InputError, one_of
+from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
+
+TICK_DEG = 30
+SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
+LANE = 0.75  # the share of a lane that a curve fills
+BAR_INCHES, ROW_INCHES = 0.33, 1.4
+DOT_DEG, LABELLED_DOT_DEG = 5, 10
+ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
+    "velocity": TimingDiagram.velocity,
+    "acceleration": TimingDiagram.acceleration,
+    "jerk": TimingDiagram.jerk,
+}
+HATCHES = {"rise": "///", "return": "\\\\\\", "dwell": ""}
+OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
+COLLISION: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
+_SAMPLES = np.linspace(0.0, DEG_PER_TURN, 721)
+_NARROWEST_LABEL_DEG = 12
+
+
+def plot_timing(
+    diagram: TimingDiagram,
+    *,
+    rules: ClearanceRule | Iterable[ClearanceRule] = (),
+    rows: Sequence[str] = (),
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw a timing diagram as the trade does; return the Axes of the movements.
+
+    Movement in mm over the cam angle, one curve a mechanism; beneath it a bar for each, hatched
+    where it moves, with the angles of its segments. Grey is where two move at once, or, with
+    `rules`, where the two motions of a rule do; a broken rule is marked as a collision. `rows`,
+    any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle. More
+    than four mechanisms get a lane each, with a scale of its own.
+    """
+    for row in rows:
+        one_of("row", row, ROWS)
+    given = as_rules(diagram, rules) if rules else ()
+    names = as_diagram(diagram).names
+    if ax is None:
+        curves = 2.6 if len(names) <= SHARED_AXIS else 0.42 * len(names)
+        height = curves + BAR_INCHES * len(names) + (ROW_INCHES + 0.2) * len(rows)
+        _, ax = plt.subplots(figsize=(9, height / 0.77), facecolor="white")
+    style_axes(ax, "", "movement in mm")
+    divider = make_axes_locatable(ax)
+    bars = divider.append_axes("bottom", size=BAR_INCHES * len(names), pad=0.12, sharex=ax)
+    lower = [divider.append_axes("bottom", size=ROW_INCHES, pad=0.2, sharex=ax) for _ in rows]
+    _draw_movements(ax, diagram)
+    _draw_bars(bars, diagram)
+    for axis, row in zip(lower, rows, strict=True):
+        _draw_row(axis, diagram, row)
+    _shade(ax, diagram, given)
+    _share_angle(ax, bars, *lower)
+    return ax
+
+
+def plot_clearance(
+    designs: TimingDiagram | Mapping[str, TimingDiagram],
+    rule: ClearanceRule,
+    *,
+    span_mm: float | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw where two motions are to each other through the turn, and where they may not be.
+
+    Horizontally the motion of `rule.only_while` (of a mill, how far it is from a stop), vertically
+    that of `rule.when`, both in mm. The hatched region is forbidden. Each of the `designs`, a
+    diagram or several by their names, is a path, with a dot every 5 deg of cam angle where both
+    motions are on their way. `span_mm` is how far the horizontal axis goes.
+    """
+    named = designs if isinstance(designs, Mapping) else {"": designs}
+    if not named:
+        raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
+    for diagram in named.values():
+        as_rules(diagram, rule)
+    if ax is None:
+        _, ax = plt.subplots(figsize=(7.5, 4.6), facecolor="white")
+    across, up = rule.only_while, rule.when
+    style_axes(ax, describe_offset(across, named), describe_offset(up, named))
+    highest = max(diagram[up.motion].offset_mm(_SAMPLES).max() for diagram in named.values())
+    widest = max(diagram[across.motion].offset_mm(_SAMPLES).max() for diagram in named.values())
+    ax.set_xlim(0, span_mm or min(widest, max(8 * across.limit_mm, 0.05 * widest)))
+    ax.set_ylim(0, 1.1 * highest)
+    region = forbidden_region(rule, ax)
+    ax.add_patch(region)
+    labels: dict[tuple[float, float], str] = {}
+    for number, (name, diagram) in enumerate(named.items()):
+        labels = _draw_path(ax, diagram, rule, number, name) or labels
+    for place, label in labels.items():  # the last path's; the others have theirs below or above
+        write(ax, label, place, colour(number), offset=(6, 6))
+    if any(named):
+        ax.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False, fontsize=10)
+    middle_x, middle_y = region.get_center()
+    write(ax, "forbidden", (middle_x, middle_y), COLLISION["edgecolor"], offset=(0, 0))
+    return ax
+
+
+def forbidden_region(rule: ClearanceRule, ax: Axes) -> Rectangle:
+    """Return the rectangle of a clearance map in which both halves of the rule are broken."""
+    region = Rectangle((0, 0), 0, 0, **COLLISION, alpha=0.6, linewidth=1.5)
+    place_forbidden_region(region, rule, ax)
+    return region
+
+
+def place_forbidden_region(region: Rectangle, rule: ClearanceRule, ax: Axes) -> None:
+    """Lay the rectangle anew, for another rule."""
+    left, right = _side(rule.only_while.opposite, ax.get_xlim())
+    low, high = _side(rule.when, ax.get_ylim())
+    region.set_bounds(left, low, right - left, high - low)
+
+
+def clearance_path(diagram: TimingDiagram, rule: ClearanceRule) -> tuple[Floats, Floats]:
+    """Return the way through the clearance map: across and up, in mm, over one turn."""
+    across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
+    angles = np.union1d(_SAMPLES, np.mod([*across.turning_degs, *up.turning_degs], DEG_PER_TURN))
+    return np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
+
+
+def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) -> str:
+    """Return the label of an axis of the clearance map."""
+    motion = next(iter(designs.values()))[condition.motion]
+    what = "distance from a stop" if motion.is_indexing else "position"
+    return f"{motion.name}: {what} in mm"
+
+
+def movement(motion: Motion, angle_deg: Floats) -> Floats:
+    """Return the position in mm; of an indexing motion, from the stop it is nearest at 0 deg."""
+    positions = np.asarray(motion.position_mm(angle_deg))
+    if motion.stops is None:
+        return positions
+    pitch, at_zero = motion.pitch_mm, float(motion.position_mm(0.0)) - motion.start_mm
+    pitches = (positions - motion.start_mm - at_zero) / pitch
+    since_zero = np.mod(pitches.round(12), motion.stops)  # a rounding below 0 is no turn back
+    off_stop = at_zero / pitch - np.round(at_zero / pitch)
+    return np.asarray(pitch * (since_zero + off_stop))
+
+
+def curve_angles(motion: Motion) -> Floats:
+    """Return cam angles, 0 to 360 deg, close enough for a curve and with its corners in it."""
+    return np.union1d(_SAMPLES, np.mod(motion.turning_degs, DEG_PER_TURN))
+
+
+def _draw_movements(ax: Axes, diagram: TimingDiagram) -> None:
+    in_lanes = len(diagram.motions) > SHARED_AXIS
+    ticks: dict[float, str] = {}
+    for number, motion in enumerate(diagram.motions):
+        angles = curve_angles(motion)
+        heights = movement(motion, angles)
+        if in_lanes:
+            low, high = heights.min(), heights.max()
+            lane = len(diagram.motions) - 1 - number
+            heights = lane + LANE * (heights - low) / ((high - low) or 1)
+            ticks[lane + LANE / 2] = f"{low:g} to {high:g}"
+        style_line(ax.plot(angles, heights)[0], number)
+        middle = _highest_stay(motion)
+        top = float(np.interp(middle, angles, heights))
+        write(ax, motion.name, (middle, top), colour(number), offset=(0, -4 if in_lanes else 5))
+    if in_lanes:
+        ax.set_yticks([*ticks], [*ticks.values()])
+        ax.tick_params(axis="y", length=0)
+        ax.grid(visible=False, axis="y")
+        ax.set_ylim(-0.2, len(diagram.motions) + 0.1)
+    else:
+        ax.margins(y=0.14)
+
+
+def _highest_stay(motion: Motion) -> float:
+    """Return the cam angle of the middle of the longest dwell furthest from the start."""
+    within = [segment for segment in motion.segments if segment.is_dwell] or motion.segments
+    far = max(within, key=lambda s: (abs(s.from_mm - motion.start_mm), s.angle_deg))
+    return min(max((far.from_deg + far.to_deg) / 2 % DEG_PER_TURN, 12), DEG_PER_TURN - 12)
+
+
+def _draw_bars(ax: Axes, diagram: TimingDiagram) -> None:
+    style_axes(ax, "", "")
+    for number, motion in enumerate(diagram.motions):
+        for segment in motion.segments:
+            for start, end, is_longest in _parts(segment):
+                _draw_bar(ax, number, (start, end), segment)
+                if is_longest and end - start >= _NARROWEST_LABEL_DEG:
+                    label = f"{segment.angle_deg:.5g}°"
+                    ax.text(
+                        (start + end) / 2,
+                        number,
+                        label,
+                        fontsize=10,
+                        ha="center",
+                        va="center",
+                        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
+                    )
+    ax.set_ylim(len(diagram.motions) - 0.45, -0.55)
+    ax.set_yticks(range(len(diagram.motions)), diagram.names)
+    ax.tick_params(axis="y", length=0)
+    ax.spines["left"].set_visible(False)
+
+
+def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> None:
+    start, end = span
+    half = 0.06 if segment.is_dwell else 0.36
+    bar = Rectangle(
+        (start, row - half),
+        end - start,
+        2 * half,
+        facecolor=_pale(colour(row)) if not segment.is_dwell else "white",
+        edgecolor=colour(row),
+        hatch=HATCHES[segment.kind],
+        linewidth=1.2,
+    )
+    ax.add_patch(bar)
+
+
+def _parts(segment: Segment) -> Iterator[tuple[float, float, bool]]:
+    """Yield start and end of the parts of a segment within 0 to 360 deg; the longest is marked."""
+    start = segment.from_deg % DEG_PER_TURN
+    end = start + segment.angle_deg
+    parts = [(start, min(end, DEG_PER_TURN))]
+    if end > DEG_PER_TURN:
+        parts.append((0.0, end - DEG_PER_TURN))
+    longest = max(parts, key=lambda part: part[1] - part[0])
+    for part in parts:
+        yield *part, part is longest
+
+
+def _draw_row(ax: Axes, diagram: TimingDiagram, row: str) -> None:
+    style_axes(ax, "", CURVES[row].replace(" in ", "\nin "))
+    for number, motion in enumerate(diagram.motions):
+        angles = curve_angles(motion)
+        style_line(ax.plot(angles, ROWS[row](diagram, motion.name, angles))[0], number)
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    ax.margins(y=0.1)
+
+
+def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -> None:
+    groups: list[Sequence[str]] = [(rule.when.motion, rule.only_while.motion) for rule in rules]
+    overlaps = [arc for names in groups or [diagram.names] for arc in diagram.overlap(*names)]
+    violations = find_violations(diagram, rules) if rules else ()
+    collisions = [(broken.start_deg, broken.end_deg) for broken in violations]
+    grey: dict[str, Any] = {"facecolor": "white", "edgecolor": "#555555"}
+    key = [Patch(**grey, hatch=hatch, label=kind) for kind, hatch in HATCHES.items()]
+    for label, found, style in (
+        ("overlap", overlaps, OVERLAP),
+        ("collision", collisions, COLLISION),
+    ):
+        for start, end in found:
+            _span(ax, start, end, style)
+        if found:
+            key.append(Patch(**style, label=label))
+    ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(key), frameon=False)
+
+
+def _span(ax: Axes, start: float, end: float, style: dict[str, Any]) -> None:
+    for low, high in ((start, min(end, DEG_PER_TURN)), (0.0, end - DEG_PER_TURN)):
+        if low < high:
+            ax.axvspan(low, high, **style, linewidth=0, zorder=0.5)
+
+
+def _share_angle(*axes: Axes) -> None:
+    axes[0].set_xlim(0, DEG_PER_TURN)
+    axes[0].set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
+    for ax in axes[:-1]:
+        ax.tick_params(axis="x", labelbottom=False)
+    axes[-1].set_xlabel("cam angle in deg", fontsize=11)
+
+
+def _draw_path(
+    ax: Axes, diagram: TimingDiagram, rule: ClearanceRule, number: int, name: str
+) -> dict[tuple[float, float], str]:
+    """Draw a path with its dots; return where the cam angles belong that name some of them."""
+    style_line(ax.plot(*clearance_path(diagram, rule), label=name)[0], number)
+    across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
+    angles = np.arange(0, DEG_PER_TURN, DOT_DEG)
+    x, y = np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
+    under_way = (x > 0) & (y > 0) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])
+    ax.plot(x[under_way], y[under_way], "o", color=colour(number), markersize=5)
+    named = under_way & (angles % LABELLED_DOT_DEG == 0)
+    places = zip(x[named].round(6), y[named].round(6), strict=True)
+    return {place: f"{angle}°" for place, angle in zip(places, angles[named], strict=True)}
+
+
+def _side(condition: Condition, limits: tuple[float, float]) -> tuple[float, float]:
+    low, high = limits
+    return (condition.limit_mm, high) if condition.is_beyond else (low, condition.limit_mm)
+
+
+def _pale(name: str) -> tuple[float, ...]:
+    return tuple(0.75 + 0.25 * part for part in to_rgb(name))
