@@ -25,7 +25,7 @@ from .machine.kinematics import (
 from .machine.motions import Motion, indexing_motion, motion
 from .machine.overlap import widest_move, with_angle
 from .machine.segments import Segment, dwell, return_, rise
-from .quantities import InputError
+from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.session import ask, check, choose, hint, predict, progress, variant
@@ -56,6 +56,7 @@ __all__ = [
     "NumberControl",
     "Segment",
     "TimingDiagram",
+    "WrongAnswerError",
     "animate",
     "as_law",
     "ask",

@@ -21,6 +21,18 @@ class InputError(ValueError):
     __module__ = "cammotion"  # the name under which its reader can catch it
 
 
+class WrongAnswerError(RuntimeError):
+    """A solver has found by its own check that its answer is wrong; no number is given out."""
+
+    __module__ = "cammotion"
+
+    def __init__(self, solver: str, found: str) -> None:
+        super().__init__(
+            f"{solver} has checked its answer and found it wrong: {found}. This is a fault of the "
+            "workbook and not yours: please report it, with the machine that you asked about."
+        )
+
+
 @dataclass(frozen=True)
 class Quantity:
     """A physical quantity with its unit and the range in which it makes sense.
@@ -145,3 +157,12 @@ def shorten(value: object, length: int = 60) -> str:
 
 def _is_real(item: object) -> bool:
     return isinstance(item, numbers.Real) and not isinstance(item, (bool, np.bool_))
+
+
+def plain(values: Numbers) -> Numbers:
+    """Return a float for a single number, the array for an array.
+
+    >>> plain(np.array(2.5)), plain(np.array([1.0, 2.0]))
+    (2.5, array([1., 2.]))
+    """
+    return values if np.ndim(values) else float(values)
