@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from cammotion.files import write_new
-from cammotion.laws.catalogue import MotionLaw, as_law
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
