@@ -26,6 +26,7 @@ from cammotion.views.animation.charts import (
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import Trace, trace_acceleration, trace_position
 from cammotion.views.animation.scene import draw_scene, scene_height
+from cammotion.views.scales import as_text, drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
 ALARMS, ALARM_PX = 3, 38  # so many are written below the machine
@@ -64,7 +65,7 @@ class Design:
         names = self.diagram.names
         all_of_them = len(names) <= FEW
         peaks = [
-            f"{name} {self.diagram.peak_acceleration(name):.3g}"
+            f"{name} {as_text(self.diagram.peak_acceleration(name), '.3g')}"
             for name in (names if all_of_them else [self._hardest])
         ]
         return f"{'' if all_of_them else 'largest '}peak acceleration: {', '.join(peaks)} m/s²"
@@ -107,7 +108,7 @@ class Layout:
         self.turn_s = turn_s
         self.scene = max(scene_height(design.diagram, design.rules) for design in designs)
         self.alarm = ALARM_PX * max(len(design.violations[:ALARMS]) for design in designs)
-        self.peak = max(d.diagram.peak_acceleration(n) for d in designs for n in d.accelerated)
+        self.peak = max(_drawn_peak(d.diagram, n) for d in designs for n in d.accelerated)
         labels = [
             curve.label
             for design in designs
@@ -206,7 +207,7 @@ class Layout:
 
     def _movements(self, design: Design) -> list[Curve]:
         return [
-            Curve(number, motion.name, _way_since_start(trace_position(motion), motion.is_indexing))
+            Curve(number, motion.name, trace_position(motion))
             for number, motion in enumerate(design.diagram.motions)
         ]
 
@@ -232,12 +233,13 @@ class Layout:
 
 
 def _peak_label(peak: float, name: str) -> str:
-    return f"{peak:.3g} {name}" if name else f"max {peak:.3g}"
+    said = as_text(peak, ".3g")
+    return f"{said} {name}" if name else f"max {said}"
+
+
+def _drawn_peak(diagram: TimingDiagram, name: str) -> float:
+    drawn = trace_acceleration(diagram[name], diagram.rate_per_hour).values
+    return drawn_peak(diagram.peak_acceleration(name), drawn)
 
 
 _LINEAR = Trace(*(np.array([0.0, DEG_PER_TURN]) for _ in range(2)))
-
-
-def _way_since_start(trace: Trace, is_indexing: bool) -> Trace:
-    """Return a trace of positions; that of an indexing motion begins at 0 with the turn."""
-    return trace.scaled(1, -trace.values[0]) if is_indexing else trace

@@ -14,6 +14,7 @@ from cammotion.views.animation import svg
 from cammotion.views.animation.dies import Die
 from cammotion.views.animation.keyframes import Trace, trace_position
 from cammotion.views.plots import colour
+from cammotion.views.scales import round_down
 
 TURRET_PX = 192
 _LAND = 0.22  # of gap and pocket together: what is left of the rim below a pocket
@@ -81,8 +82,7 @@ class Turret:
     def turning(self) -> Trace:
         """The angle in deg to which the turret has turned, away from a stop under the dies."""
         per_mm = 360 / (self.stops * abs(self.motion.pitch_mm))
-        start = (self.degs[0] if self.degs else 0.0) - self.motion.start_mm * per_mm
-        return trace_position(self.motion).scaled(per_mm, start)
+        return trace_position(self.motion).scaled(per_mm, self.degs[0] if self.degs else 0.0)
 
     @property
     def seen(self) -> float:
@@ -232,7 +232,7 @@ class Turret:
     def _texts(self) -> Iterable[Any]:
         note = "" if self.is_to_scale else ", pitch not to scale"
         stops = f"{self.stops} stop{'s' if self.stops > 1 else ''}"
-        bar = _round_down(0.25 * self.width / self.scale)
+        bar = round_down(0.25 * self.width / self.scale)
         right, low = self.width - 10, self.height - 10
         room = self.width - bar * self.scale - 40
         yield svg.label(
@@ -268,9 +268,3 @@ class Turret:
             fill=svg.dark(die.number),
             font_weight="bold",
         )
-
-
-def _round_down(value: float) -> float:
-    """Return the largest of ... 1, 2, 5, 10, 20 ... that is not above a value."""
-    decade = 10.0 ** math.floor(math.log10(value))
-    return float(max(s * decade for s in (1, 2, 5) if s * decade <= value))

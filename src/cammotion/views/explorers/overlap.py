@@ -22,14 +22,14 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.overlap import widest_move, with_angle
 from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.views.live import Explorer, LiveFigure, NumberControl
+from cammotion.views.movement import curve_angles, movement
 from cammotion.views.plots import REFERENCE_STYLE, style_axes, style_line, write
+from cammotion.views.scales import as_text, has_ratio
 from cammotion.views.timing_plots import (
     COLLISION,
     clearance_path,
-    curve_angles,
     describe_offset,
     forbidden_region,
-    movement,
     place_forbidden_region,
 )
 
@@ -116,10 +116,13 @@ class OverlapExplorer(Explorer):
     def _describe(self, diagram: TimingDiagram, motion: Motion) -> str:
         move = motion.moves[0]
         peak, before = (d.peak_acceleration(motion.name) for d in (diagram, self.reference))
+        compared = f", before {as_text(before, '.3f')}"
+        if has_ratio(peak, before):
+            compared = f" = {peak / before:.3g} × {before:.3f}"
         start, end = move.from_deg % DEG_PER_TURN, move.to_deg % DEG_PER_TURN
         return (
             f"{motion.name}: {move.angle_deg:.5g} deg, from {start:.5g} to {end:.5g} deg, "
-            f"a_max = {peak:.3f} m/s² = {peak / before:.3g} × {before:.3f}"
+            f"a_max = {as_text(peak, '.3f')} m/s²{compared}"
         )
 
     def _judge(self, diagram: TimingDiagram, violations: Sequence[Violation]) -> str:
