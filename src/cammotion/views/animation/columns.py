@@ -25,7 +25,7 @@ from cammotion.views.animation.charts import (
 )
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import Trace, trace_acceleration, trace_position
-from cammotion.views.animation.scene import draw_scene, scene_height
+from cammotion.views.animation.scene import Scene
 from cammotion.views.scales import as_text, drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
@@ -106,7 +106,8 @@ class Layout:
     def __init__(self, designs: Iterable[Design], turn_s: float) -> None:
         designs = list(designs)
         self.turn_s = turn_s
-        self.scene = max(scene_height(design.diagram, design.rules) for design in designs)
+        self._scenes = [Scene(design.diagram, design.rules, INNER_PX) for design in designs]
+        self.scene = max(scene.height for scene in self._scenes)
         self.alarm = ALARM_PX * max(len(design.violations[:ALARMS]) for design in designs)
         self.peak = max(_drawn_peak(d.diagram, n) for d in designs for n in d.accelerated)
         labels = [
@@ -124,10 +125,9 @@ class Layout:
         """Draw a design from (0, 0) on."""
         column = draw.Group(data_design=number)
         column.append(self._header(design))
-        scene = svg.placed(0, HEADER_PX)
         collisions = design.collisions()
-        scene.append(draw_scene(design.diagram, design.rules, collisions, INNER_PX, self.turn_s))
-        column.append(scene)
+        scene = self._scenes[number].draw(self.turn_s, collisions)
+        column.append(svg.placed(0, HEADER_PX, scene))
         every = arcs(arc for these in collisions.values() for arc in these)
         if every:
             column.append(self._alarm(design, every))

@@ -162,6 +162,15 @@ def alarm_area(x: float, y: float, width: float, height: float) -> Any:
     return area
 
 
+def alarm(during: list[Arc], turn_s: float, at: tuple[float, float, float, float]) -> Iterable[Any]:
+    """Yield the alarm over a rectangle (x, y, width, height), seen over these arcs of the turn."""
+    if during:
+        seen = seen_during(during, turn_s)
+        seen.append(alarm_area(*at))
+        seen.append(box(*at, fill="none", stroke=ALARM, stroke_width=3.5))
+        yield seen
+
+
 def moving(
     trace: Trace, turn_s: float, direction: str = "y", *, data: dict[str, Any] | None = None
 ) -> Any:
