@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.text import Annotation
 from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
@@ -20,6 +21,7 @@ from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, one_of
 from cammotion.views.scales import as_text
 
+# six of Okabe and Ito's, which Matplotlib knows as "okabe_ito" only from 3.11 on
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#000000")
 LINE_STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 REFERENCE_STYLE: dict[str, Any] = {"color": "#555555", "linestyle": "--", "linewidth": 2}
@@ -162,6 +164,17 @@ def style_line(line: Line2D, number: int) -> Line2D:
 def colour(number: int) -> str:
     """Return the colour of the line with that number, the first being 0."""
     return COLOURS[number % len(COLOURS)]
+
+
+def mixed(name: str, other: str, share: float) -> tuple[float, float, float]:
+    """Return red, green and blue, 0 to 1, of a colour with a share of another in it.
+
+    >>> mixed("#000000", "white", 0.75)
+    (0.75, 0.75, 0.75)
+    """
+    pairs = zip(to_rgb(name), to_rgb(other), strict=True)
+    red, green, blue = ((1 - share) * part + share * more for part, more in pairs)
+    return red, green, blue
 
 
 def write(

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgb
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
@@ -19,7 +18,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, one_of
 from cammotion.views.movement import SAMPLED_DEGS, curve_angles, movement
-from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
+from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
 
 TICK_DEG = 30
 SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
@@ -204,7 +203,7 @@ def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> None:
         (start, row - half),
         end - start,
         2 * half,
-        facecolor=_pale(colour(row)) if not segment.is_dwell else "white",
+        facecolor=mixed(colour(row), "white", 0.75) if not segment.is_dwell else "white",
         edgecolor=colour(row),
         hatch=HATCHES[segment.kind],
         linewidth=1.2,
@@ -287,7 +286,3 @@ def _draw_path(
 def _side(condition: Condition, limits: tuple[float, float]) -> tuple[float, float]:
     low, high = limits
     return (condition.limit_mm, high) if condition.is_beyond else (low, condition.limit_mm)
-
-
-def _pale(name: str) -> tuple[float, ...]:
-    return tuple(0.75 + 0.25 * part for part in to_rgb(name))
