@@ -40,6 +40,7 @@ def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
     """Return times in s and the values of a `curve` of the move at them, both of one length.
 
     `curve` is one of "displacement" (mm), "velocity" (m/s), "acceleration" (m/s2), "jerk" (m/s3).
+    Raises InputError for another.
 
     >>> time, h = sample_curve(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000), "displacement")
     >>> float(time[-1]), float(h[-1])
@@ -66,7 +67,8 @@ def plot_curves(
 
     `curve` is one of "displacement", "velocity", "acceleration" and "jerk"; `labels`, one for each
     move, stand at the end of its curve and are the indexing angles unless given. Where the peak is
-    infinite, which no curve shows, the label says so.
+    infinite, which no curve shows, the label says so. Raises InputError for an unknown curve, no
+    move, and labels of another number.
 
     >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     >>> plot_curves(die, curve="velocity").get_ylabel()
@@ -92,6 +94,11 @@ def plot_peaks(
 
     `labels`, one for each move, stand under the bars and are the indexing angles unless given. The
     bar of an infinite peak, under the sign ∞, is hatched and a quarter higher than all others.
+    Raises InputError for no move, and for labels of another number.
+
+    >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    >>> plot_peaks([die], labels=["die"]).get_ylabel()
+    'peak acceleration a_max in m/s²'
     """
     moves, labels = _labelled(moves, labels)
     ax = _styled(ax, "indexing angle Bm", "peak acceleration a_max in m/s²")
@@ -113,6 +120,11 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     The moves are the points. The line over them is the law a_max ~ 1/Bm^2, put through the first
     move alone: that the other points lie on it is the evidence. The moves may differ only in
     their angle, and their peaks are finite; for others it raises InputError.
+
+    >>> angles = 55, 110
+    >>> dies = [Move(stroke_mm=50, angle_deg=angle, rate_per_hour=2000) for angle in angles]
+    >>> [text.get_text() for text in plot_inverse_square(dies).texts[:2]]
+    ['55°: 4.15', '110°: 1.04']
     """
     moves, _ = _labelled(moves, None)
     first = moves[0]

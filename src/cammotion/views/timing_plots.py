@@ -1,4 +1,4 @@
-"""Pictures of timing diagrams and of clearances, in the manner of `plots`."""
+"""Pictures of timing diagrams and of clearances, with units at every axis."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -50,7 +50,13 @@ def plot_timing(
     `rules`, where the two motions of a rule do; a broken rule is marked as a collision. `rows`,
     any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle; a row
     names the mechanisms whose peak is infinite. More than four mechanisms get a lane each, with a
-    scale of its own.
+    scale of its own. Raises InputError for an unknown row, and for a rule about a motion that the
+    diagram lacks.
+
+    >>> import cammotion as cm
+    >>> ax = plot_timing(cm.EXAMPLE.diagram, rules=cm.EXAMPLE.rule, rows=["acceleration"])
+    >>> ax.get_ylabel()
+    'movement in mm'
     """
     for row in rows:
         one_of("row", row, ROWS)
@@ -85,7 +91,12 @@ def plot_clearance(
     Horizontally the motion of `rule.only_while` (of a mill, how far it is from a stop), vertically
     that of `rule.when`, both in mm. The hatched region is forbidden. Each of the `designs`, a
     diagram or several by their names, is a path, with a dot every 5 deg of cam angle where both
-    motions are on their way. `span_mm` is how far the horizontal axis goes.
+    motions are on their way. `span_mm` is how far the horizontal axis goes. Raises InputError for
+    no design, and for a rule about a motion that one of them lacks.
+
+    >>> import cammotion as cm
+    >>> plot_clearance(cm.EXAMPLE.diagram, cm.EXAMPLE.rule).get_xlabel()
+    'mill: distance from a stop in mm'
     """
     named = designs if isinstance(designs, Mapping) else {"": designs}
     if not named:
@@ -122,7 +133,7 @@ def forbidden_region(rule: ClearanceRule, ax: Axes) -> Rectangle:
 
 
 def place_forbidden_region(region: Rectangle, rule: ClearanceRule, ax: Axes) -> None:
-    """Lay the rectangle anew, for another rule."""
+    """Move the rectangle of the clearance map to where another rule is broken."""
     left, right = _side(rule.only_while.opposite, ax.get_xlim())
     low, high = _side(rule.when, ax.get_ylim())
     region.set_bounds(left, low, right - left, high - low)

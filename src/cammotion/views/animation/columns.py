@@ -19,7 +19,7 @@ from cammotion.views.animation.charts import (
     LEFT_PX,
     WIDEST_LABEL_PX,
     Chart,
-    Curve,
+    LabelledCurve,
     acceleration_lane,
     timing_lanes,
 )
@@ -82,7 +82,7 @@ class Design:
         return "no collision" if self.rules else ""
 
     def describe(self) -> str:
-        """Say it in words."""
+        """Return the peaks, the verdict and every collision in words."""
         told = [self.peaks, self.verdict, *map(str, self.violations)]
         return "; ".join(filter(None, told))
 
@@ -97,7 +97,7 @@ class Design:
             movers = [name for name in pair if not self.diagram[name].is_indexing]
             for name in movers or pair:
                 found.setdefault(name, []).append((broken.start_deg, broken.end_deg))
-        return {name: arcs(pieces) for name, pieces in found.items()}
+        return {name: arcs(these) for name, these in found.items()}
 
 
 class Layout:
@@ -205,16 +205,16 @@ class Layout:
         cursor.insert(0, line)
         return svg.placed(LEFT_PX, 0, cursor)
 
-    def _movements(self, design: Design) -> list[Curve]:
+    def _movements(self, design: Design) -> list[LabelledCurve]:
         return [
-            Curve(number, motion.name, trace_position(motion))
+            LabelledCurve(number, motion.name, trace_position(motion))
             for number, motion in enumerate(design.diagram.motions)
         ]
 
-    def _accelerations(self, design: Design) -> list[Curve]:
+    def _accelerations(self, design: Design) -> list[LabelledCurve]:
         diagram, names = design.diagram, design.accelerated
         return [
-            Curve(
+            LabelledCurve(
                 diagram.names.index(name),
                 _peak_label(diagram.peak_acceleration(name), "" if len(names) == 1 else name),
                 trace_acceleration(diagram[name], diagram.rate_per_hour),

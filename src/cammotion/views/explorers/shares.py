@@ -111,11 +111,7 @@ def explore_shares(diagram: TimingDiagram) -> ShareExplorer:
     two moves get what is left. Raises InputError for another diagram.
 
     >>> import cammotion as cm
-    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-    >>> die = cm.motion(
-    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
-    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
-    >>> explorer = explore_shares(cm.TimingDiagram([mill, die], rate_per_hour=2000))
+    >>> explorer = explore_shares(cm.EXAMPLE.diagram)
     >>> explorer.mill_angle.value = 100
     >>> print(explorer.text.splitlines()[1])
     die: moves over 80 and 80 deg, a_max = 1.963 m/s²
