@@ -688,7 +688,7 @@ def test_rise_and_return_of_two_angles_keep_two() -> None:
     )
     rise, back = own.angles_deg
     assert back < rise
-    assert one.angles_deg == (pytest.approx(back), pytest.approx(back))
+    assert one.angles_deg == pytest.approx((back, back))
     assert own.angle_deg == back
     assert not cm.find_violations(own.diagram, rule)
     for wider in ((rise + 0.001, back), (rise, back + 0.001)):
