@@ -1,0 +1,147 @@
+"""Draw machines and check them until the time is up; print the seed of what is found.
+
+The machine of a seed and a number is always the same one, and so is what a check does with it:
+`--seed S --machine N --check NAME` runs one finding alone.
+"""
+
+import argparse
+import secrets
+import signal
+import time
+import traceback
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import count
+from types import FrameType
+
+from fresh import check_laws, check_limits, check_machines
+from fresh.drawing import Machine, draw
+
+Check = Callable[[Machine], None]
+
+CHECKS: Mapping[str, Check] = {
+    "positions": check_machines.positions,
+    "ranges": check_machines.ranges,
+    "peaks": check_machines.peaks,
+    "violations": check_machines.violations,
+    "widenings": check_machines.widenings,
+    "widest": check_machines.widest,
+    "tables": check_machines.tables,
+    "values": check_laws.values,
+    "factors": check_laws.factors,
+    "inverses": check_laws.inverses,
+    "heights": check_laws.heights,
+    "least": check_limits.least,
+}
+PROCESSES = 2
+SECONDS = 1800.0  # half an hour, if nothing else is said
+LONGEST = 120  # seconds for one check
+SECONDS_BETWEEN_LINES = 10
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a check has found."""
+
+    machine: str  # the code, since what it builds does not go from process to process
+    again: str
+    trace: str
+
+    def __str__(self) -> str:
+        """Say how to run it again, and with what machine."""
+        return f"FOUND: {self.again}\n{self.machine}\n{self.trace}"
+
+
+def examine(seed: str, number: int, names: tuple[str, ...]) -> list[Finding]:
+    """Check one machine; return what is found."""
+    machine = draw(seed, number)
+    found = []
+    for name in names:
+        try:
+            with _limited(LONGEST):
+                CHECKS[name](machine)
+        except (Exception, _TooLong):
+            again = f"--seed {seed} --machine {number} --check {name}"
+            found.append(Finding(machine.code, again, traceback.format_exc()))
+    return found
+
+
+def run(
+    seed: str, seconds: float, *, names: tuple[str, ...] = (), processes: int = PROCESSES
+) -> int:
+    """Check machine after machine for so long; return 1 if anything is found.
+
+    With `processes` 0 it all runs in this one.
+    """
+    started, machines, findings = time.monotonic(), 0, 0
+    shown = started
+    print(f"seed {seed}, {seconds:g} s", flush=True)
+    for found in _in_turn(seed, started + seconds, names or tuple(CHECKS), processes):
+        machines, findings = machines + 1, findings + len(found)
+        for finding in found:
+            print(f"\n{finding}", flush=True)
+        now = time.monotonic()
+        if now - shown > SECONDS_BETWEEN_LINES:
+            shown = now
+            print(f"{machines} machines, {findings} findings, {now - started:.0f} s", flush=True)
+    print(f"{machines} machines, {findings} findings")
+    return 1 if findings else 0
+
+
+def _in_turn(
+    seed: str, end: float, names: tuple[str, ...], processes: int
+) -> Iterator[list[Finding]]:
+    """Yield what is found in each machine, as they are done, until the time is up."""
+    numbers = count()
+    if not processes:
+        while time.monotonic() < end:
+            yield examine(seed, next(numbers), names)
+        return
+    with ProcessPoolExecutor(processes) as pool:
+        running: set[Future[list[Finding]]] = set()
+        while time.monotonic() < end or running:
+            while time.monotonic() < end and len(running) < processes:
+                running.add(pool.submit(examine, seed, next(numbers), names))
+            done, running = wait(running, return_when=FIRST_COMPLETED)
+            yield from (future.result() for future in done)
+
+
+class _TooLong(BaseException):
+    """A check has taken too long."""
+
+
+@contextmanager
+def _limited(seconds: int) -> Iterator[None]:
+    """End what takes too long, where the system can."""
+
+    def stop(_signal: int, _frame: FrameType | None) -> None:
+        raise _TooLong(f"not done after {seconds} s")
+
+    if not hasattr(signal, "SIGALRM"):
+        yield
+        return
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(seconds)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def main(arguments: list[str]) -> int:
+    """Read the command line and run."""
+    parser = argparse.ArgumentParser(description="Check machines that are drawn anew.")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="how long (half an hour)")
+    parser.add_argument("--seed", default="", help="any word, such as a commit; a new one if none")
+    parser.add_argument("--machine", type=int, help="only the machine of this number")
+    parser.add_argument("--check", action="append", choices=[*CHECKS], help="only this check")
+    options = parser.parse_args(arguments)
+    seed, names = options.seed or secrets.token_hex(4), tuple(options.check or CHECKS)
+    if options.machine is None:
+        return run(seed, options.seconds, names=names)
+    found = examine(seed, options.machine, names)
+    print(*map(str, found), f"{len(found)} findings", sep="\n")
+    return 1 if found else 0
