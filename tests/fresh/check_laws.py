@@ -58,13 +58,13 @@ def inverses(machine: Machine) -> None:
         heights = np.append(machine.rng.uniform(0, 1, 20), [0, 1e-9, 1 - 1e-9, 1])
         places = law.inverse(heights)
         _same(s(places), heights, 1e-9, f"{law}: back and forth")
-        for height, place in zip(heights, places, strict=True):
-            low, high = 0.0, 1.0
-            for _ in range(60):
-                middle = (low + high) / 2
-                low, high = (middle, high) if s(np.array(middle)) < height else (low, middle)
-            off = abs(s(np.array(high)) - s(np.array(place)))
-            assert place <= high + 1e-7 or off < 1e-12, f"{law}: {height} is reached before {place}"
+        low, high = np.zeros(len(heights)), np.ones(len(heights))
+        for _ in range(60):
+            middle = (low + high) / 2
+            is_below = s(middle) < heights
+            low, high = np.where(is_below, middle, low), np.where(is_below, high, middle)
+        too_late = (places > high + 1e-7) & (np.abs(s(high) - s(places)) > 1e-12)
+        assert not np.any(too_late), f"{law}: {heights[too_late]} is reached before"
 
 
 def heights(machine: Machine) -> None:

@@ -59,7 +59,7 @@ def _check(machine: Machine, motion: Motion, rules: list[cm.ClearanceRule]) -> N
         angles = np.linspace(start, end, 41)
         off = reached.curve(0, angles) - own.curve(0, angles)
         if own.pitch_mm:  # it may be counted from another stop
-            off -= own.pitch_mm * np.round(off[0] / own.pitch_mm)
+            off -= own.pitch_mm * np.round(off / own.pitch_mm)
         assert np.abs(off).max() <= NEAR_MM, f"{name} does not stand from {start} to {end} deg"
     if not motion.is_indexing:
         bound = _own_bound(motion, rules, tracks_of(diagram), still) * deg_per_s**2 / 1000

@@ -143,5 +143,5 @@ def main(arguments: list[str]) -> int:
     if options.machine is None:
         return run(seed, options.seconds, names=names)
     found = examine(seed, options.machine, names)
-    print(*map(str, found), f"{len(found)} findings", sep="\n")
+    print(*map(str, found), f"1 machine, {len(found)} findings", sep="\n")
     return 1 if found else 0

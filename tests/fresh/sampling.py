@@ -6,7 +6,7 @@ solvers, arcs and curves.
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -19,18 +19,19 @@ from cammotion import ClearanceRule, Motion, MotionLaw, TimingDiagram, x
 
 Array: TypeAlias = NDArray[np.float64]
 
-COARSE, PER_PIECE, ZOOMS = 1500, 150, 4
+COARSE, PER_PIECE = 1500, 150  # samples of the turn, and of each piece
+PEAKS, ZOOMS = 8, 4  # so many of the largest are refined, so often
 
 
-@cache
+@lru_cache(300)
 def function_of(law: MotionLaw, order: int) -> Callable[[Any], Array]:
     """Return S, V, A or J of a law, compiled from its expression alone."""
     expression = sympy.diff(law.s, x, order)
     compiled = sympy.lambdify(x, expression, "numpy")
-    return lambda places: np.asarray(compiled(places) + np.zeros(np.shape(places)))
+    return lambda places: np.asarray(compiled(places) + np.zeros(np.shape(places)), np.float64)
 
 
-@cache
+@lru_cache(300)
 def joints_of(law: MotionLaw) -> tuple[float, ...]:
     """Return the places at which a law goes from one expression to the next."""
     bounds = {float(n) for p in law.s.atoms(sympy.Piecewise) for n in p.atoms(sympy.Number)}
@@ -53,7 +54,8 @@ class Piece:
             return np.full(np.shape(angles), 0.0 if order else self.from_mm)
         width = self.to_deg - self.from_deg
         places = np.clip((angles - self.from_deg) / width, 0, 1)
-        values = (self.to_mm - self.from_mm) * function_of(self.law, order)(places) / width**order
+        change = (self.to_mm - self.from_mm) / width**order
+        values = change * function_of(self.law, order)(places)
         return np.asarray(values if order else self.from_mm + values)
 
     @property
@@ -96,7 +98,7 @@ class Track:
         """Angles that show all of it: some over the turn, more in each piece."""
         fine = [np.linspace(p.from_deg, p.to_deg, PER_PIECE) for p in self.pieces]
         joints = [angle for piece in self.pieces for angle in piece.joints_deg]
-        return np.mod(np.concatenate([*fine, joints]), 360)
+        return np.asarray(np.mod(np.concatenate([*fine, joints]), 360))
 
     def peak(self, order: int, deg_per_s: float) -> float:
         """Return the largest derivative in m and s; infinite where the one before it jumps."""
@@ -171,23 +173,39 @@ def grid_of(rule: ClearanceRule, tracks: Tracks, coarse: int = COARSE) -> Array:
     return np.unique(np.concatenate([np.arange(coarse) * 360 / coarse, *own]))
 
 
-def worst(rule: ClearanceRule, tracks: Tracks, coarse: int = COARSE) -> tuple[float, float]:
-    """Return the largest margin over the turn and its angle, refined where it is largest."""
+def worst(
+    rule: ClearanceRule, tracks: Tracks, *, coarse: int = COARSE, enough: float = np.inf
+) -> tuple[float, float]:
+    """Return the largest margin over the turn and its angle, refined where it is largest.
+
+    A margin of `enough` is as good as any larger one: then it is not refined.
+    """
     grid = grid_of(rule, tracks, coarse)
     values = margin(rule, tracks, grid)
+    most, angle = float(values.max()), float(grid[np.argmax(values)])
+    if most >= enough:
+        return most, angle
     gaps = np.diff(grid, append=grid[0] + 360)
-    peaks = (values >= np.roll(values, 1)) & (values >= np.roll(values, -1))
-    found = (float(values.max()), float(grid[np.argmax(values)]))
-    for place in np.flatnonzero(peaks)[np.argsort(-values[peaks])][:8]:
-        center, reach = grid[place], max(gaps[place], gaps[place - 1])
-        for _ in range(ZOOMS):
-            near = center + reach * np.linspace(-1, 1, 41)
-            here = margin(rule, tracks, near)
-            center, reach = near[np.argmax(here)], reach / 15
-            found = max(found, (float(here.max()), float(center)))
-    return found
+    reaches = np.maximum(gaps, np.roll(gaps, 1))
+    peaks = np.flatnonzero((values >= np.roll(values, 1)) & (values >= np.roll(values, -1)))
+    peaks = peaks[np.argsort(-values[peaks])][:PEAKS]
+    centers, reach = grid[peaks], reaches[peaks]
+    for _ in range(ZOOMS):
+        near = centers[:, None] + reach[:, None] * np.linspace(-1, 1, 41)
+        here = margin(rule, tracks, near)
+        centers = near[np.arange(len(peaks)), np.argmax(here, axis=1)]
+        reach = reach / 15
+        if here.max() > most:
+            most, angle = float(here.max()), float(near.flat[np.argmax(here)])
+    return most, angle
 
 
-def worst_of(rules: Iterable[ClearanceRule], tracks: Tracks, coarse: int = COARSE) -> float:
-    """Return the largest margin of several rules: above 0 if one of them is broken."""
-    return max(worst(rule, tracks, coarse)[0] for rule in rules)
+def worst_of(
+    rules: Iterable[ClearanceRule], tracks: Tracks, *, coarse: int = COARSE, enough: float = np.inf
+) -> float:
+    """Return the largest margin of several rules, above 0 if one is broken; or one of `enough`."""
+    most = -np.inf
+    for rule in rules:
+        if most < enough:
+            most = max(most, worst(rule, tracks, coarse=coarse, enough=enough)[0])
+    return most
