@@ -7,14 +7,17 @@ The machine of a seed and a number is always the same one, and so is what a chec
 import argparse
 import secrets
 import signal
+import sys
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from itertools import count
+from multiprocessing import Process, Queue
+from queue import Empty
 from types import FrameType
+from typing import Any
 
 from fresh import check_laws, check_limits, check_machines
 from fresh.drawing import Machine, draw
@@ -75,37 +78,70 @@ def run(
 
     With `processes` 0 it all runs in this one.
     """
-    started, machines, findings = time.monotonic(), 0, 0
+    started, machines, findings = time.time(), 0, 0
     shown = started
     print(f"seed {seed}, {seconds:g} s", flush=True)
-    for found in _in_turn(seed, started + seconds, names or tuple(CHECKS), processes):
-        machines, findings = machines + 1, findings + len(found)
-        for finding in found:
-            print(f"\n{finding}", flush=True)
-        now = time.monotonic()
-        if now - shown > SECONDS_BETWEEN_LINES:
-            shown = now
-            print(f"{machines} machines, {findings} findings, {now - started:.0f} s", flush=True)
-    print(f"{machines} machines, {findings} findings")
+    with suppress(KeyboardInterrupt):
+        for found in _in_turn(seed, started + seconds, names or tuple(CHECKS), processes):
+            machines, findings = machines + 1, findings + len(found)
+            for finding in found:
+                print(f"\n{finding}", flush=True)
+            now = time.time()
+            if now - shown > SECONDS_BETWEEN_LINES:
+                shown = now
+                print(f"{_tell(machines, findings)}, {now - started:.0f} s", flush=True)
+    print(_tell(machines, findings))
     return 1 if findings else 0
+
+
+def _tell(machines: int, findings: int) -> str:
+    return f"{machines} machine{'s' * (machines != 1)}, {findings} finding{'s' * (findings != 1)}"
 
 
 def _in_turn(
     seed: str, end: float, names: tuple[str, ...], processes: int
 ) -> Iterator[list[Finding]]:
     """Yield what is found in each machine, as they are done, until the time is up."""
-    numbers = count()
     if not processes:
-        while time.monotonic() < end:
-            yield examine(seed, next(numbers), names)
+        yield from _examined(seed, count(), end, names)
         return
-    with ProcessPoolExecutor(processes) as pool:
-        running: set[Future[list[Finding]]] = set()
-        while time.monotonic() < end or running:
-            while time.monotonic() < end and len(running) < processes:
-                running.add(pool.submit(examine, seed, next(numbers), names))
-            done, running = wait(running, return_when=FIRST_COMPLETED)
-            yield from (future.result() for future in done)
+    results: Queue[list[Finding] | None] = Queue()
+    workers = [
+        Process(target=_work, args=(results, seed, count(n, processes), end, names), daemon=True)
+        for n in range(processes)
+    ]
+    for worker in workers:
+        worker.start()
+    try:
+        while workers:
+            with suppress(Empty):
+                found = results.get(timeout=1)
+                if found is None:
+                    processes -= 1
+                else:
+                    yield found
+            if not processes:
+                return
+            if any(worker.exitcode for worker in workers):
+                raise RuntimeError("A process has died at its work.")
+    finally:
+        for worker in workers:
+            worker.terminate()
+
+
+def _work(results: "Queue[list[Finding] | None]", *given: Any) -> None:
+    """Put into a queue what is found, and None at the end; Ctrl-C is the other process's."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    for found in _examined(*given):
+        results.put(found)
+    results.put(None)
+
+
+def _examined(
+    seed: str, numbers: Iterator[int], end: float, names: tuple[str, ...]
+) -> Iterator[list[Finding]]:
+    while time.time() < end:
+        yield examine(seed, next(numbers), names)
 
 
 class _TooLong(BaseException):
@@ -139,9 +175,10 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--machine", type=int, help="only the machine of this number")
     parser.add_argument("--check", action="append", choices=[*CHECKS], help="only this check")
     options = parser.parse_args(arguments)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     seed, names = options.seed or secrets.token_hex(4), tuple(options.check or CHECKS)
     if options.machine is None:
         return run(seed, options.seconds, names=names)
     found = examine(seed, options.machine, names)
-    print(*map(str, found), f"1 machine, {len(found)} findings", sep="\n")
+    print(*found, _tell(1, len(found)), sep="\n")
     return 1 if found else 0
