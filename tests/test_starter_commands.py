@@ -85,7 +85,12 @@ def test_linters_run_before_all_tests(
 
 def test_fresh_runs_machines_and_nothing_else(monkeypatch: pytest.MonkeyPatch) -> None:
     ran: list[tuple[str, ...]] = []
-    monkeypatch.setattr(maintain, "run_python", lambda *words: ran.append(words) or 1)
+
+    def run_python(*words: str) -> int:
+        ran.append(words)
+        return 1
+
+    monkeypatch.setattr(maintain, "run_python", run_python)
     assert maintain.test(["--fresh", "--seconds", "120", "--seed", "7f3a"]) == 1
     assert ran == [(str(maintain.FRESH), "--seconds", "120", "--seed", "7f3a")]
     assert "--fresh" in commands.COMMANDS["test"][1]
