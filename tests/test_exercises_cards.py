@@ -13,7 +13,7 @@ from cammotion.teaching import session
 from cammotion.teaching.controls import ChoiceControl
 from cammotion.teaching.exercise import ChoiceExercise, Verdict
 from cammotion.teaching.lessons import EXERCISES
-from cammotion.teaching.messages import _COLOURS, Feedback, Line, Progress
+from cammotion.teaching.messages import _COLOURS, Feedback, Outcome, Progress
 from cammotion.teaching.session import Session
 from cammotion.teaching.store import GRADING, Store
 
@@ -88,7 +88,7 @@ def test_what_is_said_is_escaped() -> None:
     for said in (
         cm.check("01.4", hostile),
         Feedback("01.1", Verdict("wrong", hostile), note=hostile),
-        Progress((Line("01.1", "open"),), note=hostile),
+        Progress((Outcome("01.1", "open"),), note=hostile),
     ):
         html = said._repr_mimebundle_()["text/html"]
         assert "<script" not in html

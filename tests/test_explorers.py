@@ -212,7 +212,7 @@ def check_scca(scca: SccaExplorer) -> None:
 
 
 def joints(scca: SccaExplorer) -> Any:
-    b, c, _ = scca.curves.parts
+    b, c, _ = scca.parts
     first = np.array([0, b / 2, (b + c) / 2, 0.5])
     return np.concatenate([first, 1 - first])[:, np.newaxis]
 
@@ -284,7 +284,7 @@ def test_the_other_part_gives_way_and_the_figure_is_drawn_once(
     scca: SccaExplorer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     drawn: list[Any] = []
-    monkeypatch.setattr(scca.live, "refresh", lambda: drawn.append(scca.curves.parts))
+    monkeypatch.setattr(scca.live, "refresh", lambda: drawn.append(scca.parts))
     scca.c.value = 0.8  # b was 0.5
     assert drawn == [pytest.approx((0.2, 0.8, 0))]
     assert [scca.b.value, scca.b.slider.value] == pytest.approx([0.2, 0.2])

@@ -6,10 +6,11 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from matplotlib.colors import to_hex
 from matplotlib.container import BarContainer
 
 import cammotion as cm
-from cammotion.views.plots import CURVES
+from cammotion.views.plots import COLOURS, CURVES
 
 mpl.use("agg")
 
@@ -71,6 +72,11 @@ def test_plots_draw_into_the_axes_they_are_given() -> None:
     assert cm.plot_peaks(MOVES, ax=axes[1]) is axes[1]
     assert cm.plot_inverse_square(MOVES, ax=axes[2]) is axes[2]
     assert len(plt.get_fignums()) == 1
+
+
+def test_the_colours_are_made_for_the_colour_blind() -> None:
+    palette = {to_hex(known) for known in mpl.color_sequences["okabe_ito"]}
+    assert {drawn.lower() for drawn in COLOURS} <= palette
 
 
 def test_an_unknown_keyword_is_an_error() -> None:

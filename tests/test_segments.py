@@ -10,6 +10,7 @@ from machines import CURVES, DIPPING, MONOTONE, TURNING
 
 import cammotion as cm
 from cammotion import MotionLaw, Segment
+from cammotion.machine.kinematics import over_time
 from cammotion.machine.segments import Part
 
 RISE = Segment(from_deg=150, to_deg=205, from_mm=10, to_mm=60, law="cycloidal")
@@ -42,7 +43,7 @@ def test_a_rise_and_a_return_follow_the_cycloid() -> None:
         angles = segment.from_deg + 55 * part
         assert segment.position_mm(angles) == pytest.approx(segment.from_mm + sign * 50 * s)
         for order, factor in enumerate((v, a, j), 1):
-            found = segment.derivative(order, angles, 2000)
+            found = over_time(order, segment.curve.derived(order)(angles), 1.8)
             assert found == pytest.approx(sign * 0.050 / tm**order * factor, abs=1e-9)
 
 
@@ -77,7 +78,7 @@ def test_a_dwell_stands_still() -> None:
     angles = np.array([205.0, 250.0, 305.0])
     assert REST.position_mm(angles).tolist() == [60, 60, 60]
     for order in (1, 2, 3):
-        assert REST.derivative(order, angles, 2000).tolist() == [0, 0, 0]
+        assert REST.curve.derived(order)(angles).tolist() == [0, 0, 0]
 
 
 @pytest.mark.parametrize("law", [*MONOTONE, *TURNING], ids=str)
@@ -91,28 +92,29 @@ def test_where_it_is_above_or_below_a_limit(law: MotionLaw, ends_mm: tuple[float
     for share in (-0.2, -0.004, 0, 0.26, 0.5, 0.98, 1, 1.02, 1.4):
         limit = low + share * stroke
         for parts, is_there in (
-            (segment.where_above(limit), positions > limit),
-            (segment.where_below(limit), positions < limit),
+            (segment.curve.where(limit, 1), positions > limit),
+            (segment.curve.where(limit, -1), positions < limit),
         ):
             inside = [(low < angles) & (angles < high) for low, high in [*parts, (0, 0)]]
             assert np.count_nonzero(np.any(inside, 0) != is_there) <= 2
 
 
 def test_a_dwell_at_the_limit_is_neither_above_nor_below() -> None:
-    assert REST.where_above(60) == REST.where_below(60) == []
-    assert REST.where_above(59.999) == REST.where_below(60.001) == [(205, 305)]
-    assert REST.where_above(60.001) == REST.where_below(59.999) == []
+    where = REST.curve.where
+    assert where(60, 1) == where(60, -1) == []
+    assert where(59.999, 1) == where(60.001, -1) == [(205, 305)]
+    assert where(60.001, 1) == where(59.999, -1) == []
 
 
 def test_it_turns_where_its_law_does() -> None:
     down = Segment(from_deg=0, to_deg=150, from_mm=50, to_mm=0, law=DIPPING)
-    assert down.turning_degs == [0, 40, 150]
-    assert RISE.turning_degs == [150, 205]
-    assert REST.turning_degs == [205, 305]
+    assert [low for low, *_ in down.curve.branches] == [0, pytest.approx(40)]
+    assert [low for low, *_ in RISE.curve.branches] == [150]
+    assert REST.curve.ends == (60, 60)
 
 
 def test_parts_are_said_in_words() -> None:
-    assert cm.rise(50, over_deg=55) == Part(55, 50, "cycloidal")
+    assert cm.rise(50, over_deg=55) == Part(55, 50, cm.LAWS["cycloidal"])
     assert cm.return_(50, over_deg=55, law=DIPPING) == Part(55, -50, DIPPING)
     assert cm.dwell(100) == Part(100, 0, None)
 

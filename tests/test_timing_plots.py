@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 import cammotion as cm
-from cammotion.views.timing_plots import movement
+from cammotion.views.movement import movement
 
 mpl.use("agg")
 
@@ -155,6 +155,8 @@ def test_the_movement_of_an_indexing_motion_counts_from_the_nearest_stop() -> No
     assert movement(nearly, np.array([0.0, 15, 200]))[1:] == pytest.approx([0, 0], abs=1e-9)
     back = cm.indexing_motion("back", cm.return_(60, over_deg=90), cm.dwell(270), stops=6)
     assert movement(back, np.array([0, 45, 90, 200])) == pytest.approx([0, -30, -60, -60])
+    last = cm.indexing_motion("last", *whole, stops=1, start_deg=225)  # its stops close in the turn
+    assert movement(last, np.array([0, 15, 360])) == pytest.approx([-0.6451, 0, 99.3549], abs=1e-4)
 
 
 def test_the_clearance_map_draws_each_path_and_the_forbidden_region() -> None:

@@ -3,7 +3,7 @@ from .laws.catalogue import LAWS, as_law, fifth_degree_linear, polynomial
 from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
-from .laws.zones import x
+from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
 from .machine.clearance import (
     ClearanceRule,

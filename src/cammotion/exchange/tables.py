@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from cammotion.files import write_new
-from cammotion.laws.catalogue import MotionLaw, as_law
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
@@ -49,6 +50,13 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
 
     The heading names the units; `read_segments` reads the file back to the same diagram. A file
     that is there already is left as it is, with an InputError, unless `overwrite` is True.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> import cammotion as cm
+    >>> with TemporaryDirectory() as folder:
+    ...     path = write_segments(cm.EXAMPLE.diagram, f"{folder}/machine.csv")
+    ...     print(path.name, read_segments(path) == cm.EXAMPLE.diagram)
+    machine.csv True
     """
     rate = as_diagram(diagram).rate_per_hour
     lines = (
@@ -65,7 +73,15 @@ def write_curves(
     """Write the curves of every motion over the turn, a line each `step_deg`; return the path.
 
     Columns are the cam angle in deg, the time in s, and for each motion position in mm, velocity
-    in m/s, acceleration in m/s2 and jerk in m/s3. Files are protected as in `write_segments`.
+    in m/s, acceleration in m/s2 and jerk in m/s3. A file that is there already is left as it is,
+    with an InputError, unless `overwrite` is True; so is one for a step out of range.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> import cammotion as cm
+    >>> with TemporaryDirectory() as folder:
+    ...     path = write_curves(cm.EXAMPLE.diagram, f"{folder}/curves.csv", step_deg=5)
+    ...     print(path.read_text("utf-8").splitlines()[0][:36], len(path.read_text().splitlines()))
+    cam angle in deg,time in s,mill posi 74
     """
     as_diagram(diagram)
     step = STEP.number(step_deg)

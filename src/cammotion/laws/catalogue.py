@@ -11,11 +11,10 @@ from typing import Any
 import sympy
 
 from cammotion.laws.motion_law import MotionLaw, mirrored
+from cammotion.laws.reader import read_pieces
 from cammotion.laws.scca_family import NAMED_PARTS, scca
-from cammotion.laws.zones import Zone, exact, x
+from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Quantity, one_of, shorten
-
-__all__ = ["LAWS", "MotionLaw", "as_law", "fifth_degree_linear", "polynomial", "scca", "x"]
 
 _half, _pi = sympy.Rational(1, 2), sympy.pi
 _ROUNDING = 1e-9
@@ -49,8 +48,7 @@ def polynomial(
     curve = _through(values[0], values[1], sympy.Integer(0), sympy.Integer(1))
     degree = len(values[0]) + len(values[1]) - 1
     law = MotionLaw(name or f"polynomial of degree {degree}", curve, also_called)
-    heights = [s for branch in law.branches for s in (branch.s_low, branch.s_high)]
-    worst = max(heights, key=lambda s: max(-s, s - 1))
+    worst = max(law.curve.extremes, key=lambda s: max(-s, s - 1))
     if max(-worst, worst - 1) > _ROUNDING:
         side = "dips below 0" if worst < 0 else "rises above 1"
         raise InputError(
@@ -75,11 +73,11 @@ def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
     velocity, joint = 2 / (1 + part), (1 - part) / 2
     height = _half - velocity * part / 2
     rest, moving = (sympy.Integer(0),) * 3, (height, velocity, sympy.Integer(0))
-    zones = [Zone(_through(rest, moving, sympy.Integer(0), joint), 0.0, float(joint))]
+    zones = [(_through(rest, moving, sympy.Integer(0), joint), 0.0, float(joint))]
     if part:
-        zones.append(Zone(_half + velocity * (x - _half), float(joint), 0.5))
+        zones.append((_half + velocity * (x - _half), float(joint), 0.5))
     title = name or f"fifth degree + linear, {float(part):.4g} constant velocity"
-    return MotionLaw(title, mirrored(zones))
+    return MotionLaw.of_curve(title, mirrored(read_pieces(zones)))
 
 
 class Catalogue(Mapping[str, MotionLaw]):
@@ -155,8 +153,8 @@ LAWS: Mapping[str, MotionLaw] = Catalogue(
 """The catalogue: every known law under its name."""
 
 
-def as_law(law: str | MotionLaw) -> MotionLaw:
-    """Return the law of that name, or the law itself; an unknown name raises InputError.
+def as_law(law: Any) -> MotionLaw:
+    """Return the law of that name, or the law itself; raise InputError for anything else.
 
     >>> as_law("cycloidal")
     MotionLaw('cycloidal')

@@ -1,11 +1,11 @@
 """A motion law from a table of points, as a cam is measured or an old drawing lists it."""
 
 import numpy as np
-import sympy
 from numpy.typing import ArrayLike
 
+from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.laws.zones import Zone, join, x
+from cammotion.laws.spline import Spline
 from cammotion.quantities import Floats, InputError, Quantity
 
 _PLACE = Quantity("x of the points", "", example=0.5, high=1.0, low_included=True)
@@ -46,22 +46,11 @@ def law_from_points(
     slopes = _SLOPE.array(end_slopes)
     if slopes.shape != (2,):
         raise InputError("The end_slopes have to be two numbers: give for example (0, 0).")
-    return MotionLaw(name, join(_spline(places, ways, slopes)), sampled_at=tuple(places.tolist()))
-
-
-def _spline(places: Floats, ways: Floats, slopes: Floats) -> list[Zone]:
     from scipy.interpolate import CubicSpline  # it takes a second to load
 
     spline = CubicSpline(places, ways, bc_type=[(1, slope) for slope in slopes])
-    rows = zip(places[:-1].tolist(), places[1:].tolist(), spline.c.T.tolist(), strict=True)
-    return [Zone(_cubic(low, factors), low, high) for low, high, factors in rows]
-
-
-def _cubic(low: float, factors: list[float]) -> sympy.Expr:
-    """Return the polynomial in x - low whose coefficients are these, the highest power first."""
-    u = x - sympy.Float(low) if low else x
-    terms = (sympy.Float(factor) * u**n for n, factor in enumerate(reversed(factors)) if factor)
-    return sympy.Add(*terms)
+    curve = Curve([Spline(places, spline.c)])
+    return MotionLaw.of_curve(name, curve, sampled_at=tuple(places.tolist()))
 
 
 def _checked(x: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:

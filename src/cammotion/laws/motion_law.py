@@ -10,45 +10,38 @@ Cv, Ca and Cj.
 """
 
 import math
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from cammotion.laws.branches import Branch, cut_at_turns, turns_of, where
-from cammotion.laws.zones import (
-    Zone,
-    as_series,
-    compile_zones,
-    cut,
-    derive,
-    exact,
-    join,
-    multiply,
-    x,
-)
-from cammotion.quantities import Floats, InputError, Numbers, Quantity
+from cammotion.laws.curve import Branch, Curve
+from cammotion.laws.piece import Piece, Placed
+from cammotion.laws.reader import Zone, as_expression, cut, read_pieces, write
+from cammotion.laws.series import Series
+from cammotion.laws.symbols import exact, x
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, WrongAnswerError, plain
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
-
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
 
 _ROUNDING = 1e-12  # by so much the ends of a law may miss 0 and 1
 _JUMP = 1e-9  # what is smaller at a joint is rounding
-
+_SOLVED = 1e-9  # by so much S may miss what was solved for
 _JERK = 3  # the highest derivative a law is asked for
+_HALF = sympy.Rational(1, 2)
 
 
-@dataclass(frozen=True, eq=False)
 class MotionLaw:
-    """A motion law: its name and its one expression `s` in the symbol `x`, 0 <= x <= 1.
+    """A motion law: its `name` and its one expression `s` in `cammotion.x`, 0 <= x <= 1.
 
     `also_called` lists the other names under which the field knows the same law; `sampled_at` the
-    places of the points through which a law of `law_from_points` goes.
+    places of the points through which a law of `law_from_points` goes. A law cannot be changed.
+    Raises InputError for what is no expression in x alone, and for one that is not real and finite
+    from 0 to 1, with its velocity, acceleration and jerk.
 
     >>> parabola_up = MotionLaw("square", x**2)
     >>> parabola_up.v
@@ -57,20 +50,55 @@ class MotionLaw:
     0.25
     """
 
-    name: str
-    s: sympy.Expr
-    also_called: tuple[str, ...] = ()
-    sampled_at: tuple[float, ...] = ()
+    def __init__(
+        self,
+        name: str,
+        s: sympy.Expr,
+        also_called: tuple[str, ...] = (),
+        sampled_at: tuple[float, ...] = (),
+    ) -> None:
+        zones = cut(as_expression(name, s))
+        self._keep(name, Curve(_whole(name, read_pieces(zones))), also_called, sampled_at)
+        self._s, self._zones = s, zones
 
-    def __post_init__(self) -> None:
-        expression = isinstance(self.s, sympy.Expr)
-        others = sorted(map(str, self.s.free_symbols - {x})) if expression else []
-        if not expression or others:
-            said = f"has the symbol {', '.join(others)}" if others else f"is {self.s!r}"
-            raise InputError(
-                f"The expression of the law {self.name!r} {said}; it has to be a SymPy expression "
-                "in cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
-            )
+    @classmethod
+    def of_curve(
+        cls,
+        name: str,
+        curve: Curve,
+        *,
+        also_called: tuple[str, ...] = (),
+        sampled_at: tuple[float, ...] = (),
+    ) -> "MotionLaw":
+        """Return the law that a curve from x = 0 to 1 is; its expression is made when asked for."""
+        law = cls.__new__(cls)
+        law._keep(name, curve, also_called, sampled_at)
+        return law
+
+    def _keep(
+        self,
+        name: str,
+        curve: Curve,
+        also_called: tuple[str, ...],
+        sampled_at: tuple[float, ...],
+    ) -> None:
+        self._name, self._also_called, self._sampled_at = name, also_called, sampled_at
+        self._curve = curve
+
+    @property
+    def name(self) -> str:
+        """The name."""
+        return self._name
+
+    @property
+    def also_called(self) -> tuple[str, ...]:
+        """The other names under which the field knows the law."""
+        return self._also_called
+
+    @property
+    def sampled_at(self) -> tuple[float, ...]:
+        """The places x of the points through which a law from points goes; () for another."""
+        return self._sampled_at
 
     @property
     def is_sampled(self) -> bool:
@@ -78,19 +106,29 @@ class MotionLaw:
         return bool(self.sampled_at)
 
     @property
+    def curve(self) -> Curve:
+        """S as a curve over x from 0 to 1, to reckon with."""
+        return self._curve
+
+    @property
+    def s(self) -> sympy.Expr:
+        """The dimensionless displacement S, an expression in x."""
+        return self._s
+
+    @property
     def v(self) -> sympy.Expr:
-        """The dimensionless velocity V = dS/dx."""
-        return join(self._zones(1))
+        """The dimensionless velocity V = dS/dx, an expression in x."""
+        return self._derived(1)
 
     @property
     def a(self) -> sympy.Expr:
-        """The dimensionless acceleration A = dV/dx."""
-        return join(self._zones(2))
+        """The dimensionless acceleration A = dV/dx, an expression in x."""
+        return self._derived(2)
 
     @property
     def j(self) -> sympy.Expr:
         """The dimensionless jerk J = dA/dx; the impulses of `jerk_impulses` are not in it."""
-        return join(self._zones(3))
+        return self._derived(3)
 
     def __call__(self, x: ArrayLike, derivative: int = 0) -> Numbers:
         """Return S (or V, A, J for derivative 1, 2, 3) at `x`.
@@ -106,10 +144,7 @@ class MotionLaw:
                 f"The derivative is {derivative!r}; it has to be 0 for S, 1 for V, 2 for A "
                 "or 3 for J."
             )
-        if derivative not in self._functions:
-            self._functions[derivative] = compile_zones(self._pieces(derivative))
-        values = self._functions[derivative](_checked(x))
-        return values if np.ndim(values) else float(values)
+        return plain(self._curve.derived(derivative)(_checked(x)))
 
     @property
     def Cv(self) -> float:  # noqa: N802 (the field's symbol)
@@ -133,16 +168,12 @@ class MotionLaw:
     @cached_property
     def Cq(self) -> float:  # noqa: N802
         """The torque factor of the inertia: the largest abs(V A)."""
-        pairs = enumerate(zip(self._pieces(1), self._pieces(2), strict=True))
-        return _largest(
-            v._replace(curve=multiply(v.curve, a.curve) or self._power(number))
-            for number, (v, a) in pairs
-        )
+        return Curve(piece.torque() for piece in self._curve.pieces).largest
 
-    @cached_property
+    @property
     def Cj_inside(self) -> float:  # noqa: N802
         """The largest abs(J) away from the jumps of A."""
-        return _largest(self._pieces(3))
+        return self._curve.derived(_JERK).largest
 
     @cached_property
     def jerk_impulses(self) -> tuple[tuple[float, float], ...]:
@@ -159,11 +190,49 @@ class MotionLaw:
         places = np.mod(np.arange(1, 40) * np.sqrt(2), 1)
         return bool(np.allclose(self(places), 1 - self(1 - places), rtol=0, atol=_ROUNDING))
 
+    def reversed(self) -> "MotionLaw":
+        """Return the law run backwards, 1 - S(1 - x): the return that mirrors a rise in time.
+
+        >>> late = MotionLaw("square", x**2).reversed()
+        >>> late.s, late(0.5)
+        (1 - (1 - x)**2, 0.75)
+        """
+        sampled = tuple(1 - place for place in reversed(self.sampled_at))
+        curve = self._curve.placed(sympy.Integer(1), -1, sympy.Integer(1), -1)
+        return MotionLaw.of_curve(f"{self.name}, reversed", curve, sampled_at=sampled)
+
+    def part(self, start: float, end: float) -> "MotionLaw":
+        """Return the part of the law between two x, stretched to go from 0 to 1 in both.
+
+        `start` and `end` are dimensionless, 0 <= start < end <= 1. Of a rise-return law, the part
+        up to the top is a rise, that from the top on a return. Raises InputError for other places,
+        and for two at which S is the same.
+
+        >>> MotionLaw("square", x**2).part(0.5, 1)(0.5)
+        0.4166666666666667
+        """
+        low, high = _TIME.number(start), _TIME.number(end)
+        if not low < high:
+            raise InputError(
+                f"The part of the law goes from x = {low:g} to {high:g}; it has to end after it "
+                "begins: give, for example, 0 and 0.5."
+            )
+        s_low, s_high = self(low), self(high)
+        if abs(s_high - s_low) <= _SOLVED:
+            raise InputError(
+                f"The law {self.name!r} is at S = {s_low:g} both at x = {low:g} and at {high:g}: "
+                "give two places between which it moves."
+            )
+        way = s_high - s_low
+        pieces = Curve(self._curve.between(low, high))
+        curve = pieces.placed(-low / (high - low), 1 / (high - low), -s_low / way, 1 / way)
+        return MotionLaw.of_curve(f"{self.name}, {low:g} to {high:g}", curve)
+
     def with_constant_velocity(self, share: float) -> "MotionLaw":
         """Return the law with a share of constant velocity put into the middle of it.
 
         `share` is the part of the time, from 0 on and below 1. Raises InputError for another one,
-        and for a law that is not symmetric.
+        for a law that is not symmetric, and for one that stands in its middle.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).with_constant_velocity(0.5).Cv:.3f}")
         1.200
@@ -176,24 +245,21 @@ class MotionLaw:
             )
         if not part:
             return self
-        half = sympy.Rational(1, 2)
-        middle = next(zone for zone in self._zones(0) if zone.high >= half)
-        steepest = sympy.diff(middle.curve, x).xreplace({x: half})
-        velocity = 1 / (part + (1 - part) / steepest)
-        ends = (1 - part) / 2
-        scale = velocity * (1 - part) / steepest
-        zones = [
-            Zone(
-                scale * zone.curve.xreplace({x: x / (1 - part)}),
-                zone.low * float(1 - part),
-                min(zone.high, 0.5) * float(1 - part),
+        steepest = self._middle_velocity
+        if abs(float(steepest)) < _JUMP:
+            raise InputError(
+                f"The law {self.name!r} stands in its middle, so that no constant velocity can be "
+                "put in there: give a law that moves there."
             )
-            for zone in self._zones(0)
-            if zone.low < half
-        ]
-        zones.append(Zone(half + velocity * (x - half), float(ends), 0.5))
+        velocity = 1 / (part + (1 - part) / steepest)
+        first = Curve(self._curve.between(0.0, 0.5)).placed(
+            0, 1 - part, 0, velocity * (1 - part) / steepest
+        )
+        start = float(_HALF - velocity * part / 2), float(velocity)
+        line = Series(start, (), first.high, 0.5, write=lambda: _HALF + velocity * (x - _HALF))
         title = f"{self.name}, {float(part):.4g} constant velocity"
-        return MotionLaw(title, mirrored(zones), (), self._sampled_with(float(1 - part)))
+        sampled = self._sampled_with(float(1 - part))
+        return MotionLaw.of_curve(title, mirrored([*first.pieces, line]), sampled_at=sampled)
 
     def _sampled_with(self, rest: float) -> tuple[float, ...]:
         """Return where the points come to lie when both halves take `rest` of their time."""
@@ -201,23 +267,23 @@ class MotionLaw:
         second = (1 - (1 - place) * rest for place in self.sampled_at if place >= 1 / 2)
         return (*first, *second)
 
-    @cached_property
+    @property
     def branches(self) -> tuple[Branch, ...]:
         """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
-        return cut_at_turns(self._pieces(0))
+        return self._curve.branches
 
     @property
     def is_monotone(self) -> bool:
         """Whether S rises from the start to the end and never falls."""
-        return all(branch.s_high >= branch.s_low for branch in self.branches)
+        return all(branch.at_high >= branch.at_low for branch in self.branches)
 
     def inverse(self, s: ArrayLike) -> Numbers:
         """Return the first x at which the law has come to S = s.
 
         `s` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape.
-        It is solved for until the last bit of x. Raises InputError for an `s` out of range, and
-        for a law that turns on its way and so passes some places more than once, and for one that
-        does not go from 0 to 1.
+        It is solved for until the last bit of x, and checked. Raises InputError for an `s` out of
+        range, and for a law that turns on its way and so passes some places more than once, and
+        for one that does not go from 0 to 1.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).inverse(0.104):.5f}")
         0.20000
@@ -229,8 +295,9 @@ class MotionLaw:
                 f"The law {self.name!r} turns back on its way, so that it passes some places more "
                 "than once: use where_above, which returns every interval."
             )
-        roots = [self._first(place) for place in places.flat]
-        return np.reshape(roots, places.shape) if places.ndim else roots[0]
+        roots = np.reshape([self._first(place) for place in places.flat], places.shape)
+        self._check_inverse(roots, places)
+        return plain(roots)
 
     def where_above(self, s: float) -> list[tuple[float, float]]:
         """Return the intervals of x in which S > s, in order; solved for, not sampled.
@@ -238,15 +305,15 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).where_above(0.5)
         [(0.5, 1.0)]
         """
-        return where(self.branches, s, 1)
+        return self._curve.where(s, 1, _ROUNDING)
 
     def where_below(self, s: float) -> list[tuple[float, float]]:
-        """Return the intervals of x in which S < s; else like `where_above`."""
-        return where(self.branches, s, -1)
+        """Return the intervals of x in which S < s, in order; solved for, not sampled."""
+        return self._curve.where(s, -1, _ROUNDING)
 
     def check_way(self) -> None:
         """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
-        start, end = self.branches[0].s_low, self.branches[-1].s_high
+        start, end = self._curve.ends
         if max(abs(start), abs(end - 1)) > _ROUNDING:
             raise InputError(
                 f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
@@ -258,65 +325,58 @@ class MotionLaw:
         return f"MotionLaw({self.name!r}{sampled})"
 
     @cached_property
-    def _functions(self) -> dict[int, Callable[[Floats], Floats]]:
-        """S, V, A and J compiled for arrays, each when it is first asked for."""
-        return {}
+    def _s(self) -> sympy.Expr:
+        return write(self._zones)
 
     @cached_property
-    def _derived(self) -> list[tuple[Zone, ...]]:
-        """The zones of S, V, ..., as far as they have been asked for."""
-        return [cut(self.s)]
+    def _zones(self) -> tuple[Zone, ...]:
+        return tuple(Zone(piece.expression, piece.low, piece.high) for piece in self._curve.pieces)
 
-    def _zones(self, derivative: int) -> tuple[Zone, ...]:
-        """Return the zones of a curve as expressions."""
-        while len(self._derived) <= derivative:
-            self._derived.append(derive(self._derived[-1]))
-        return self._derived[derivative]
+    def _derived(self, order: int) -> sympy.Expr:
+        return write((sympy.diff(s, x, order), low, high) for s, low, high in self._zones)
 
-    @cached_property
-    def _reckoned(self) -> list[tuple[Zone, ...]]:
-        return [as_series(self._zones(0))]
-
-    def _pieces(self, derivative: int) -> tuple[Zone, ...]:
-        """Return the zones of a curve to reckon with, as series wherever they can be."""
-        while len(self._reckoned) <= derivative:
-            self._reckoned.append(derive(self._reckoned[-1]))
-        return self._reckoned[derivative]
-
-    def _power(self, number: int) -> sympy.Expr:
-        """Return V A in a zone as an expression."""
-        return self._zones(1)[number].curve * self._zones(2)[number].curve
+    @property
+    def _middle_velocity(self) -> float | sympy.Expr:
+        """V in the middle, exact where the law is said by an expression."""
+        if self.is_sampled:
+            return float(self(0.5, 1))
+        middle = next(zone for zone in self._zones if zone.high >= _HALF)
+        return sympy.diff(middle.expression, x).xreplace({x: _HALF})
 
     def _peak(self, derivative: int) -> float:
         """Return the largest magnitude of a curve, infinity where the one before it jumps."""
-        if derivative not in self._peaks:
-            jumps = any(self._jumps(lower) for lower in range(derivative))
-            self._peaks[derivative] = math.inf if jumps else _largest(self._pieces(derivative))
-        return self._peaks[derivative]
-
-    @cached_property
-    def _peaks(self) -> dict[int, float]:
-        return {}
+        jumps = any(self._jumps(lower) for lower in range(derivative))
+        return math.inf if jumps else self._curve.derived(derivative).largest
 
     def _jumps(self, derivative: int) -> tuple[tuple[float, float], ...]:
         """Return where a curve jumps and by how much; outside of the move it stands still."""
-        zones = self._pieces(derivative)
-        starts = [zone.value(zone.low) for zone in zones]
-        ends = [zone.value(zone.high) for zone in zones]
+        curve = self._curve.derived(derivative)
+        start, end = curve.ends
         after = 1.0 if derivative == 0 else 0.0
-        places = [*(zone.low for zone in zones), 1.0]
-        sizes = np.subtract([*starts, after], [0.0, *ends])
-        return tuple(
-            (place, float(size))
-            for place, size in zip(places, sizes, strict=True)
-            if abs(size) > _JUMP
-        )
+        steps = ((0.0, start), *curve.steps, (1.0, after - end))
+        return tuple((place, size) for place, size in steps if abs(size) > _JUMP)
 
     def _first(self, s: float) -> float:
-        branch = next((branch for branch in self.branches if s <= branch.s_high), self.branches[-1])
-        if s <= branch.s_low:
+        branch = next(
+            (branch for branch in self.branches if s <= branch.at_high), self.branches[-1]
+        )
+        if s <= branch.at_low:
             return branch.low
-        return branch.high if s >= branch.s_high else branch.solve(s)
+        return branch.high if s >= branch.at_high else branch.solve(s)
+
+    def _check_inverse(self, roots: Floats, wanted: Floats) -> None:
+        """Raise WrongAnswerError unless S is what was wanted, or jumps over it."""
+        off = np.abs(np.asarray(self(roots)) - wanted) > _SOLVED
+        jumps = [place for place, _ in self._jumps(0)]
+        if np.any(off & ~np.isin(roots, jumps)):
+            place = wanted[off].flat[0]
+            raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {place:g} there")
+
+
+def mirrored(half: Sequence[Piece]) -> Curve:
+    """Return the curve whose second half is the first one turned about (1/2, 1/2)."""
+    one = sympy.Integer(1)
+    return Curve([*half, *(Placed(piece, one, -1, one, -1) for piece in reversed(half))])
 
 
 def _checked(x: ArrayLike) -> Floats:
@@ -328,17 +388,16 @@ def _checked(x: ArrayLike) -> Floats:
     return _TIME.array(x)
 
 
-def mirrored(half: Iterable[Zone]) -> sympy.Expr:
-    """Return the expression whose second half is the first one turned about (1/2, 1/2)."""
-    zones = list(half)
-    turned = (
-        Zone(1 - z.curve.xreplace({x: 1 - x}), 1 - z.high, 1 - z.low) for z in reversed(zones)
-    )
-    return join([*zones, *turned])
-
-
-def _largest(zones: Iterable[Zone]) -> float:
-    """Return the largest magnitude: it lies at an end of a zone or where the curve turns."""
-    return max(
-        abs(zone.value(place)) for zone in zones for place in (zone.low, *turns_of(zone), zone.high)
-    )
+def _whole(name: str, pieces: list[Piece]) -> list[Piece]:
+    """Return the pieces if they follow each other from 0 to 1; raise InputError if not."""
+    ends = [piece.low for piece in pieces[1:]]
+    if (
+        not pieces
+        or (pieces[0].low, pieces[-1].high) != (0, 1)
+        or any(before.high != low for before, low in zip(pieces, ends, strict=False))
+    ):
+        raise InputError(
+            f"The law {name!r} has no value at some x between 0 and 1: let the cases of its "
+            "Piecewise cover all of them, the last one with the condition True."
+        )
+    return pieces

@@ -1,8 +1,6 @@
 """The SCCA family: sine - constant - cosine acceleration, five of the named laws among it."""
 
 import math
-from collections.abc import Callable, Iterator
-from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,9 +8,9 @@ import sympy
 from numpy.typing import ArrayLike
 
 from cammotion.laws.motion_law import MotionLaw, mirrored
-from cammotion.laws.turning import bisect
-from cammotion.laws.zones import Zone, exact, x
-from cammotion.quantities import Floats, InputError, Numbers, Quantity
+from cammotion.laws.series import Series, Wave
+from cammotion.laws.symbols import exact, x
+from cammotion.quantities import InputError, Numbers, Quantity, plain
 
 NAMED_PARTS: dict[str, tuple[float, float, float]] = {
     "constant acceleration": (0, 1, 0),
@@ -28,8 +26,7 @@ LEAST_CA = 4
 
 _PART = Quantity("zone of the SCCA law", "", example=0.25, high=1.0, low_included=True)
 _ROUNDING = 1e-9
-_CURVES = range(4)  # S, V, A and J
-_pi, _half = sympy.pi, sympy.Rational(1, 2)
+_pi = sympy.pi
 
 
 def scca(
@@ -45,90 +42,10 @@ def scca(
     >>> print(f"{scca(0.25, 0.5, 0.25).Ca:.5f}")  # 8 pi / (2 + pi)
     4.88812
     """
-    zones = _first_half(*_exact_parts(b, c, d))
-    half = [Zone(curve, float(low), float(high)) for curve, low, high in zones]
-    return MotionLaw(name or f"SCCA({b:g}, {c:g}, {d:g})", mirrored(half), also_called)
-
-
-class SccaCurves:
-    """The curves and factors of such a law in plain numbers, fast enough to follow a hand.
-
-    They come from the same expressions as those of `scca`, compiled once for every b, c and d.
-    Takes b, c and d as `scca` does, and raises the same InputError; `parts` are the three, cleared
-    of rounding.
-
-    >>> cycloidal = SccaCurves(0.5, 0, 0.5)
-    >>> print(f"{cycloidal.Ca:.4f} {cycloidal.Cj:.4f} {cycloidal.Cq:.4f}")
-    6.2832 39.4784 8.1621
-    """
-
-    def __init__(self, b: float, c: float, d: float) -> None:
-        b, c, d = map(float, _exact_parts(b, c, d))
-        self.parts = b, c, d
-        compiled = zip(self.parts, _compiled_zones(), strict=True)
-        self._zones = [zone.of(b, c, d) for part, zone in compiled if part]
-
-    def sample(self, count: int) -> Floats:
-        """Return x, S, V, A and J at `count` places of every zone, its ends included.
-
-        All are dimensionless. The shape is (zones, 5, count), with the zones of both halves in
-        order: what jumps between two of them has a value in each.
-
-        >>> SccaCurves(0, 1, 0).sample(2)[:, 3]  # A
-        array([[ 4.,  4.],
-               [-4., -4.]])
-        """
-        share = np.linspace(0, 1, count)
-        first = [_with_places(zone, share) for zone in self._zones]
-        return np.array([*first, *map(_turned, reversed(first))])
-
-    @property
-    def Cv(self) -> float:  # noqa: N802 (the field's symbol)
-        """The velocity factor: V in the middle."""
-        last = self._zones[-1]
-        return float(last.curves(last.high)[1])
-
-    @property
-    def Ca(self) -> float:  # noqa: N802
-        """The acceleration factor."""
-        return float(acceleration_factor(self.parts[0], self.parts[2]))
-
-    @property
-    def Cj(self) -> float:  # noqa: N802
-        """The jerk factor: abs(J) at the ends or in the middle; infinite where A jumps."""
-        return math.inf if self.jumps_at_ends or self.jumps_in_middle else self.Cj_inside
-
-    @property
-    def Cj_inside(self) -> float:  # noqa: N802
-        """The largest abs(J) away from the jumps of A: at an end of a zone."""
-        ends = (zone.curves(place)[3] for zone in self._zones for place in (zone.low, zone.high))
-        return float(max(map(abs, ends)))
-
-    @property
-    def Cq(self) -> float:  # noqa: N802
-        """The torque factor of the inertia, the largest abs(V A).
-
-        Up to the last zone of the first half V rises and A does not fall. There V A turns once, if
-        at all: where its slope A^2 + V J is 0.
-        """
-        last = self._zones[-1]
-
-        def is_rising(place: float) -> bool:
-            _, v, a, j = last.curves(place)
-            return bool(a * a + v * j > 0)
-
-        _, v, a, _ = last.curves(bisect(is_rising, last.low, last.high))
-        return float(v * a)
-
-    @property
-    def jumps_at_ends(self) -> bool:
-        """Whether A jumps at the start and at the end of the move."""
-        return self.parts[0] == 0
-
-    @property
-    def jumps_in_middle(self) -> bool:
-        """Whether A jumps in the middle of the move."""
-        return self.parts[2] == 0
+    parts = _exact_parts(b, c, d)
+    half = [_piece(number, parts) for number, part in enumerate(parts) if part]
+    title = name or f"SCCA({b:g}, {c:g}, {d:g})"
+    return MotionLaw.of_curve(title, mirrored(half), also_called=also_called)
 
 
 def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
@@ -143,7 +60,13 @@ def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
     most = np.max(np.add(*parts))
     if most > 1 + _ROUNDING:
         raise InputError(f"b + d of the SCCA law is {most:g}: let b and d add up to at most 1.")
-    return _compiled_peak()(*parts)
+    return plain(np.asarray(_peak(*parts, pi=np.pi)))
+
+
+def scca_parts(b: float, c: float, d: float) -> tuple[float, float, float]:
+    """Return b, c and d cleared of rounding; raise InputError like `scca`."""
+    b_, c_, d_ = map(float, _exact_parts(b, c, d))
+    return b_, c_, d_
 
 
 def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
@@ -160,81 +83,48 @@ def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
     return b_, c_, d_
 
 
-def _peak(b: sympy.Expr, d: sympy.Expr) -> sympy.Expr:
+def _peak(b: Any, d: Any, pi: Any = _pi) -> Any:
     """Return the largest acceleration, with which the law comes to 1/2 in the middle."""
-    return 4 * _pi**2 / ((_pi**2 - 8) * (b**2 - d**2) - 2 * _pi * (_pi - 2) * b + _pi**2)
+    return 4 * pi**2 / ((pi**2 - 8) * (b**2 - d**2) - 2 * pi * (pi - 2) * b + pi**2)
 
 
-def _first_half(
-    b: sympy.Expr, c: sympy.Expr, d: sympy.Expr
-) -> Iterator[tuple[sympy.Expr, sympy.Expr, sympy.Expr]]:
-    """Yield S in each zone of the first half and from where to where; a zone of 0 is left out.
+class _Zone(NamedTuple):
+    """A zone of the first half: a polynomial in u = x - low and a wave, sine or cosine."""
 
-    b, c and d are fractions, for one law, or symbols, for all of them.
-    """
-    peak = _peak(b, d)
+    powers: tuple[Any, ...]
+    amplitude: Any
+    frequency: Any
+    is_cosine: bool
+    low: Any
+    high: Any
+
+
+def _zone(number: int, parts: tuple[Any, ...], pi: Any) -> _Zone:
+    """Return S in the first, second or third zone, for floats or for exact numbers."""
+    b, c, d = parts
+    peak = _peak(b, d, pi)
     first, second = b / 2, (b + c) / 2  # where the zones end
-    v_1, s_1 = peak * b / _pi, peak * b / _pi * (b / 2 - b / _pi)
-    v_2 = v_1 + peak * c / 2
-    s_2 = s_1 + v_1 * c / 2 + peak * c**2 / 8
-    if b != 0:
-        yield peak * b / _pi * (x - b / _pi * sympy.sin(_pi * x / b)), sympy.Integer(0), first
-    if c != 0:
-        u = x - first
-        yield s_1 + v_1 * u + peak * u**2 / 2, first, second
-    if d != 0:
-        w = x - second
-        yield s_2 + v_2 * w + peak * (d / _pi) ** 2 * (1 - sympy.cos(_pi * w / d)), second, _half
+    v_1 = peak * b / pi
+    s_1 = v_1 * (b / 2 - b / pi)
+    if number == 0:
+        return _Zone((0, v_1), -v_1 * b / pi, pi / b, False, 0, first)
+    if number == 1:
+        return _Zone((s_1, v_1, peak / 2), 0, 0, False, first, second)
+    fall = peak * (d / pi) ** 2
+    s_2, v_2 = s_1 + v_1 * c / 2 + peak * c**2 / 8, v_1 + peak * c / 2
+    return _Zone((s_2 + fall, v_2), -fall, pi / d, True, second, (b + c + d) / 2)
 
 
-class _NumericZone(NamedTuple):
-    """S, V, A and J as a function of x, and from where to where they hold."""
-
-    curves: Callable[[Any], Any]
-    low: float
-    high: float
-
-
-class _CompiledZone(NamedTuple):
-    """The same for all b, c and d: functions of (x, b, c, d), and of (b, c, d)."""
-
-    curves: Callable[..., Any]
-    ends: Callable[..., tuple[float, float]]
-
-    def of(self, *parts: float) -> _NumericZone:
-        """Return the zone of one law."""
-        return _NumericZone(lambda places: self.curves(places, *parts), *self.ends(*parts))
-
-
-@cache
-def _compiled_zones() -> tuple[_CompiledZone, ...]:
-    """Compile the three zones of the first half; V, A and J are derived from S."""
-    parts = sympy.symbols("b c d")
-    return tuple(
-        _CompiledZone(
-            sympy.lambdify(
-                (x, *parts), [sympy.diff(curve, x, n) for n in _CURVES], "numpy", cse=True
-            ),
-            sympy.lambdify(parts, (low, high), "math"),
-        )
-        for curve, low, high in _first_half(*parts)
+def _piece(number: int, parts: tuple[sympy.Rational, ...]) -> Series:
+    """Return a zone in floats; its expression is exact, and made when it is asked for."""
+    powers, amplitude, frequency, is_cosine, low, high = _zone(
+        number, tuple(map(float, parts)), math.pi
     )
+    waves = (Wave(amplitude, frequency, 0.0, int(is_cosine)),) if amplitude else ()
+    return Series(powers, waves, low, high, write=lambda: _expression(_zone(number, parts, _pi)))
 
 
-@cache
-def _compiled_peak() -> Callable[..., Any]:
-    parts = sympy.symbols("b d")
-    function: Callable[..., Any] = sympy.lambdify(parts, _peak(*parts), "numpy")
-    return function
-
-
-def _with_places(zone: _NumericZone, share: Floats) -> Floats:
-    """Return x, S, V, A and J at these shares of a zone."""
-    places = zone.low + (zone.high - zone.low) * share
-    return np.array(np.broadcast_arrays(places, *zone.curves(places)))
-
-
-def _turned(zone: Floats) -> Floats:
-    """Return a zone turned about (1/2, 1/2): S(1 - x) = 1 - S(x), and each derivative of it."""
-    places, s, v, a, j = zone[:, ::-1]
-    return np.array([1 - places, 1 - s, v, -a, j])
+def _expression(zone: _Zone) -> sympy.Expr:
+    u = x - zone.low
+    wave = (sympy.cos if zone.is_cosine else sympy.sin)(zone.frequency * u)
+    return sum(power * u**n for n, power in enumerate(zone.powers)) + zone.amplitude * wave

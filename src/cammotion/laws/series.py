@@ -1,227 +1,228 @@
-"""A polynomial and waves: the form of most zones of motion laws, and quick in all that is asked.
+"""A polynomial and waves, the form of most zones of motion laws, in plain floats.
 
-SymPy can do all of it with any expression, but takes its time. Here the constants of a zone are
-there already, with far more digits than a float has (`series_reader` computes them); a derivative
-is a product for each term, and a value or a bound a few sums.
+It stands about the beginning of its zone, in u = x - low, so that terms which cancel each other
+far from there are no concern. Sums, products and derivatives of such series are series again.
 """
 
 import math
 from collections.abc import Callable
-from functools import cached_property, reduce
-from typing import Any, NamedTuple
+from functools import cached_property
+from itertools import zip_longest
+from typing import NamedTuple
 
-import mpmath
 import numpy as np
+import sympy
 
+from cammotion.laws.expression import Expression
+from cammotion.laws.piece import Piece
+from cammotion.laws.symbols import x
 from cammotion.quantities import Floats
 
-BITS = 170
-"""Of every constant: 51 digits."""
-NOTHING = 1e-30
-"""What is left of a sum of such constants that cancel each other."""
-
-Number = Any  # mpmath's numbers come without types
+_ULP = math.ulp(1.0)
+_NOTHING = 4 * _ULP  # what is left of terms that cancel each other, as a share of their size
 
 
 class Wave(NamedTuple):
     """A wave, amplitude * sin(frequency * u + phase + quarters * pi/2)."""
 
-    amplitude: Number
-    frequency: Number
-    phase: Number
-    quarters: int = 0
-
-
-class Term(NamedTuple):
-    """A wave in floats: amplitude * function(frequency * u + phase)."""
-
     amplitude: float
     frequency: float
     phase: float
-    is_cosine: bool
+    quarters: int = 0
+
+    def at(self, u: float) -> float:
+        """Return the value at one place."""
+        value = (math.cos if self.quarters % 2 else math.sin)(self.frequency * u + self.phase)
+        return self.amplitude * (-value if self.quarters % 4 > 1 else value)
+
+    def over(self, u: Floats, out: Floats) -> None:
+        """Put the values at many places into `out`."""
+        np.multiply(u, self.frequency, out=out)
+        if self.phase:
+            out += self.phase
+        (np.cos if self.quarters % 2 else np.sin)(out, out=out)
+        out *= -self.amplitude if self.quarters % 4 > 1 else self.amplitude
+
+    def crests(self, low: float, high: float) -> list[float]:
+        """Return the places in ]low, high[ where a wave about `low` is highest or lowest."""
+        half = math.pi / self.frequency
+        first = low + half / 2 - (self.phase + self.quarters * math.pi / 2) / self.frequency
+        count = math.ceil((high - low) / abs(half)) + 1
+        first = low + (first - low) % half  # the first one, on the side to which `half` leads
+        turns = (first + n * half for n in range(-count, count))
+        return sorted(turn for turn in turns if low < turn < high)
+
+    def bounds(self, start: float, end: float) -> tuple[float, float]:
+        """Return the least and the most from one place to another, but for rounding."""
+        values = self.at(start), self.at(end)
+        turns = sorted((self.frequency * u + self.phase) for u in (start, end))
+        first, last = (turn / (math.pi / 2) + self.quarters for turn in turns)
+        crest, trough = (1, 3) if self.amplitude > 0 else (3, 1)
+        top = abs(self.amplitude)
+        return (
+            -top if _passes(first, last, trough) else min(values),
+            top if _passes(first, last, crest) else max(values),
+        )
 
 
-class Series:
-    """A polynomial in u = x - `origin`, its coefficients by rising power, and waves in u."""
+class Series(Piece):
+    """A polynomial in u = x - `low`, its coefficients by rising power, and waves in u.
+
+    `write` makes the expression for which it stands, with exact numbers, when that is asked for.
+    """
 
     def __init__(
-        self, powers: list[Number], waves: list[Wave] | None = None, origin: float = 0.0
+        self,
+        powers: tuple[float, ...],
+        waves: tuple[Wave, ...] = (),
+        low: float = 0.0,
+        high: float = 1.0,
+        write: Callable[[], sympy.Expr] | None = None,
     ) -> None:
-        self.powers = powers
-        self.waves = waves or []
-        self.origin = origin
+        self.powers, self.waves, self.low, self.high, self._write = powers, waves, low, high, write
 
     @property
-    def is_straight(self) -> bool:
-        """Whether it is a straight line."""
-        return len(self.powers) <= 2 and not self.waves  # noqa: PLR2004
-
-    def derive(self) -> "Series":
-        """Return the derivative."""
-        with mpmath.workprec(BITS):
-            powers = [n * factor for n, factor in enumerate(self.powers)][1:]
-            waves = [
-                Wave(a * frequency, frequency, phase, quarters + 1)
-                for a, frequency, phase, quarters in self.waves
-            ]
-            return Series(powers or [mpmath.mpf(0)], waves, self.origin)
-
-    def times(self, other: "Series") -> "Series | None":
-        """Return the product with another one about the same origin; None if that is no series."""
-        if any(len(a.powers) > 1 and b.waves for a, b in ((self, other), (other, self))):
-            return None
-        with mpmath.workprec(BITS):
-            powers = [mpmath.mpf(0)] * (len(self.powers) + len(other.powers) - 1)
-            for n, a in enumerate(self.powers):
-                for m, b in enumerate(other.powers):
-                    powers[n + m] += a * b
-            waves = [
-                wave._replace(amplitude=by.powers[0] * wave.amplitude)
-                for series, by in ((self, other), (other, self))
-                for wave in series.waves
-                if by.powers[0]
-            ]
-            for one in self.waves:
-                for another in other.waves:
-                    constant, beats = _beat(one, another)
-                    powers[0] += constant
-                    waves += beats
-            return Series(powers, waves, self.origin)
-
-    def value(self, place: float) -> float:
-        """Return the value at x = `place`, computed with many digits and rounded once."""
-        with mpmath.workprec(BITS):
-            u = mpmath.mpf(place) - self.origin
-            value = reduce(lambda sum_, factor: sum_ * u + factor, reversed(self.powers))
-            for amplitude, frequency, phase, quarters in self.waves:
-                angle = frequency * u + phase + quarters * mpmath.pi / 2
-                value += amplitude * mpmath.sin(angle)
-            return float(value) if abs(value) > NOTHING else 0.0
+    def cost(self) -> int:
+        """How many terms it takes to bound it once."""
+        return 4 + 2 * len(self.powers) + 4 * len(self.waves)
 
     @cached_property
-    def at(self) -> Callable[[float], float]:
-        """The function that returns the value at one x, in floats."""
-        origin, factors = self.origin, self.factors
-        terms = [
-            (amplitude, frequency, phase, math.cos if is_cosine else math.sin)
-            for amplitude, frequency, phase, is_cosine in self._terms
+    def turns(self) -> list[float]:
+        """Where between its ends it turns, in order; of a line or a single wave that is known."""
+        if len(self.powers) <= 2 and not self.waves:  # noqa: PLR2004 - a straight line
+            return []
+        if len(self.powers) == len(self.waves) == 1:
+            return self.waves[0].crests(self.low, self.high)
+        return super().turns
+
+    @cached_property
+    def derivative(self) -> "Series":
+        """The derivative, made once."""
+        powers = tuple(n * self.powers[n] for n in range(1, len(self.powers))) or (0.0,)
+        waves = (Wave(a * f, f, phase, n + 1) for a, f, phase, n in self.waves)
+        return Series(powers, tuple(waves), self.low, self.high)
+
+    def torque(self) -> Piece:
+        """Return the product of the first and the second derivative."""
+        v, a = self.derivative, self.derivative.derivative
+        return v.times(a) or Expression(v.expression * a.expression, self.low, self.high)
+
+    def plus(self, other: "Series") -> "Series":
+        """Return the sum with another one over the same zone."""
+        powers = tuple(a + b for a, b in zip_longest(self.powers, other.powers, fillvalue=0.0))
+        return Series(powers, self.waves + other.waves, self.low, self.high)
+
+    def times(self, other: "Series") -> "Series | None":
+        """Return the product with another one over the same zone; None if that is no series."""
+        if any(len(one.powers) > 1 and by.waves for one, by in ((self, other), (other, self))):
+            return None
+        powers = np.convolve(self.powers, other.powers).tolist()
+        waves = [
+            wave._replace(amplitude=by.powers[0] * wave.amplitude)
+            for series, by in ((self, other), (other, self))
+            for wave in series.waves
+            if by.powers[0]
         ]
+        for a, f, phase, n in self.waves:  # half the cosine of the difference less that of the sum
+            for b, g, other_phase, m in other.waves:
+                for side in (-1, 1):
+                    turned = n + side * m + 1
+                    beat = Wave(-side * a * b / 2, f + side * g, phase + side * other_phase, turned)
+                    if abs(beat.frequency) > _NOTHING * abs(f):
+                        waves.append(beat)
+                    else:
+                        powers[0] += beat._replace(frequency=0.0).at(0.0)
+        return Series(tuple(powers), tuple(waves), self.low, self.high)
 
-        def value(place: float) -> float:
-            u, value = place - origin, 0.0
-            for factor in factors:
-                value = value * u + factor
-            for amplitude, frequency, phase, wave in terms:
-                value += amplitude * wave(frequency * u + phase)
-            return value
-
-        return value
+    def at(self, place: float) -> float:
+        """Return the value at one place; what is left of terms that cancel each other is 0."""
+        u = place - self.low
+        value = 0.0
+        for factor in reversed(self.powers):
+            value = value * u + factor
+        for wave in self.waves:
+            value += wave.at(u)
+        return value if abs(value) > _NOTHING * self.size(u) else 0.0
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
-        """Return the values at many places, in floats; in `out`, if given.
+        """Return the values at many places; in `out`, if given.
 
         By Horner's rule, and wave by wave. An array in memory that was not used before takes
         longer to get than to fill, so that as few are made as can be.
         """
         values = np.empty(np.shape(places)) if out is None else out
-        first, *factors = self.factors
-        values[...] = first
-        if not (factors or self._terms):
-            return values
-        u = places - self.origin if self.origin else places
-        for factor in factors:
+        u = places - self.low if self.low else places
+        values[...] = self.powers[-1]
+        for factor in self.powers[-2::-1]:
             values *= u
             if factor:
                 values += factor
-        angle = np.empty_like(values) if self._terms else values
-        for amplitude, frequency, phase, is_cosine in self._terms:
-            np.multiply(u, frequency, out=angle)
-            if phase:
-                angle += phase
-            (np.cos if is_cosine else np.sin)(angle, out=angle)
-            angle *= amplitude
-            values += angle
+        part = np.empty_like(values) if self.waves else values
+        for wave in self.waves:
+            wave.over(u, part)
+            values += part
         return values
 
     def bounds(self, low: float, high: float) -> tuple[float, float]:
-        """Return what every value in [low, high] certainly lies between; `origin` <= `low`."""
-        start, end = low - self.origin, high - self.origin
-        least = most = 0.0
-        at_start = at_end = 1.0
-        for factor in reversed(self.factors):
-            rising = factor > 0
-            least += factor * (at_start if rising else at_end)
-            most += factor * (at_end if rising else at_start)
-            at_start *= start
-            at_end *= end
-        for term in self._terms:
-            some, others = _bounds(term, start, end)
+        """Return what every value between two places of the zone certainly lies between."""
+        start, end = low - self.low, high - self.low
+        least, most = _polynomial_bounds(self.powers, start, end)
+        turns = 0.0
+        for wave in self.waves:
+            some, others = wave.bounds(start, end)
             least, most = least + some, most + others
-        slack = self._slack(end)
+            turns = max(turns, abs(wave.frequency) * end)
+        operations = 4 * (len(self.powers) + len(self.waves) + turns + 2)
+        slack = operations * _ULP * self.size(end)  # more than rounding can come to
         return least - slack, most + slack
 
-    @cached_property
-    def factors(self) -> list[float]:
-        """The coefficients in floats, the highest power first."""
-        return [float(factor) for factor in reversed(self.powers)]
-
-    @cached_property
-    def _terms(self) -> list[Term]:
-        return [
-            Term(float(-a if n % 4 > 1 else a), float(frequency), float(phase), n % 2 == 1)
-            for a, frequency, phase, n in self.waves
-        ]
-
     def size(self, width: float) -> float:
-        """Return the sum of the magnitudes of all terms, at most, `width` from the origin on."""
+        """Return the sum of the magnitudes of all terms, at most, up to u = `width`."""
         size = 0.0
-        for factor in self.factors:
-            size = size * width + abs(factor)
-        return size + sum(abs(term.amplitude) for term in self._terms)
+        for factor in reversed(self.powers):
+            size = size * abs(width) + abs(factor)
+        return size + sum(abs(wave.amplitude) for wave in self.waves)
 
-    def _slack(self, width: float) -> float:
-        """Return more than the rounding errors of floats can come to, `width` from the origin."""
-        turns = max((abs(term.frequency) * width for term in self._terms), default=0.0)
-        operations = 4 * len(self.factors) + 4 * len(self._terms) + 4 * turns + 8
-        return operations * math.ulp(1.0) * self.size(width)
-
-
-def _beat(one: Wave, other: Wave) -> tuple[Number, list[Wave]]:
-    """Return the product of two waves: half the cosine of the difference less that of the sum."""
-    half = one.amplitude * other.amplitude / 2
-    total = Wave(
-        -half,
-        one.frequency + other.frequency,
-        one.phase + other.phase,
-        one.quarters + other.quarters + 1,
-    )
-    difference = Wave(
-        half,
-        one.frequency - other.frequency,
-        one.phase - other.phase,
-        one.quarters - other.quarters + 1,
-    )
-    constant, waves = mpmath.mpf(0), []
-    for wave in (total, difference):
-        if abs(wave.frequency) > NOTHING:
-            waves.append(wave)
-        else:
-            constant += wave.amplitude * mpmath.sin(wave.phase + wave.quarters * mpmath.pi / 2)
-    return constant, waves
+    @cached_property
+    def expression(self) -> sympy.Expr:
+        """It as an expression in `x`."""
+        if self._write:
+            return self._write()
+        u = x - sympy.Float(self.low) if self.low else x
+        powers = (sympy.Float(a) * u**n for n, a in enumerate(self.powers) if a)
+        waves = (a * sympy.sin(f * u + phase + n * sympy.pi / 2) for a, f, phase, n in self.waves)
+        return sympy.Add(*powers, *waves)
 
 
-def _bounds(term: Term, start: float, end: float) -> tuple[float, float]:
-    """Return the least and the most of a wave from u = start to u = end."""
-    angles = [term.frequency * u + term.phase for u in (start, end)]
-    wave: Callable[[float], float] = math.cos if term.is_cosine else math.sin
-    values = [term.amplitude * wave(angle) for angle in angles]
-    quarters = sorted(angle / (math.pi / 2) + term.is_cosine for angle in angles)
-    highest = _passes(quarters, 1 if term.amplitude > 0 else 3)
-    lowest = _passes(quarters, 3 if term.amplitude > 0 else 1)
-    top = abs(term.amplitude)
-    return -top if lowest else min(values), top if highest else max(values)
+def _polynomial_bounds(powers: tuple[float, ...], start: float, end: float) -> tuple[float, float]:
+    """Return what a polynomial lies between over 0 <= start <= end, but for rounding.
+
+    Term by term, which is best near zero, and term by term about the middle, where it is best.
+    """
+    least = most = 0.0
+    at_start = at_end = 1.0
+    for factor in powers:
+        rises = factor > 0
+        least += factor * (at_start if rises else at_end)
+        most += factor * (at_end if rises else at_start)
+        at_start, at_end = at_start * start, at_end * end
+    if len(powers) <= 2 or start == end:  # noqa: PLR2004 - a straight line, or a place
+        return least, most
+    middle, half = (start + end) / 2, (end - start) / 2
+    about = list(powers)
+    for first in range(len(about) - 1):
+        for n in range(len(about) - 2, first - 1, -1):
+            about[n] += middle * about[n + 1]
+    low = high = about[0]
+    size = 1.0
+    for n, factor in enumerate(about[1:], 1):
+        size *= half
+        reach = abs(factor) * size
+        low -= reach if n % 2 or factor < 0 else 0.0
+        high += reach if n % 2 or factor > 0 else 0.0
+    return max(least, low), min(most, high)
 
 
-def _passes(quarters: list[float], which: int) -> bool:
+def _passes(first: float, last: float, which: int) -> bool:
     """Return whether a number that leaves `which` when divided by 4 lies between two others."""
-    return math.ceil((quarters[0] - which) / 4) <= math.floor((quarters[1] - which) / 4)
+    return math.ceil((first - which) / 4) <= math.floor((last - which) / 4)

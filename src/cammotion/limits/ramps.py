@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.laws.zones import Zone, join, x
+from cammotion.laws.series import Series
 from cammotion.quantities import Floats
 
 _SAME = 1e-8  # accelerations that differ by so much of the largest are one
@@ -50,20 +51,18 @@ def law_of(pieces: list[Piece], change_mm: float) -> MotionLaw:
     """Return the law of a move by `change_mm` from rest to rest."""
     pieces = _closed(_merged(pieces), change_mm)
     total = sum(piece.seconds for piece in pieces)
-    zones, place, s, v = [], 0.0, 0.0, 0.0
-    for piece in pieces:
+    series, place, s, v = [], 0.0, 0.0, 0.0
+    for number, piece in enumerate(pieces, 1):
+        seconds = piece.seconds / total
         scaled = Piece(
-            piece.seconds / total,
+            seconds,
             piece.starting * total**2 / change_mm,
             piece.ending * total**2 / change_mm,
         )
-        u = x - place
-        curve = s + v * u + scaled.starting * u**2 / 2 + scaled.slope * u**3 / 6
-        end = place + scaled.seconds
-        zones.append(Zone(curve, place, end))
-        place, s, v = end, s + v * scaled.seconds + scaled.moved, v + scaled.gained
-    zones[-1] = zones[-1]._replace(high=1.0)
-    return MotionLaw("least acceleration", join(zones))
+        end = 1.0 if number == len(pieces) else place + seconds
+        series.append(Series((s, v, scaled.starting / 2, scaled.slope / 6), (), place, end))
+        place, s, v = end, s + v * seconds + scaled.moved, v + scaled.gained
+    return MotionLaw.of_curve("least acceleration", Curve(series))
 
 
 def _merged(pieces: list[Piece]) -> list[Piece]:

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
-from cammotion.machine.kinematics import DEG_PER_TURN, RATE, Move, cycle_time
+from cammotion.machine.kinematics import DEG_PER_TURN, RATE, Move, cycle_time, over_time
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
-from cammotion.quantities import InputError, Numbers, Quantity, one_of, shorten
+from cammotion.quantities import InputError, Numbers, Quantity, one_of, plain, shorten
 
 TIME = Quantity("time", "s", example=0.9, low=-math.inf)
 
@@ -82,7 +82,7 @@ class TimingDiagram:
     def angle_deg(self, time_s: ArrayLike) -> Numbers:
         """Return the cam angle in deg at a time in s, a number or an array; 0 deg is at 0 s."""
         angles = TIME.array(time_s) * (DEG_PER_TURN / self.cycle_time_s)
-        return angles if np.ndim(angles) else float(angles)
+        return plain(angles)
 
     def position_mm(
         self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
@@ -132,22 +132,30 @@ class TimingDiagram:
                 stroke_mm=abs(segment.change_mm),
                 angle_deg=segment.angle_deg,
                 rate_per_hour=self.rate_per_hour,
-                law=segment.law or "cycloidal",
+                law=as_law(segment.law),
             )
             for segment in self[name].moves
         )
 
     def peak_velocity(self, name: str) -> float:
         """Return the peak velocity of a motion in m/s; 0 for one that stands still."""
-        return max((move.peak_velocity for move in self.moves(name)), default=0.0)
+        return self._peak(1, name)
 
     def peak_acceleration(self, name: str) -> float:
-        """Return the peak acceleration of a motion in m/s2; 0 for one that stands still."""
-        return max((move.peak_acceleration for move in self.moves(name)), default=0.0)
+        """Return the peak acceleration of a motion over the turn in m/s2.
+
+        It is that of the whole motion, where segments meet too, and where a turn meets the next:
+        infinite where the velocity jumps, 0 for a motion that stands still or is steady.
+        """
+        return self._peak(2, name)
 
     def peak_jerk(self, name: str) -> float:
-        """Return the peak jerk of a motion in m/s3; 0 for one that stands still."""
-        return max((move.peak_jerk for move in self.moves(name)), default=0.0)
+        """Return the peak jerk of a motion over the turn in m/s3.
+
+        It is that of the whole motion, where segments meet too, and where a turn meets the next:
+        infinite where the acceleration jumps.
+        """
+        return self._peak(3, name)
 
     def overlap(self, *names: str) -> list[Arc]:
         """Return the arcs of the turn in deg over which two or more of these motions move at once.
@@ -171,6 +179,9 @@ class TimingDiagram:
             "A curve is asked for at a cam angle or at a time, at one of the two: give "
             "angle_deg=180 or time_s=0.9."
         )
+
+    def _peak(self, order: int, name: str) -> float:
+        return float(over_time(order, self[name].peak(order), self.cycle_time_s))
 
     def _derivative(
         self, order: int, name: str, angle_deg: ArrayLike | None, time_s: ArrayLike | None

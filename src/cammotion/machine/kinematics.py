@@ -11,8 +11,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.laws.catalogue import MotionLaw, as_law
-from cammotion.quantities import Numbers, Quantity, broadcast
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.quantities import Numbers, Quantity, broadcast, plain
 
 STROKE = Quantity("stroke", "mm", example=50)
 ANGLE = Quantity("indexing angle", "deg", example=55, high=360)
@@ -33,7 +34,7 @@ def cycle_time(rate_per_hour: ArrayLike) -> Numbers:
     >>> cycle_time(2000)
     1.8
     """
-    return _plain(SECONDS_PER_HOUR / RATE.array(rate_per_hour))
+    return plain(SECONDS_PER_HOUR / RATE.array(rate_per_hour))
 
 
 def indexing_time(angle_deg: ArrayLike, rate_per_hour: ArrayLike) -> Numbers:
@@ -48,7 +49,7 @@ def indexing_time(angle_deg: ArrayLike, rate_per_hour: ArrayLike) -> Numbers:
     """
     angle, rate = ANGLE.array(angle_deg), RATE.array(rate_per_hour)
     broadcast(angle_deg=angle, rate_per_hour=rate)
-    return _plain(angle * SECONDS_PER_HOUR / (DEG_PER_TURN * rate))
+    return plain(angle * SECONDS_PER_HOUR / (DEG_PER_TURN * rate))
 
 
 def peak_velocity(
@@ -126,7 +127,7 @@ class Move:
         STROKE.number(self.stroke_mm)
         ANGLE.number(self.angle_deg)
         RATE.number(self.rate_per_hour)
-        as_law(self.law)
+        object.__setattr__(self, "law", as_law(self.law))  # looked up once
 
     @cached_property
     def time_s(self) -> float:
@@ -185,6 +186,11 @@ def dimensional(derivative: int, factor: Numbers, stroke_mm: Numbers, time_s: Nu
     return factor * stroke_mm / MM_PER_M / time_s**derivative
 
 
+def over_time(derivative: int, value: Numbers, cycle_time_s: float) -> Numbers:
+    """Return a derivative by the cam angle, in mm/deg^n, as one by the time, in m/s^n."""
+    return value / MM_PER_M * (DEG_PER_TURN / cycle_time_s) ** derivative
+
+
 def _peak(
     derivative: int,
     factor: float,
@@ -194,9 +200,4 @@ def _peak(
 ) -> Numbers:
     stroke, time = STROKE.array(stroke_mm), np.asarray(indexing_time(angle_deg, rate_per_hour))
     broadcast(stroke_mm=stroke, time_s=time)
-    return _plain(dimensional(derivative, factor, stroke, time))
-
-
-def _plain(values: Numbers) -> Numbers:
-    """Return a float for a single number, the array for an array."""
-    return values if np.ndim(values) else float(values)
+    return plain(dimensional(derivative, factor, stroke, time))

@@ -16,12 +16,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.laws.catalogue import MotionLaw
+from cammotion.laws.catalogue import polynomial
+from cammotion.laws.curve import Curve
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
-from cammotion.machine.kinematics import DEG_PER_TURN, RATE
-from cammotion.machine.segments import CAM_ANGLE, POSITION, Part, Segment
-from cammotion.quantities import Floats, InputError, Numbers, shorten
+from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
+from cammotion.machine.segments import CAM_ANGLE, MATCHED, POSITION, Part, Segment
+from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
 
+_JUMP = 1e-6  # what is less, as a share of the largest value, is the rounding of two laws
 _ROUNDING = 1e-9  # by so much angles in deg and positions in mm may differ and mean the same
 
 
@@ -74,9 +77,39 @@ class Motion:
         return tuple(segment for segment in self.segments if not segment.is_dwell)
 
     @cached_property
+    def curve(self) -> Curve:
+        """The position in mm over the turn that begins at `start_deg`, as a curve over deg.
+
+        Its derivatives are by the cam angle, in mm/deg and so on.
+        """
+        return Curve(piece for segment in self.segments for piece in segment.curve.pieces)
+
+    def steps(self, order: int) -> list[Arc]:
+        """Return where a derivative jumps, of order 1, 2, 3 in mm/deg, mm/deg2, mm/deg3: how much.
+
+        Pairs of the cam angle, 0 to 360 deg, and the step up there; also where a turn meets the
+        next one. What is less than a millionth of the largest value is rounding.
+        """
+        curve = self.curve.derived(order)
+        first, last = curve.ends
+        rounding = _JUMP * curve.largest
+        steps = [*curve.steps, (self.start_deg, first - last)]
+        return sorted((at % DEG_PER_TURN, by) for at, by in steps if abs(by) > rounding)
+
+    def peak(self, order: int) -> float:
+        """Return the largest magnitude of a derivative of order 1, 2, 3, in mm/deg^order.
+
+        It is that of the whole turn with its joints, the one to the next turn among them: infinite
+        where the derivative before it jumps.
+        """
+        jumps = any(self.steps(lower) for lower in range(1, order))
+        return math.inf if jumps else self.curve.derived(order).largest
+
+    @cached_property
     def turning_degs(self) -> tuple[float, ...]:
         """The cam angles at which the position can be largest or smallest, in order."""
-        return tuple(angle for segment in self.segments for angle in segment.turning_degs)
+        corners = [angle for piece in self.curve.pieces for angle, _ in piece.corners[:-1]]
+        return (*corners, self.curve.high)
 
     @cached_property
     def offset_turning_degs(self) -> tuple[float, ...]:
@@ -87,14 +120,13 @@ class Motion:
         if not self.is_indexing:
             return self.turning_degs
         levels = {level for low, high in self._pitches for level in (low, (low + high) / 2, high)}
-        passed = (end for level in levels for arc in self._where_above(level) for end in arc)
+        passed = (end for level in levels for arc in self._where(level, 1) for end in arc)
         return (*self.turning_degs, *passed)
 
-    @cached_property
+    @property
     def range_mm(self) -> tuple[float, float]:
         """The lowest and the highest position in a turn, the first one of an indexing motion."""
-        places = [s.position_mm(angle) for s in self.segments for angle in s.turning_degs]
-        return float(min(places)), float(max(places))
+        return self.curve.extremes
 
     def shifted(self, angle_deg: float) -> "Motion":
         """Return the same motion, begun so many deg later, or earlier if below 0."""
@@ -110,7 +142,7 @@ class Motion:
         >>> import cammotion as cm
         >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
         >>> mill.with_law("modified sine").moves[0].law
-        'modified sine'
+        MotionLaw('modified sine')
         """
         segments = (s if s.is_dwell else replace(s, law=law) for s in self.segments)
         return replace(self, segments=tuple(segments))
@@ -126,12 +158,9 @@ class Motion:
         >>> mill.position_mm([75, 150, 360 + 75, 23 * 360 + 75, 24 * 360 + 75])
         array([  50.,  100.,  150., 2350.,   50.])
         """
-        angles = CAM_ANGLE.array(angle_deg)
-        positions = self._over_segments(Segment.position_mm, angles)
-        if self.stops is not None:
-            turns = np.floor((angles - self.start_deg) / DEG_PER_TURN)
-            positions = positions + self.pitch_mm * np.mod(turns, self.stops)
-        return _plain(positions)
+        turns, phase = self._phase(angle_deg)
+        pitches = np.mod(turns, self.stops) if self.stops else 0.0
+        return plain(self.curve(phase) + self.pitch_mm * pitches)
 
     def offset_mm(self, angle_deg: ArrayLike) -> Numbers:
         """Return what a clearance is judged by, in mm, at a cam angle in deg, number or array.
@@ -144,20 +173,19 @@ class Motion:
         >>> mill.offset_mm([0, 15, 75, 135, 150]).round(4)
         array([ 0.    ,  0.6451, 50.    ,  0.6451,  0.    ])
         """
-        positions = self._over_segments(Segment.position_mm, CAM_ANGLE.array(angle_deg))
+        positions = self.curve(self._phase(angle_deg)[1])
         if self.is_indexing:
             passed = np.mod(positions - self.start_mm, abs(self.pitch_mm))
             positions = np.minimum(passed, abs(self.pitch_mm) - passed)
-        return _plain(positions)
+        return plain(positions)
 
     def derivative(self, order: int, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:
         """Return the velocity, acceleration or jerk (order 1, 2, 3) at a machine rate, in m and s.
 
         Where two segments meet it is that of the one which begins there.
         """
-        rate, angles = RATE.number(rate_per_hour), CAM_ANGLE.array(angle_deg)
-        values = self._over_segments(lambda s, here: s.derivative(order, here, rate), angles)
-        return _plain(values)
+        time_s, (_, phase) = cycle_time(RATE.number(rate_per_hour)), self._phase(angle_deg)
+        return plain(over_time(order, self.curve.derived(order)(phase, "right"), time_s))
 
     def where_beyond(self, limit_mm: float) -> list[Arc]:
         """Return the arcs of the turn over which `offset_mm` is larger than a limit, in deg.
@@ -172,13 +200,11 @@ class Motion:
         """
         limit = POSITION.number(limit_mm)
         if not self.is_indexing:
-            return self._where_above(limit)
+            return self._where(limit, 1)
         return arcs(
             arc
             for stop, next_stop in self._pitches
-            for arc in intersect(
-                self._where_above(stop + limit), self._where_below(next_stop - limit)
-            )
+            for arc in intersect(self._where(stop + limit, 1), self._where(next_stop - limit, -1))
         )
 
     @property
@@ -189,21 +215,15 @@ class Motion:
         low, high = (math.floor((end - first) / pitch) for end in self.range_mm)
         return [(first + n * pitch, second + n * pitch) for n in range(low, high + 1)]
 
-    def _where_above(self, limit_mm: float) -> list[Arc]:
-        return arcs(arc for segment in self.segments for arc in segment.where_above(limit_mm))
+    def _where(self, limit_mm: float, side: int) -> list[Arc]:
+        """Return the arcs over which it is above a position (side 1) or below it (-1)."""
+        return arcs(self.curve.where(limit_mm, side, _ROUNDING))
 
-    def _where_below(self, limit_mm: float) -> list[Arc]:
-        return arcs(arc for segment in self.segments for arc in segment.where_below(limit_mm))
-
-    def _over_segments(self, curve: Any, angles: Floats) -> Floats:
-        """Put `curve` together from the segments, each for the angles that lie in it."""
-        phase = self.start_deg + np.mod(angles - self.start_deg, DEG_PER_TURN)
-        which = np.searchsorted([s.to_deg for s in self.segments[:-1]], phase, side="right")
-        values = np.empty(np.shape(phase))
-        for number in np.unique(which):
-            here = which == number
-            values[here] = curve(self.segments[number], phase[here])
-        return values
+    def _phase(self, angle_deg: ArrayLike) -> tuple[Floats, Floats]:
+        """Return how many turns after the first one, and the cam angle within that."""
+        turns, since = np.divmod(CAM_ANGLE.array(angle_deg) - self.start_deg, DEG_PER_TURN)
+        full = since >= DEG_PER_TURN  # as NumPy has it for -5e-324
+        return turns + full, np.where(full, 0.0, since) + self.start_deg
 
     def _check_joint(self, before: Segment, after: Segment) -> None:
         gap = after.from_deg - before.to_deg
@@ -301,7 +321,7 @@ def _segments(name: str, given: Any) -> tuple[Segment, ...]:
 def _place(name: str, parts: Iterable[Any], start_deg: float, start_mm: float) -> list[Segment]:
     """Lay the parts one after the other."""
     angle, height = CAM_ANGLE.number(start_deg), POSITION.number(start_mm)
-    segments = []
+    placed: list[dict[str, Any]] = []
     for part in parts:
         if not isinstance(part, Part):
             raise InputError(
@@ -310,13 +330,30 @@ def _place(name: str, parts: Iterable[Any], start_deg: float, start_mm: float) -
             )
         ends = angle + part.angle_deg
         to_mm = round(height + part.change_mm, 9)  # 0.1 + 0.2 - 0.3 is 0 on any machine
-        segments.append(
-            Segment(from_deg=angle, to_deg=ends, from_mm=height, to_mm=to_mm, law=part.law)
+        placed.append(
+            {"from_deg": angle, "to_deg": ends, "from_mm": height, "to_mm": to_mm, "law": part.law}
         )
         angle, height = ends, to_mm
-    return segments
+    segments = [None if part["law"] == MATCHED else Segment(**part) for part in placed]
+    return [
+        segment or _matched(name, placed[n], segments[n - 1], segments[(n + 1) % len(segments)])
+        for n, segment in enumerate(segments)
+    ]
 
 
-def _plain(values: Floats) -> Numbers:
-    """Return a float for a single number, the array for an array."""
-    return values if values.ndim else float(values)
+def _matched(
+    name: str, part: dict[str, Any], before: Segment | None, after: Segment | None
+) -> Segment:
+    """Return the move that goes on with what its neighbours have at both ends."""
+    if before is None or after is None:
+        raise InputError(
+            f"Two neighbours of {name!r} are both to be matched, at {part['to_deg']:g} deg or "
+            f"{part['from_deg']:g} deg: give one of them a law of its own."
+        )
+    way, angle = part["to_mm"] - part["from_mm"], part["to_deg"] - part["from_deg"]
+    slopes = [
+        [segment.curve.derived(n).ends[which] * angle**n / way for n in (1, 2)]
+        for segment, which in ((before, 1), (after, 0))
+    ]
+    law = polynomial((0, *slopes[0]), (1, *slopes[1]), name="matched")
+    return Segment(**part | {"law": law})

@@ -2,28 +2,35 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.laws.catalogue import MotionLaw, as_law
-from cammotion.machine.arcs import Arc
-from cammotion.machine.kinematics import DEG_PER_TURN, STROKE, dimensional, indexing_time
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.curve import Curve
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.laws.series import Series
+from cammotion.machine.kinematics import DEG_PER_TURN, STROKE
 from cammotion.quantities import Floats, InputError, Quantity
 
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
+MATCHED = "matched"
+"""For the law of a rise or a return: the polynomial of degree five that goes on at both ends with
+the velocity and the acceleration of its neighbours, as where a shear comes up to speed."""
+
 PART_ANGLE = Quantity("angle of a segment", "deg", example=55, high=DEG_PER_TURN)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Segment:
-    """A piece of a motion between two cam angles: a rise, a return or a dwell.
+    """A part of a motion between two cam angles: a rise, a return or a dwell.
 
-    The angles are in deg, the positions in mm. `law` is the name of a motion law or a law; a dwell
-    has none. Raises InputError for numbers that are not finite, an angle that is not above 0, a
-    dwell between two positions, a move between one and the same, and a law that is unknown or does
-    not go from 0 to 1.
+    The angles are in deg, the positions in mm. `law` is a motion law, given by its name or itself;
+    a dwell has none. Raises InputError for numbers that are not finite, an angle that is not above
+    0, a dwell between two positions, a move between one and the same, and a law that is unknown or
+    does not go from 0 to 1.
 
     >>> Segment(from_deg=150, to_deg=205, from_mm=0, to_mm=50, law="cycloidal").kind
     'rise'
@@ -41,6 +48,7 @@ class Segment:
                 object.__setattr__(self, field, quantity.number(getattr(self, field)))
         PART_ANGLE.number(self.angle_deg)
         if self.law is not None:
+            object.__setattr__(self, "law", as_law(self.law))  # looked up once
             as_law(self.law).check_way()
         span = f"from {self.from_deg:g} to {self.to_deg:g} deg"
         if self.is_dwell and self.change_mm:
@@ -74,47 +82,17 @@ class Segment:
         """One of 'rise', 'return' and 'dwell'."""
         return "dwell" if self.is_dwell else "rise" if self.change_mm > 0 else "return"
 
-    @property
-    def turning_degs(self) -> list[float]:
-        """Where the position can be largest or smallest: at the ends, and where the law turns."""
-        branches = () if self.law is None else as_law(self.law).branches[:-1]
-        return [self.from_deg, *(self._angle_at(part.high) for part in branches), self.to_deg]
+    @cached_property
+    def curve(self) -> Curve:
+        """The position in mm over the cam angle in deg, as a curve."""
+        if self.law is None:
+            return Curve([Series((self.from_mm,), (), self.from_deg, self.to_deg)])
+        law = as_law(self.law)
+        return law.curve.placed(self.from_deg, self.angle_deg, self.from_mm, self.change_mm)
 
     def position_mm(self, angle_deg: ArrayLike) -> Floats:
-        """Return the position in mm at cam angles within the segment, as an array."""
-        return np.asarray(self.from_mm + self.change_mm * self._law_at(angle_deg, 0))
-
-    def derivative(self, order: int, angle_deg: ArrayLike, rate_per_hour: float) -> Floats:
-        """Return velocity, acceleration or jerk (order 1, 2, 3) at a machine rate, in m and s."""
-        time = indexing_time(self.angle_deg, rate_per_hour)
-        values = self._law_at(angle_deg, order)
-        return np.asarray(dimensional(order, values, self.change_mm, time))
-
-    def where_above(self, limit_mm: float) -> list[Arc]:
-        """Return the intervals of cam angle over which the position is above a limit."""
-        return self._where(limit_mm, 1)
-
-    def where_below(self, limit_mm: float) -> list[Arc]:
-        """Return the intervals of cam angle over which the position is below a limit."""
-        return self._where(limit_mm, -1)
-
-    def _where(self, limit_mm: float, side: int) -> list[Arc]:
-        if self.law is None:
-            is_there = side * (self.from_mm - limit_mm) > 0
-            return [(self.from_deg, self.to_deg)] if is_there else []
-        law, s = as_law(self.law), (limit_mm - self.from_mm) / self.change_mm
-        parts = law.where_above(s) if side * self.change_mm > 0 else law.where_below(s)
-        return [(self._angle_at(low), self._angle_at(high)) for low, high in parts]
-
-    def _angle_at(self, place: float) -> float:
-        return self.to_deg if place == 1 else self.from_deg + place * self.angle_deg
-
-    def _law_at(self, angle_deg: ArrayLike, order: int) -> Floats:
-        angles = np.asarray(angle_deg, dtype=np.float64)
-        if self.law is None:
-            return np.zeros_like(angles)
-        places = np.clip((angles - self.from_deg) / self.angle_deg, 0.0, 1.0)
-        return np.asarray(as_law(self.law)(places, order))
+        """Return the position in mm at cam angles in deg within the segment, as an array."""
+        return self.curve(np.asarray(angle_deg, dtype=np.float64))
 
 
 @dataclass(frozen=True)
@@ -127,21 +105,31 @@ class Part:
 
 
 def rise(stroke_mm: float, *, over_deg: float, law: str | MotionLaw = "cycloidal") -> Part:
-    """Return a rise by `stroke_mm` over a cam angle of `over_deg`, by a motion law.
+    """Return a rise by `stroke_mm` over a cam angle of `over_deg`, for `motion`.
 
-    Both are numbers above 0, the angle at most 360 deg. Raises InputError for others, and for an
-    unknown law. What it is good for shows `motion`.
+    Both are numbers above 0, the angle at most 360 deg. `law` is the name of a motion law, a law,
+    or `MATCHED`. Raises InputError for others.
     """
-    as_law(law)
-    return Part(PART_ANGLE.number(over_deg), STROKE.number(stroke_mm), law)
+    return _move(1, stroke_mm, over_deg, law)
 
 
 def return_(stroke_mm: float, *, over_deg: float, law: str | MotionLaw = "cycloidal") -> Part:
-    """Return a return, a `rise` the other way; the plain word `return` belongs to Python."""
-    as_law(law)
-    return Part(PART_ANGLE.number(over_deg), -STROKE.number(stroke_mm), law)
+    """Return a return by `stroke_mm` over a cam angle of `over_deg`, for `motion`.
+
+    Both are numbers above 0, the angle at most 360 deg. `law` is the name of a motion law, a law,
+    or `MATCHED`. Raises InputError for others. (The plain word `return` belongs to Python.)
+    """
+    return _move(-1, stroke_mm, over_deg, law)
 
 
 def dwell(angle_deg: float) -> Part:
     """Return a dwell over `angle_deg`, a number above 0 and at most 360 deg."""
     return Part(PART_ANGLE.number(angle_deg))
+
+
+def _move(way: int, stroke_mm: float, over_deg: float, law: str | MotionLaw) -> Part:
+    return Part(
+        PART_ANGLE.number(over_deg),
+        way * STROKE.number(stroke_mm),
+        law if law == MATCHED else as_law(law),
+    )

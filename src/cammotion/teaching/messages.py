@@ -114,8 +114,8 @@ class Hint(Card):
 
 
 @dataclass(frozen=True)
-class Line:
-    """A line of the progress: what has become of an exercise."""
+class Outcome:
+    """What has become of an exercise: a line of the progress."""
 
     number: str
     state: State
@@ -136,7 +136,7 @@ class Line:
 class Progress(Card):
     """What is done and what is open, over all notebooks."""
 
-    lines: tuple[Line, ...]
+    lines: tuple[Outcome, ...]
     note: str = ""
 
     @property

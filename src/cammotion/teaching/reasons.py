@@ -75,4 +75,4 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
     },
     "s": {**_TIMES, 1000.0: "This is in milliseconds. Seconds are asked for."},
 }
-"""The same by the unit of the answer: a thousand is mm for m in a length, and ms in a time."""
+"""Ratios by the unit of the answer: a thousand is mm for m in a length, and ms in a time."""

@@ -8,7 +8,7 @@ from cammotion.teaching.controls import ChoiceControl, PredictionControl
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, State, Verdict
 from cammotion.teaching.lessons import EXERCISES, find_exercise
-from cammotion.teaching.messages import Feedback, Hint, Line, Progress, Question, Unseen
+from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
 from cammotion.teaching.store import GRADING, Record, Store, work_folder
 from cammotion.teaching.variants import machine_for
 
@@ -108,6 +108,8 @@ def check(number: str, answer: Any) -> Feedback:
 def hint(number: str) -> Hint:
     """Return the next of three hints for an exercise; they end before the answer.
 
+    Raises InputError for an unknown number.
+
     >>> hint("02.3")
     Hint 1 of 3 for 02.3: Newton: force is mass times acceleration.
     """
@@ -120,6 +122,9 @@ def choose(number: str) -> ChoiceControl:
     """Return the options of an exercise as a control that answers each choice at once.
 
     Raises InputError for an unknown number and for an exercise without options.
+
+    >>> choose("01.4").answer is None
+    True
     """
     exercise = find_exercise(number)
     if not isinstance(exercise, ChoiceExercise):
@@ -139,7 +144,7 @@ def predict(key: str, asked: str) -> PredictionControl:
     """Return a field for a prediction; what was typed is kept under `key` and shown again.
 
     `asked` says what is predicted, with its unit, like "degrees for each way". The control's
-    `said` is a sentence for the reveal.
+    `said` is a sentence for the reveal. Raises InputError for a key that is no text.
 
     >>> predict("01.example", "degrees for each way").said
     'You made no prediction.'
@@ -153,9 +158,13 @@ def predict(key: str, asked: str) -> PredictionControl:
 
 
 def progress() -> Progress:
-    """Return what is done and what is open, over all notebooks and since the first day."""
+    """Return what is done and what is open, over all notebooks and since the first day.
+
+    >>> progress().text.splitlines()[0]  # doctest: +ELLIPSIS
+    '... exercises are right.'
+    """
     records = _SESSION.store.records("exercises")
-    lines = tuple(_line(number, records.get(number, {})) for number in EXERCISES)
+    lines = tuple(_outcome(number, records.get(number, {})) for number in EXERCISES)
     return Progress(lines, _SESSION.store.complaint)
 
 
@@ -170,10 +179,10 @@ def _judge(number: str, answer: Any) -> Feedback:
     return Feedback(number, verdict, _SESSION.store.complaint)
 
 
-def _line(number: str, record: dict[str, Any]) -> Line:
+def _outcome(number: str, record: dict[str, Any]) -> Outcome:
     tries, hints = _count(record, "tries"), _count(record, "hints")
     state: State = "right" if record.get("state") == "right" else "wrong" if tries else "open"
-    return Line(number, state, tries, hints)
+    return Outcome(number, state, tries, hints)
 
 
 def _count(record: dict[str, Any], field: str) -> int:

@@ -7,7 +7,8 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 
-from cammotion.laws.catalogue import MotionLaw, as_law
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import InputError, one_of, shorten
 from cammotion.views.plots import style_axes, style_line
 

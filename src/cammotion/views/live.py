@@ -155,10 +155,3 @@ class Explorer(ipywidgets.VBox):  # type: ignore[misc]
         bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)
         picture = base64.b64encode(self.live.value).decode("ascii")
         return bundle | {"image/png": picture, "text/plain": self.text}
-
-
-def round_up(value: float) -> float:
-    """Return the next of ... 1, 2, 5, 10, 20 ... above a value, for an axis with a little room."""
-    value *= 1.05
-    decade = 10.0 ** np.floor(np.log10(value))
-    return float(next(s * decade for s in (1, 2, 5, 10) if s * decade >= value))

@@ -5,19 +5,23 @@ Axes. Colours are told apart by the colour-blind (Okabe and Ito), and never carr
 line styles and direct labels say the same. No global Matplotlib setting is touched.
 """
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.text import Annotation
-from matplotlib.ticker import ScalarFormatter
+from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
 
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, one_of
+from cammotion.views.scales import as_text
 
+# six of Okabe and Ito's, which Matplotlib knows as "okabe_ito" only from 3.11 on
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#000000")
 LINE_STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 REFERENCE_STYLE: dict[str, Any] = {"color": "#555555", "linestyle": "--", "linewidth": 2}
@@ -29,13 +33,14 @@ CURVES = {
     "jerk": "jerk j in m/s³",
 }
 _SAMPLES = 241
-_DECADE = 10
+_HIGHER = 1.25  # so many times as high as all others is the bar of an infinite peak
 
 
 def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
     """Return times in s and the values of a `curve` of the move at them, both of one length.
 
     `curve` is one of "displacement" (mm), "velocity" (m/s), "acceleration" (m/s2), "jerk" (m/s3).
+    Raises InputError for another.
 
     >>> time, h = sample_curve(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000), "displacement")
     >>> float(time[-1]), float(h[-1])
@@ -61,7 +66,9 @@ def plot_curves(
     """Draw one curve of each move against time and return the Axes.
 
     `curve` is one of "displacement", "velocity", "acceleration" and "jerk"; `labels`, one for each
-    move, stand at the end of its curve and are the indexing angles unless given.
+    move, stand at the end of its curve and are the indexing angles unless given. Where the peak is
+    infinite, which no curve shows, the label says so. Raises InputError for an unknown curve, no
+    move, and labels of another number.
 
     >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     >>> plot_curves(die, curve="velocity").get_ylabel()
@@ -73,7 +80,8 @@ def plot_curves(
     for number, (move, label) in enumerate(zip(moves, labels, strict=True)):
         time, values = sample_curve(move, curve)
         style_line(ax.plot(time, values, label=label)[0], number)
-        write(ax, label, (time[-1], values[-1]), colour(number))
+        peak = "" if math.isfinite(_peak(move, curve)) else ", peak ∞"
+        write(ax, label + peak, (time[-1], values[-1]), colour(number))
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0.08, y=0.12)
     return ax
@@ -84,12 +92,23 @@ def plot_peaks(
 ) -> Axes:
     """Draw the peak acceleration of each move as a bar, its value above it; return the Axes.
 
-    `labels`, one for each move, stand under the bars and are the indexing angles unless given.
+    `labels`, one for each move, stand under the bars and are the indexing angles unless given. The
+    bar of an infinite peak, under the sign ∞, is hatched and a quarter higher than all others.
+    Raises InputError for no move, and for labels of another number.
+
+    >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    >>> plot_peaks([die], labels=["die"]).get_ylabel()
+    'peak acceleration a_max in m/s²'
     """
     moves, labels = _labelled(moves, labels)
     ax = _styled(ax, "indexing angle Bm", "peak acceleration a_max in m/s²")
-    bars = ax.bar(labels, [move.peak_acceleration for move in moves], color=COLOURS[0], width=0.6)
-    ax.bar_label(bars, fmt="%#.3g", padding=3, fontsize=11)
+    peaks = np.array([move.peak_acceleration for move in moves])
+    highest = max(peaks[np.isfinite(peaks)], default=1.0)
+    heights = np.where(np.isfinite(peaks), peaks, _HIGHER * highest)
+    bars = ax.bar(labels, heights, color=COLOURS[0], width=0.6)
+    for bar, peak in zip(bars, peaks, strict=True):
+        bar.set(hatch="" if math.isfinite(peak) else "//", edgecolor="white", linewidth=0)
+    ax.bar_label(bars, [as_text(peak, "#.3g") for peak in peaks], padding=3, fontsize=11)
     ax.margins(y=0.12)
     ax.grid(visible=False, axis="x")
     return ax
@@ -100,7 +119,12 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
 
     The moves are the points. The line over them is the law a_max ~ 1/Bm^2, put through the first
     move alone: that the other points lie on it is the evidence. The moves may differ only in
-    their angle.
+    their angle, and their peaks are finite; for others it raises InputError.
+
+    >>> angles = 55, 110
+    >>> dies = [Move(stroke_mm=50, angle_deg=angle, rate_per_hour=2000) for angle in angles]
+    >>> [text.get_text() for text in plot_inverse_square(dies).texts[:2]]
+    ['55°: 4.15', '110°: 1.04']
     """
     moves, _ = _labelled(moves, None)
     first = moves[0]
@@ -108,6 +132,11 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
         raise InputError(
             "The moves differ in more than their angle: give them one stroke, one machine rate "
             "and one law, or the inverse-square law of the angle cannot be seen."
+        )
+    if math.isinf(first.peak_acceleration):
+        raise InputError(
+            "The peak acceleration of these moves is infinite at any angle, because the velocity "
+            "of their law jumps: give moves by a law with a finite Ca, for example 'cycloidal'."
         )
     ax = _styled(ax, "indexing angle Bm in deg", "peak acceleration a_max in m/s²")
     angles = np.array([move.angle_deg for move in moves])
@@ -147,6 +176,17 @@ def style_line(line: Line2D, number: int) -> Line2D:
 def colour(number: int) -> str:
     """Return the colour of the line with that number, the first being 0."""
     return COLOURS[number % len(COLOURS)]
+
+
+def mixed(name: str, other: str, share: float) -> tuple[float, float, float]:
+    """Return red, green and blue, 0 to 1, of a colour with a share of another in it.
+
+    >>> mixed("#000000", "white", 0.75)
+    (0.75, 0.75, 0.75)
+    """
+    pairs = zip(to_rgb(name), to_rgb(other), strict=True)
+    red, green, blue = ((1 - share) * part + share * more for part, more in pairs)
+    return red, green, blue
 
 
 def write(
@@ -198,6 +238,10 @@ def _iterable(moves: Any) -> Iterable[Any]:
     return moves if isinstance(moves, Iterable) else ()
 
 
+def _peak(move: Move, curve: str) -> float:
+    return move.stroke_mm if curve == "displacement" else float(getattr(move, f"peak_{curve}"))
+
+
 def _all_but_angle(move: Move) -> tuple[object, ...]:
     return move.stroke_mm, move.rate_per_hour, move.law
 
@@ -205,8 +249,6 @@ def _all_but_angle(move: Move) -> tuple[object, ...]:
 def _plain_ticks(ax: Axes) -> None:
     """Write 50 and 0.5 on logarithmic axes where Matplotlib would write powers of ten."""
     for axis in (ax.xaxis, ax.yaxis):
-        low, high = axis.get_view_interval()
-        steps = [step * _DECADE**power for power in range(-6, 7) for step in (1.0, 2.0, 5.0)]
-        axis.set_ticks([step for step in steps if low <= step <= high])
-        axis.set_ticks([], minor=True)
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_minor_locator(NullLocator())
         axis.set_major_formatter(ScalarFormatter())

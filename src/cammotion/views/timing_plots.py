@@ -1,12 +1,12 @@
-"""Pictures of timing diagrams and of clearances, in the manner of `plots`."""
+"""Pictures of timing diagrams and of clearances, with units at every axis."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgb
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
@@ -17,7 +17,8 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, one_of
-from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
+from cammotion.views.movement import SAMPLED_DEGS, curve_angles, movement
+from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
 
 TICK_DEG = 30
 SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
@@ -32,7 +33,6 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 HATCHES = {"rise": "///", "return": "\\\\\\", "dwell": ""}
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
 COLLISION: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
-_SAMPLES = np.linspace(0.0, DEG_PER_TURN, 721)
 _NARROWEST_LABEL_DEG = 12
 
 
@@ -48,8 +48,15 @@ def plot_timing(
     Movement in mm over the cam angle, one curve a mechanism; beneath it a bar for each, hatched
     where it moves, with the angles of its segments. Grey is where two move at once, or, with
     `rules`, where the two motions of a rule do; a broken rule is marked as a collision. `rows`,
-    any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle. More
-    than four mechanisms get a lane each, with a scale of its own.
+    any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle; a row
+    names the mechanisms whose peak is infinite. More than four mechanisms get a lane each, with a
+    scale of its own. Raises InputError for an unknown row, and for a rule about a motion that the
+    diagram lacks.
+
+    >>> import cammotion as cm
+    >>> ax = plot_timing(cm.EXAMPLE.diagram, rules=cm.EXAMPLE.rule, rows=["acceleration"])
+    >>> ax.get_ylabel()
+    'movement in mm'
     """
     for row in rows:
         one_of("row", row, ROWS)
@@ -84,7 +91,12 @@ def plot_clearance(
     Horizontally the motion of `rule.only_while` (of a mill, how far it is from a stop), vertically
     that of `rule.when`, both in mm. The hatched region is forbidden. Each of the `designs`, a
     diagram or several by their names, is a path, with a dot every 5 deg of cam angle where both
-    motions are on their way. `span_mm` is how far the horizontal axis goes.
+    motions are on their way. `span_mm` is how far the horizontal axis goes. Raises InputError for
+    no design, and for a rule about a motion that one of them lacks.
+
+    >>> import cammotion as cm
+    >>> plot_clearance(cm.EXAMPLE.diagram, cm.EXAMPLE.rule).get_xlabel()
+    'mill: distance from a stop in mm'
     """
     named = designs if isinstance(designs, Mapping) else {"": designs}
     if not named:
@@ -95,8 +107,8 @@ def plot_clearance(
         _, ax = plt.subplots(figsize=(7.5, 4.6), facecolor="white")
     across, up = rule.only_while, rule.when
     style_axes(ax, describe_offset(across, named), describe_offset(up, named))
-    highest = max(diagram[up.motion].offset_mm(_SAMPLES).max() for diagram in named.values())
-    widest = max(diagram[across.motion].offset_mm(_SAMPLES).max() for diagram in named.values())
+    highest = max(diagram[up.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
+    widest = max(diagram[across.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
     ax.set_xlim(0, span_mm or min(widest, max(8 * across.limit_mm, 0.05 * widest)))
     ax.set_ylim(0, 1.1 * highest)
     region = forbidden_region(rule, ax)
@@ -121,7 +133,7 @@ def forbidden_region(rule: ClearanceRule, ax: Axes) -> Rectangle:
 
 
 def place_forbidden_region(region: Rectangle, rule: ClearanceRule, ax: Axes) -> None:
-    """Lay the rectangle anew, for another rule."""
+    """Move the rectangle of the clearance map to where another rule is broken."""
     left, right = _side(rule.only_while.opposite, ax.get_xlim())
     low, high = _side(rule.when, ax.get_ylim())
     region.set_bounds(left, low, right - left, high - low)
@@ -130,7 +142,7 @@ def place_forbidden_region(region: Rectangle, rule: ClearanceRule, ax: Axes) -> 
 def clearance_path(diagram: TimingDiagram, rule: ClearanceRule) -> tuple[Floats, Floats]:
     """Return the way through the clearance map: across and up, in mm, over one turn."""
     across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
-    angles = np.union1d(_SAMPLES, np.mod([*across.turning_degs, *up.turning_degs], DEG_PER_TURN))
+    angles = np.union1d(curve_angles(across), curve_angles(up))
     return np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
 
 
@@ -139,23 +151,6 @@ def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) 
     motion = next(iter(designs.values()))[condition.motion]
     what = "distance from a stop" if motion.is_indexing else "position"
     return f"{motion.name}: {what} in mm"
-
-
-def movement(motion: Motion, angle_deg: Floats) -> Floats:
-    """Return the position in mm; of an indexing motion, from the stop it is nearest at 0 deg."""
-    positions = np.asarray(motion.position_mm(angle_deg))
-    if motion.stops is None:
-        return positions
-    pitch, at_zero = motion.pitch_mm, float(motion.position_mm(0.0)) - motion.start_mm
-    pitches = (positions - motion.start_mm - at_zero) / pitch
-    since_zero = np.mod(pitches.round(12), motion.stops)  # a rounding below 0 is no turn back
-    off_stop = at_zero / pitch - np.round(at_zero / pitch)
-    return np.asarray(pitch * (since_zero + off_stop))
-
-
-def curve_angles(motion: Motion) -> Floats:
-    """Return cam angles, 0 to 360 deg, close enough for a curve and with its corners in it."""
-    return np.union1d(_SAMPLES, np.mod(motion.turning_degs, DEG_PER_TURN))
 
 
 def _draw_movements(ax: Axes, diagram: TimingDiagram) -> None:
@@ -219,7 +214,7 @@ def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> None:
         (start, row - half),
         end - start,
         2 * half,
-        facecolor=_pale(colour(row)) if not segment.is_dwell else "white",
+        facecolor=mixed(colour(row), "white", 0.75) if not segment.is_dwell else "white",
         edgecolor=colour(row),
         hatch=HATCHES[segment.kind],
         linewidth=1.2,
@@ -245,6 +240,10 @@ def _draw_row(ax: Axes, diagram: TimingDiagram, row: str) -> None:
         angles = curve_angles(motion)
         style_line(ax.plot(angles, ROWS[row](diagram, motion.name, angles))[0], number)
     ax.axhline(0, color="#000000", linewidth=0.8)
+    peak = getattr(diagram, f"peak_{row}")
+    if infinite := [name for name in diagram.names if math.isinf(peak(name))]:
+        said = f"peak ∞: {', '.join(infinite)}"
+        ax.text(1, 1.01, said, ha="right", va="bottom", fontsize=10, transform=ax.transAxes)
     ax.margins(y=0.1)
 
 
@@ -298,7 +297,3 @@ def _draw_path(
 def _side(condition: Condition, limits: tuple[float, float]) -> tuple[float, float]:
     low, high = limits
     return (condition.limit_mm, high) if condition.is_beyond else (low, condition.limit_mm)
-
-
-def _pale(name: str) -> tuple[float, ...]:
-    return tuple(0.75 + 0.25 * part for part in to_rgb(name))

@@ -25,7 +25,7 @@ _LABEL_PX = 14
 
 
 @dataclass(frozen=True)
-class Curve:
+class LabelledCurve:
     """A curve of the mechanism with this number, and what stands at its end."""
 
     number: int
@@ -35,9 +35,9 @@ class Curve:
 
 @dataclass(frozen=True)
 class Lane:
-    """A piece of a chart with a scale of its own, `top` px below the chart's top."""
+    """A part of a chart with a scale of its own, `top` px below the chart's top."""
 
-    curves: Sequence[Curve]
+    curves: Sequence[LabelledCurve]
     low: float
     high: float
     ticks: Sequence[float]
@@ -48,7 +48,7 @@ class Lane:
         """Return where a value is, in px below the chart's top."""
         return self.top + self.height * (self.high - value) / (self.high - self.low)
 
-    def line(self, curve: Curve) -> Trace:
+    def line(self, curve: LabelledCurve) -> Trace:
         """Return a curve in px below the chart's top."""
         return curve.trace.scaled(-self.height / (self.high - self.low), self.y(0))
 
@@ -146,7 +146,7 @@ class Chart:
         yield svg.label("collision", right - 66, 11, size=svg.SMALL, fill=svg.ALARM)
 
 
-def timing_lanes(curves: Sequence[Curve], height: float) -> list[Lane]:
+def timing_lanes(curves: Sequence[LabelledCurve], height: float) -> list[Lane]:
     """Return one lane for a few curves in mm, or a low one for each of many.
 
     Each also has its own where on one scale the smallest could not be read.
@@ -160,14 +160,14 @@ def timing_lanes(curves: Sequence[Curve], height: float) -> list[Lane]:
     ]
 
 
-def acceleration_lane(curves: Sequence[Curve], peak: float, height: float) -> Lane:
+def acceleration_lane(curves: Sequence[LabelledCurve], peak: float, height: float) -> Lane:
     """Return a lane that reaches as far up as down, for a peak that may be another design's."""
     top = 1.12 * (peak or 1.0)
     ticks = MaxNLocator(4, steps=[1, 2, 5, 10]).tick_values(-top, top)
     return Lane(curves, -top, top, [t for t in ticks if abs(t) < top], 0, height)
 
 
-def _lane(curves: Sequence[Curve], top: float, height: float, bare: bool = False) -> Lane:
+def _lane(curves: Sequence[LabelledCurve], top: float, height: float, bare: bool = False) -> Lane:
     low = min(float(curve.trace.values.min()) for curve in curves)
     high = max(float(curve.trace.values.max()) for curve in curves)
     if low == high:

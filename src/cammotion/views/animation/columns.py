@@ -19,13 +19,14 @@ from cammotion.views.animation.charts import (
     LEFT_PX,
     WIDEST_LABEL_PX,
     Chart,
-    Curve,
+    LabelledCurve,
     acceleration_lane,
     timing_lanes,
 )
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import Trace, trace_acceleration, trace_position
-from cammotion.views.animation.scene import draw_scene, scene_height
+from cammotion.views.animation.scene import Scene
+from cammotion.views.scales import as_text, drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
 ALARMS, ALARM_PX = 3, 38  # so many are written below the machine
@@ -64,7 +65,7 @@ class Design:
         names = self.diagram.names
         all_of_them = len(names) <= FEW
         peaks = [
-            f"{name} {self.diagram.peak_acceleration(name):.3g}"
+            f"{name} {as_text(self.diagram.peak_acceleration(name), '.3g')}"
             for name in (names if all_of_them else [self._hardest])
         ]
         return f"{'' if all_of_them else 'largest '}peak acceleration: {', '.join(peaks)} m/s²"
@@ -81,7 +82,7 @@ class Design:
         return "no collision" if self.rules else ""
 
     def describe(self) -> str:
-        """Say it in words."""
+        """Return the peaks, the verdict and every collision in words."""
         told = [self.peaks, self.verdict, *map(str, self.violations)]
         return "; ".join(filter(None, told))
 
@@ -96,7 +97,7 @@ class Design:
             movers = [name for name in pair if not self.diagram[name].is_indexing]
             for name in movers or pair:
                 found.setdefault(name, []).append((broken.start_deg, broken.end_deg))
-        return {name: arcs(pieces) for name, pieces in found.items()}
+        return {name: arcs(these) for name, these in found.items()}
 
 
 class Layout:
@@ -105,9 +106,10 @@ class Layout:
     def __init__(self, designs: Iterable[Design], turn_s: float) -> None:
         designs = list(designs)
         self.turn_s = turn_s
-        self.scene = max(scene_height(design.diagram, design.rules) for design in designs)
+        self._scenes = [Scene(design.diagram, design.rules, INNER_PX) for design in designs]
+        self.scene = max(scene.height for scene in self._scenes)
         self.alarm = ALARM_PX * max(len(design.violations[:ALARMS]) for design in designs)
-        self.peak = max(d.diagram.peak_acceleration(n) for d in designs for n in d.accelerated)
+        self.peak = max(_drawn_peak(d.diagram, n) for d in designs for n in d.accelerated)
         labels = [
             curve.label
             for design in designs
@@ -123,10 +125,9 @@ class Layout:
         """Draw a design from (0, 0) on."""
         column = draw.Group(data_design=number)
         column.append(self._header(design))
-        scene = svg.placed(0, HEADER_PX)
         collisions = design.collisions()
-        scene.append(draw_scene(design.diagram, design.rules, collisions, INNER_PX, self.turn_s))
-        column.append(scene)
+        scene = self._scenes[number].draw(self.turn_s, collisions)
+        column.append(svg.placed(0, HEADER_PX, scene))
         every = arcs(arc for these in collisions.values() for arc in these)
         if every:
             column.append(self._alarm(design, every))
@@ -204,16 +205,16 @@ class Layout:
         cursor.insert(0, line)
         return svg.placed(LEFT_PX, 0, cursor)
 
-    def _movements(self, design: Design) -> list[Curve]:
+    def _movements(self, design: Design) -> list[LabelledCurve]:
         return [
-            Curve(number, motion.name, _way_since_start(trace_position(motion), motion.is_indexing))
+            LabelledCurve(number, motion.name, trace_position(motion))
             for number, motion in enumerate(design.diagram.motions)
         ]
 
-    def _accelerations(self, design: Design) -> list[Curve]:
+    def _accelerations(self, design: Design) -> list[LabelledCurve]:
         diagram, names = design.diagram, design.accelerated
         return [
-            Curve(
+            LabelledCurve(
                 diagram.names.index(name),
                 _peak_label(diagram.peak_acceleration(name), "" if len(names) == 1 else name),
                 trace_acceleration(diagram[name], diagram.rate_per_hour),
@@ -232,12 +233,13 @@ class Layout:
 
 
 def _peak_label(peak: float, name: str) -> str:
-    return f"{peak:.3g} {name}" if name else f"max {peak:.3g}"
+    said = as_text(peak, ".3g")
+    return f"{said} {name}" if name else f"max {said}"
+
+
+def _drawn_peak(diagram: TimingDiagram, name: str) -> float:
+    drawn = trace_acceleration(diagram[name], diagram.rate_per_hour).values
+    return drawn_peak(diagram.peak_acceleration(name), drawn)
 
 
 _LINEAR = Trace(*(np.array([0.0, DEG_PER_TURN]) for _ in range(2)))
-
-
-def _way_since_start(trace: Trace, is_indexing: bool) -> Trace:
-    """Return a trace of positions; that of an indexing motion begins at 0 with the turn."""
-    return trace.scaled(1, -trace.values[0]) if is_indexing else trace

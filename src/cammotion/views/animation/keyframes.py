@@ -6,7 +6,6 @@ how many chords keep within a tolerance, and nothing has to be searched for.
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,10 +16,13 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats
+from cammotion.views.movement import movement
+from cammotion.views.scales import drawn_peak
 
 TOLERANCE_MM = 0.06
 TOLERANCE_SHARE = 1.2e-3  # of a move: small strokes are drawn large
 MOST_CHORDS = 200  # within the tolerance up to a move of 3 m; beyond, the drawing stays small
+_PLACES = np.linspace(0.0, 1.0, 65)
 ACCELERATION_CHORDS = 64  # of one move; the law may jump, which a chord makes steep
 
 
@@ -41,31 +43,24 @@ class Trace:
 
 
 def trace_position(motion: Motion) -> Trace:
-    """Return the position in mm; an indexing motion goes on over the end of its turn.
+    """Return the `movement` in mm, which of an indexing motion goes on over the end of its turn.
 
     >>> import cammotion as cm
-    >>> mill = cm.indexing_motion(
-    ...     "mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24, start_deg=300)
-    >>> trace = trace_position(mill)
-    >>> [round(trace.at(angle), 3) for angle in (0, 90, 300, 360)]
-    [-69.355, 0.0, 0.0, 30.645]
+    >>> late = cm.EXAMPLE.mill.shifted(300)
+    >>> [round(trace_position(late).at(angle), 3) for angle in (0, 90, 300, 360)]
+    [30.645, 100.0, 100.0, 130.645]
     """
-    return _trace(motion, _position_angles, Segment.position_mm, motion.pitch_mm)
+    angles = np.concatenate([_position_angles(segment) for segment in motion.segments])
+    in_turn = np.union1d(np.mod(angles, DEG_PER_TURN), [0.0, DEG_PER_TURN])
+    return _thinned(in_turn, movement(motion, in_turn))
 
 
 def trace_acceleration(motion: Motion, rate_per_hour: float) -> Trace:
-    """Return the acceleration in m/s2 at a machine rate in pieces/h."""
-    return _trace(motion, _acceleration_angles, lambda s, at: s.derivative(2, at, rate_per_hour))
+    """Return the acceleration in m/s2 at a machine rate in pieces/h; at a jump from both sides.
 
-
-def _trace(
-    motion: Motion,
-    angles_of: Callable[[Segment], Floats],
-    curve: Callable[[Segment, Floats], Floats],
-    gain: float = 0.0,
-) -> Trace:
-    """Lay the segments into the turn from 0 to 360 deg; each turn earlier is a `gain` less."""
-    pieces = []
+    Each segment is laid into the turn from 0 to 360 deg, in two parts where it goes over the end.
+    """
+    parts = []
     for segment in motion.segments:
         first = math.floor(segment.from_deg / DEG_PER_TURN)
         for turn in range(first, math.ceil(segment.to_deg / DEG_PER_TURN)):
@@ -73,22 +68,28 @@ def _trace(
             low, high = max(segment.from_deg, start), min(segment.to_deg, start + DEG_PER_TURN)
             if high - low < ROUNDING_DEG:
                 continue
-            inner = [angle for angle in angles_of(segment) if low < angle < high]
+            inner = [angle for angle in _acceleration_angles(segment) if low < angle < high]
             angles = np.array([low, *inner, high])
-            pieces.append((angles - start, curve(segment, angles) - turn * gain))
-    pieces.sort(key=lambda piece: float(piece[0][0]))
-    frames = np.column_stack([np.concatenate(part) for part in zip(*pieces, strict=True)])
+            parts.append((angles - start, segment.derivative(2, angles, rate_per_hour)))
+    parts.sort(key=lambda part: float(part[0][0]))
+    angles, values = (np.concatenate(of_all) for of_all in zip(*parts, strict=True))
+    return _thinned(angles, values)
+
+
+def _thinned(angles: Floats, values: Floats) -> Trace:
+    """Return the frames without those that say the same as the one before them."""
+    frames = np.column_stack([angles, values])
     is_new = np.any(np.abs(np.diff(frames, axis=0)) > TOLERANCE_SHARE * TOLERANCE_MM, axis=1)
-    angles, values = frames[np.append(True, is_new)].T
-    return Trace(angles, values)
+    return Trace(*frames[np.append(True, is_new)].T)
 
 
 def _position_angles(segment: Segment) -> Floats:
     if segment.law is None:
-        return np.empty(0)
-    way = abs(segment.change_mm)
+        return np.array([segment.from_deg, segment.to_deg])
+    law, way = as_law(segment.law), abs(segment.change_mm)
     tolerance = min(TOLERANCE_MM, TOLERANCE_SHARE * way)
-    chords = math.ceil(math.sqrt(way * as_law(segment.law).Ca / (8 * tolerance)))
+    bend = drawn_peak(law.Ca, law(_PLACES, 2))  # where V jumps, a chord ends anyway
+    chords = math.ceil(math.sqrt(way * bend / (8 * tolerance)))
     even = np.linspace(segment.from_deg, segment.to_deg, min(chords, MOST_CHORDS) + 1)
     return np.union1d(even, segment.turning_degs)
 

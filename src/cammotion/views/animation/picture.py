@@ -116,17 +116,12 @@ def animate(
     how long one turn takes in the SVG, in s. Raises InputError for anything else.
 
     >>> import cammotion as cm
-    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-    >>> die = cm.motion(
-    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
-    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
-    >>> rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
-    >>> before = cm.TimingDiagram([mill, die], rate_per_hour=2000)
+    >>> before, rule = cm.EXAMPLE.diagram, cm.EXAMPLE.rule
     >>> after = cm.widest_move(before, "die", rule).diagram
     >>> print(animate({"no overlap": before, "overlap": after}, rules=rule).description)
     The machine in motion, 1.8 s a turn (2000 pieces/h), shown in 9 s.
     no overlap (peak acceleration: mill 1.12, die 4.15 m/s²; no collision)
-    overlap (peak acceleration: mill 1.12, die 0.805 m/s²; no collision)
+    overlap (peak acceleration: mill 1.12, die 0.806 m/s²; no collision)
     """
     named = {UNTITLED: designs} if isinstance(designs, TimingDiagram) else designs
     if not isinstance(named, Mapping) or not named:

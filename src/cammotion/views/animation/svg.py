@@ -9,12 +9,13 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import drawsvg as draw
+from matplotlib.colors import to_hex
 
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.views.animation.keyframes import Trace
-from cammotion.views.plots import COLOURS, LINE_STYLES, colour
+from cammotion.views.plots import COLOURS, LINE_STYLES, colour, mixed
 from cammotion.views.timing_plots import COLLISION
 
 FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
@@ -55,20 +56,14 @@ def px(value: float, digits: int = 2) -> float:
     return round(float(value) + 1e-9, digits) or 0.0
 
 
-def mixed(name: str, other: int, share: float) -> str:
-    """Return a colour with a share of black (0) or white (255) in it."""
-    parts = (int(name[place : place + 2], 16) for place in (1, 3, 5))
-    return "#" + "".join(f"{round(part + share * (other - part)):02x}" for part in parts)
-
-
 def pale(number: int) -> str:
     """Return the colour of a mechanism for areas."""
-    return mixed(colour(number), 255, 0.78)
+    return to_hex(mixed(colour(number), "white", 0.78))
 
 
 def dark(number: int) -> str:
     """Return the colour of a mechanism for text."""
-    return mixed(colour(number), 0, 0.4)
+    return to_hex(mixed(colour(number), "black", 0.4))
 
 
 def line_style(number: int) -> dict[str, Any]:
@@ -160,6 +155,15 @@ def alarm_area(x: float, y: float, width: float, height: float) -> Any:
         hatch.M(left, px(height)).l(px(height), px(-height))
     area.append(hatch)
     return area
+
+
+def alarm(during: list[Arc], turn_s: float, at: tuple[float, float, float, float]) -> Iterable[Any]:
+    """Yield the alarm over a rectangle (x, y, width, height), seen over these arcs of the turn."""
+    if during:
+        seen = seen_during(during, turn_s)
+        seen.append(alarm_area(*at))
+        seen.append(box(*at, fill="none", stroke=ALARM, stroke_width=3.5))
+        yield seen
 
 
 def moving(

@@ -9,32 +9,30 @@ import drawsvg as draw
 import numpy as np
 
 from cammotion.machine.arcs import Arc
+from cammotion.machine.clearance import ClearanceRule
+from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
 from cammotion.views.animation import svg
-from cammotion.views.animation.dies import Die
+from cammotion.views.animation.dies import Die, find_dies
 from cammotion.views.animation.keyframes import Trace, trace_position
 from cammotion.views.plots import colour
+from cammotion.views.scales import round_down
 
-TURRET_PX = 192
+TURRET_PX, _BELOW_PX = 192, 6
 _LAND = 0.22  # of gap and pocket together: what is left of the rim below a pocket
 _STROKE_PX = 1.8
 HALF_TURN = 180.0
 _NAME_PX = 110  # at most so much is left free for the name of an outer die
 
 
-def panel_height(dies: list[Die]) -> float:
-    """Return how high the drawing of a turret with these dies is, in px."""
-    return TURRET_PX if dies else 0.6 * TURRET_PX
-
-
 class Turret:
     """A turret and its dies, in px about the turret's centre, up being negative."""
 
-    def __init__(
-        self, number: int, motion: Motion, dies: list[Die], width: float, turn_s: float
-    ) -> None:
+    def __init__(self, number: int, motion: Motion, dies: list[Die], width: float) -> None:
         self.number, self.motion, self.dies = number, motion, dies
-        self.width, self.height, self.turn_s = width, panel_height(dies), turn_s
+        self.names = [motion.name, *(die.motion.name for die in dies)]
+        self.width, self.panel = width, TURRET_PX if dies else 0.6 * TURRET_PX
+        self.height = self.panel + _BELOW_PX
         self.stops = motion.stops or 1
         self.step = 360 / self.stops
         self.degs = [(place - (len(dies) - 1) / 2) * self.step for place in range(len(dies))]
@@ -55,6 +53,18 @@ class Turret:
         self.pocket_width = min(loose, 0.9 * self.pitch, 1.4 * self.radius)
         self.scale, self.centre = self._fit()
 
+    @classmethod
+    def find(
+        cls, diagram: TimingDiagram, rules: Iterable[ClearanceRule], left: list[str], width: float
+    ) -> "list[Turret]":
+        """Return a turret for each indexing motion that is left, with the dies of the rules."""
+        dies = find_dies(diagram, rules)
+        return [
+            cls(diagram.names.index(name), diagram[name], above, width)
+            for name, above in dies.items()
+            if name in left
+        ]
+
     def _drawn_pitch(self, true_pitch: float) -> float:
         """Return the pitch, unless the pockets would not fit into the turret, or not be seen."""
         high = self.above + self.pocket + _LAND * self.unit
@@ -74,46 +84,45 @@ class Turret:
         names = [svg.text_px(die.motion.name, bold=True) for die in self.dies]
         beside = 2 * min(max(names) + 12, _NAME_PX) if len(names) > 1 else 0
         fits = (self.width - beside) / max(across, least)
-        scale = min((self.height - 8) / (top - bottom), fits)
+        scale = min((self.panel - 8) / (top - bottom), fits)
         return float(scale), float(4 + top * scale)
 
     @cached_property
     def turning(self) -> Trace:
         """The angle in deg to which the turret has turned, away from a stop under the dies."""
         per_mm = 360 / (self.stops * abs(self.motion.pitch_mm))
-        start = (self.degs[0] if self.degs else 0.0) - self.motion.start_mm * per_mm
-        return trace_position(self.motion).scaled(per_mm, start)
+        return trace_position(self.motion).scaled(per_mm, self.degs[0] if self.degs else 0.0)
 
     @property
     def seen(self) -> float:
         """The angle in deg from the top to where the rim leaves the panel."""
         half = self.width / 2 / (self.radius * self.scale)
-        is_whole = self.centre < self.height or half >= 1
+        is_whole = self.centre < self.panel or half >= 1
         return HALF_TURN if is_whole else math.degrees(math.asin(half))
 
-    def draw(self, collisions: dict[str, list[Arc]]) -> Any:
+    def draw(self, turn_s: float, collisions: dict[str, list[Arc]]) -> Any:
         """Draw it all in a panel from (0, 0) on; `collisions` are arcs by motion."""
         # the id tells the size: in a page with several drawings, one id always means the same
-        clip = draw.ClipPath(id=f"cm-panel-{self.width:.0f}-{self.height:.0f}")
-        clip.append(svg.box(0, 0, self.width, self.height))
+        clip = draw.ClipPath(id=f"cm-panel-{self.width:.0f}-{self.panel:.0f}")
+        clip.append(svg.box(0, 0, self.width, self.panel))
         panel = draw.Group(clip_path=clip)
-        panel.append(svg.box(0.5, 0.5, self.width - 1, self.height - 1, fill="#fafafa"))
+        panel.append(svg.box(0.5, 0.5, self.width - 1, self.panel - 1, fill="#fafafa"))
         about_centre = svg.placed(self.width / 2, self.centre)
         turret = draw.Group(transform=f"rotate({svg.px(self.turning.values[0], 4):g})")
         wheel = svg.moving(
-            self.turning, self.turn_s, "rotate", data={"part": "turret", "motion": self.number}
+            self.turning, turn_s, "rotate", data={"part": "turret", "motion": self.number}
         )
         wheel.append(self._rim())
         turret.append(wheel)
         about_centre.append(turret)
         for die, deg in zip(self.dies, self.degs, strict=True):
-            about_centre.append(self._die(die, deg, collisions.get(die.motion.name, [])))
+            about_centre.append(self._die(die, deg, turn_s, collisions.get(die.motion.name, [])))
         if self.turning.values.any():
             about_centre.append(self._arrow())
         panel.append(about_centre)
         panel.extend(self._texts())
         panel.append(
-            svg.box(0.5, 0.5, self.width - 1, self.height - 1, fill="none", stroke="#c8c8c8")
+            svg.box(0.5, 0.5, self.width - 1, self.panel - 1, fill="none", stroke="#c8c8c8")
         )
         return panel
 
@@ -170,7 +179,7 @@ class Turret:
         way, angle = radius * self.scale, math.radians(deg)
         return svg.px(way * math.sin(angle)), svg.px(-way * math.cos(angle))
 
-    def _die(self, die: Die, deg: float, collisions: list[Arc]) -> Any:
+    def _die(self, die: Die, deg: float, turn_s: float, collisions: list[Arc]) -> Any:
         """Draw a die that slides in its guide towards the centre."""
         s = self.scale
         half, tool = self.tool_width / 2 * s, self.tool * s
@@ -183,18 +192,13 @@ class Turret:
         depth = die.depth.scaled(s)
         body = svg.moving(
             depth,
-            self.turn_s,
+            turn_s,
             data={"part": "body", "motion": die.number, "px-per-mm": svg.px(s, 6)},
         )
         ram = (self.above + die.travel + self.unit) * s
         body.append(svg.box(-0.3 * half, tip - tool - ram, 0.6 * half, ram, **shape))
         body.append(svg.box(-half, tip - tool, 2 * half, tool, **shape))
-        if collisions:
-            alarm = svg.seen_during(collisions, self.turn_s)
-            alarm.append(svg.alarm_area(-half, tip - tool, 2 * half, tool))
-            outline = {"fill": "none", "stroke": svg.ALARM, "stroke_width": 3.5}
-            alarm.append(svg.box(-half, tip - tool, 2 * half, tool, **outline))
-            body.append(alarm)
+        body.extend(svg.alarm(collisions, turn_s, (-half, tip - tool, 2 * half, tool)))
         placed = svg.placed(0, depth.values[0], body)
         guide = -(self.radius + self.guide) * s
         height = 0.17 * self.unit * s
@@ -232,8 +236,8 @@ class Turret:
     def _texts(self) -> Iterable[Any]:
         note = "" if self.is_to_scale else ", pitch not to scale"
         stops = f"{self.stops} stop{'s' if self.stops > 1 else ''}"
-        bar = _round_down(0.25 * self.width / self.scale)
-        right, low = self.width - 10, self.height - 10
+        bar = round_down(0.25 * self.width / self.scale)
+        right, low = self.width - 10, self.panel - 10
         room = self.width - bar * self.scale - 40
         yield svg.label(
             f"{self.motion.name}: {stops}{note}",
@@ -268,9 +272,3 @@ class Turret:
             fill=svg.dark(die.number),
             font_weight="bold",
         )
-
-
-def _round_down(value: float) -> float:
-    """Return the largest of ... 1, 2, 5, 10, 20 ... that is not above a value."""
-    decade = 10.0 ** math.floor(math.log10(value))
-    return float(max(s * decade for s in (1, 2, 5) if s * decade <= value))

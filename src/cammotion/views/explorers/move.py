@@ -10,8 +10,9 @@ from matplotlib.lines import Line2D
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY, Move
 from cammotion.quantities import InputError
-from cammotion.views.live import Explorer, LiveFigure, NumberControl, round_up
+from cammotion.views.live import Explorer, LiveFigure, NumberControl
 from cammotion.views.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
+from cammotion.views.scales import as_text, drawn_peak, has_ratio, round_up
 
 
 class MoveExplorer(Explorer):
@@ -86,8 +87,9 @@ class MoveExplorer(Explorer):
         """Widen the axes to hold both designs, in coarse steps, since each costs a drawing."""
         displacement, velocity, acceleration = self._axes
         displacement.set_ylim(0, 1.05 * self.stroke.slider.max)
-        velocity.set_ylim(0, round_up(max(move.peak_velocity, self.reference.peak_velocity)))
-        top = round_up(max(move.peak_acceleration, self.reference.peak_acceleration))
+        both = move, self.reference
+        velocity.set_ylim(0, round_up(max(_drawn_peak(one, "velocity") for one in both)))
+        top = round_up(max(_drawn_peak(one, "acceleration") for one in both))
         acceleration.set_ylim(-top, top)
 
 
@@ -115,15 +117,22 @@ def compare(move: Move, reference: Move) -> str:
     rate = (move.rate_per_hour / reference.rate_per_hour) ** 2
     angle = (reference.angle_deg / move.angle_deg) ** 2
     stroke = move.stroke_mm / reference.stroke_mm
-    ratio = move.peak_acceleration / reference.peak_acceleration
-    return (
-        f"{_describe('your design', move)}\n{_describe('reference', reference)}\n"
-        f"ratio of the peaks: {ratio:.4g} = {rate:.4g} (rate, squared) × {angle:.4g} "
-        f"(angle, squared) × {stroke:.4g} (stroke)"
-    )
+    peak, before = move.peak_acceleration, reference.peak_acceleration
+    ratio = "none, both are infinite, because the velocity of this law jumps"
+    if has_ratio(peak, before):
+        ratio = (
+            f"{peak / before:.4g} = {rate:.4g} (rate, squared) × {angle:.4g} (angle, squared) × "
+            f"{stroke:.4g} (stroke)"
+        )
+    described = f"{_describe('your design', move)}\n{_describe('reference', reference)}"
+    return f"{described}\nratio of the peaks: {ratio}"
 
 
 def _describe(name: str, move: Move) -> str:
     a_max = move.peak_acceleration
-    in_g = a_max / STANDARD_GRAVITY
-    return f"{name}: tm = {move.time_s:.4g} s, a_max = {a_max:.4g} m/s² = {in_g:.3g} g"
+    in_g = as_text(a_max / STANDARD_GRAVITY, ".3g")
+    return f"{name}: tm = {move.time_s:.4g} s, a_max = {as_text(a_max, '.4g')} m/s² = {in_g} g"
+
+
+def _drawn_peak(move: Move, curve: str) -> float:
+    return drawn_peak(getattr(move, f"peak_{curve}"), sample_curve(move, curve)[1])

@@ -22,14 +22,14 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.overlap import widest_move, with_angle
 from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.views.live import Explorer, LiveFigure, NumberControl
+from cammotion.views.movement import curve_angles, movement
 from cammotion.views.plots import REFERENCE_STYLE, style_axes, style_line, write
+from cammotion.views.scales import as_text, has_ratio
 from cammotion.views.timing_plots import (
     COLLISION,
     clearance_path,
-    curve_angles,
     describe_offset,
     forbidden_region,
-    movement,
     place_forbidden_region,
 )
 
@@ -40,8 +40,8 @@ _BROKEN: dict[str, Any] = {"color": COLLISION["edgecolor"], "linewidth": 6, "alp
 class OverlapExplorer(Explorer):
     """The two motions of a clearance rule, to be changed; made by `explore_overlap`.
 
-    Its words are those of the running example: the die may be deep only while the mill is near a
-    stop. The die keeps the length of its dwell at the bottom, the mill the middle of its move.
+    In the words of the running example: the die may be deep only while the mill is near a stop. The
+    die keeps the length of its dwell at the bottom, the mill the middle of its move.
     """
 
     def __init__(self, diagram: TimingDiagram, rule: ClearanceRule, contact_mm: float) -> None:
@@ -116,10 +116,13 @@ class OverlapExplorer(Explorer):
     def _describe(self, diagram: TimingDiagram, motion: Motion) -> str:
         move = motion.moves[0]
         peak, before = (d.peak_acceleration(motion.name) for d in (diagram, self.reference))
+        compared = f", before {as_text(before, '.3f')}"
+        if has_ratio(peak, before):
+            compared = f" = {peak / before:.3g} × {before:.3f}"
         start, end = move.from_deg % DEG_PER_TURN, move.to_deg % DEG_PER_TURN
         return (
             f"{motion.name}: {move.angle_deg:.5g} deg, from {start:.5g} to {end:.5g} deg, "
-            f"a_max = {peak:.3f} m/s² = {peak / before:.3g} × {before:.3f}"
+            f"a_max = {as_text(peak, '.3f')} m/s²{compared}"
         )
 
     def _judge(self, diagram: TimingDiagram, violations: Sequence[Violation]) -> str:
@@ -173,19 +176,14 @@ def explore_overlap(
 
     `rule.when` is about a motion with one rise and one return, which is the one to be `beyond`;
     `rule.only_while` about an indexing motion with one move, `within`. `contact_mm` is where the
-    first would touch; the margin is what the rule stays short of it. Raises InputError for others.
+    first would touch, in mm; the margin is what the rule stays short of it. Raises InputError for
+    a rule of another kind, and for a `contact_mm` that the rule lets the motion pass.
 
     >>> import cammotion as cm
-    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-    >>> die = cm.motion(
-    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
-    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
-    >>> rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
-    >>> diagram = cm.TimingDiagram([mill, die], rate_per_hour=2000)
-    >>> explorer = explore_overlap(diagram, rule, contact_mm=20)
+    >>> explorer = explore_overlap(cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20)
     >>> explorer.widen()
     >>> print(explorer.text.splitlines()[0])
-    die: 124.91 deg, from 80.095 to 205 deg, a_max = 0.805 m/s² = 0.194 × 4.154
+    die: 124.84 deg, from 80.163 to 205 deg, a_max = 0.806 m/s² = 0.194 × 4.154
     """
     as_rules(diagram, rule)
     contact = Quantity("position of contact", "mm", example=20).number(contact_mm)
@@ -203,4 +201,4 @@ def explore_overlap(
 
 def _joined(parts: Sequence[Floats]) -> Floats:
     """Return the parts in one, with a break (nan) after each, so that no line joins them."""
-    return np.concatenate([piece for part in parts for piece in (part, [np.nan])] or [[]])
+    return np.concatenate([np.empty(0), *(np.append(part, np.nan) for part in parts)])

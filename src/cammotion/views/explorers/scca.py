@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from cammotion.laws.catalogue import LAWS
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.laws.scca_family import LEAST_CA, NAMED_PARTS, SccaCurves, scca
+from cammotion.laws.scca_family import LEAST_CA, NAMED_PARTS, scca, scca_parts
 from cammotion.quantities import Floats, one_of
 from cammotion.views.explorers.scca_triangle import draw_triangle, place
 from cammotion.views.live import Explorer, LiveFigure, NumberControl
@@ -48,17 +48,16 @@ class SccaExplorer(Explorer):
         super().__init__([self.b, self.c], [buttons], live)
 
     @property
-    def curves(self) -> SccaCurves:
-        """The curves and factors of the law that the controls show."""
+    def parts(self) -> tuple[float, float, float]:
+        """b, c and d of the law that the controls show."""
         b, c = self.b.value, self.c.value
-        return SccaCurves(b, c, max(1 - b - c, 0))
+        return scca_parts(b, c, max(1 - b - c, 0))
 
     @property
     def law(self) -> MotionLaw:
         """The law that the controls show."""
-        parts = self.curves.parts
-        name = _name_of(parts)
-        return scca(*parts, name=name, also_called=LAWS[name].also_called if name else ())
+        name = _name_of(self.parts)
+        return scca(*self.parts, name=name, also_called=LAWS[name].also_called if name else ())
 
     def choose(self, name: str) -> None:
         """Set the controls to a named law of the family; another name raises InputError."""
@@ -74,14 +73,14 @@ class SccaExplorer(Explorer):
 
     def follow(self) -> str:
         """Draw the law that the controls show; return its name, its factors, and what Ca costs."""
-        curves = self.curves
-        self._point.set_data(*np.reshape(place(*curves.parts), (2, 1)))
-        x, *values = _at_rest_outside(curves.sample(_PER_ZONE))
+        law = self.law
+        self._point.set_data(*np.reshape(place(*self.parts), (2, 1)))
+        x, *values = _at_rest_outside(_sample(law))
         for line, heights in zip(self._lines, values, strict=True):
             line.set_data(x, heights)
-        self._jumps.set_data(*_impulses(curves))
-        self._note.set_text(_describe_cut(curves))
-        return describe(curves)
+        self._jumps.set_data(*_impulses(law))
+        self._note.set_text(_describe_cut(law))
+        return describe(self.parts, law)
 
     def _give_way(self, other: NumberControl, moved: NumberControl) -> None:
         """Lower the other control to what the moved one leaves."""
@@ -153,46 +152,59 @@ def explore_scca() -> SccaExplorer:
     return SccaExplorer()
 
 
-def describe(curves: SccaCurves) -> str:
+def describe(parts: tuple[float, float, float], law: MotionLaw) -> str:
     """Return three lines: the parts and the name of a law, its factors, and Ca against the least.
 
-    >>> print(describe(SccaCurves(0, 1, 0)))
+    >>> print(describe((0, 1, 0), LAWS["constant acceleration"]))
     b = 0, c = 1, d = 0: constant acceleration, also called parabolic
     Cv = 2, Ca = 4, Cj infinite (A jumps at the ends and in the middle), Cq = 8
     Ca is the least that is possible, 4
     """
-    b, c, d = curves.parts
-    name = _name_of(curves.parts)
-    others = " or ".join(LAWS[name].also_called) if name else ""
+    b, c, d = parts
+    name = _name_of(parts)
+    others = " or ".join(law.also_called) if name else ""
     names = (f": {name}" if name else "") + (f", also called {others}" if others else "")
-    jerk = f"infinite (A jumps {_jumps(curves)})" if _jumps(curves) else f"= {curves.Cj:.4g}"
-    times = curves.Ca / LEAST_CA
+    jerk = f"infinite (A jumps {_jumps(law)})" if _jumps(law) else f"= {law.Cj:.4g}"
+    times = law.Ca / LEAST_CA
     price = "" if times < 1 + _ROUNDING else f"{times:.4g} times "
     return (
         f"b = {b:.4g}, c = {c:.4g}, d = {d:.4g}{names}\n"
-        f"Cv = {curves.Cv:.4g}, Ca = {curves.Ca:.4g}, Cj {jerk}, Cq = {curves.Cq:.4g}\n"
+        f"Cv = {law.Cv:.4g}, Ca = {law.Ca:.4g}, Cj {jerk}, Cq = {law.Cq:.4g}\n"
         f"Ca is {price}the least that is possible, {LEAST_CA}"
     )
 
 
-def _jumps(curves: SccaCurves) -> str:
+def _jumps(law: MotionLaw) -> str:
     """Return in words where A jumps."""
-    where = {"at the ends": curves.jumps_at_ends, "in the middle": curves.jumps_in_middle}
+    places = {place for place, _ in law.jerk_impulses}
+    where = {"at the ends": 0 in places, "in the middle": 1 / 2 in places}
     return " and ".join(words for words, jumps in where.items() if jumps)
 
 
-def _describe_cut(curves: SccaCurves) -> str:
+def _describe_cut(law: MotionLaw) -> str:
     """Return what the limits of the picture hide of J."""
-    infinite = ["dotted: J infinite"] if _jumps(curves) else []
-    cut = [f"peak {curves.Cj_inside:.4g} cut off"] if curves.Cj_inside > _MOST_J else []
+    infinite = ["dotted: J infinite"] if _jumps(law) else []
+    cut = [f"peak {law.Cj_inside:.4g} cut off"] if law.Cj_inside > _MOST_J else []
     return "; ".join(infinite + cut)
 
 
-def _impulses(curves: SccaCurves) -> Floats:
+def _impulses(law: MotionLaw) -> Floats:
     """Return the lines, up or down beyond the picture, where A jumps."""
-    signs = {0: curves.jumps_at_ends, 0.5: -curves.jumps_in_middle, 1: curves.jumps_at_ends}
-    lines = [[(x, 0), (x, sign * 2 * _MOST_J), (np.nan, np.nan)] for x, sign in signs.items()]
-    return np.concatenate(lines).T
+    lines = [
+        [(x, 0), (x, np.sign(step) * 2 * _MOST_J), (np.nan, np.nan)]
+        for x, step in law.jerk_impulses
+    ]
+    return np.concatenate(lines or [[(np.nan, np.nan)]]).T
+
+
+def _sample(law: MotionLaw) -> Floats:
+    """Return x, S, V, A and J in every zone, its ends included: (zones, 5, places)."""
+    curves = [law.curve.derived(order).pieces for order in range(4)]
+    zones = []
+    for same_zone in zip(*curves, strict=True):
+        x = np.linspace(same_zone[0].low, same_zone[0].high, _PER_ZONE)
+        zones.append([x, *(piece.over(x) for piece in same_zone)])
+    return np.array(zones)
 
 
 def _name_of(parts: tuple[float, float, float]) -> str:

@@ -10,9 +10,11 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion, indexing_motion, motion
 from cammotion.machine.segments import dwell, return_, rise
 from cammotion.quantities import InputError
-from cammotion.views.live import Explorer, LiveFigure, NumberControl, round_up
+from cammotion.views.live import Explorer, LiveFigure, NumberControl
+from cammotion.views.movement import curve_angles, movement
 from cammotion.views.plots import CURVES, style_axes, style_line
-from cammotion.views.timing_plots import TICK_DEG, curve_angles, movement
+from cammotion.views.scales import as_text, drawn_peak, round_up
+from cammotion.views.timing_plots import TICK_DEG
 
 _LEAST_DEG = 10  # what is left at least for each way of the tool
 
@@ -73,15 +75,16 @@ class ShareExplorer(Explorer):
             for line, values in zip(lines, heights, strict=True):
                 line.set_data(angles, values)
         peak = max(map(diagram.peak_acceleration, diagram.names))
-        self._axes[1].set_ylim(-round_up(peak), round_up(peak))
+        top = round_up(drawn_peak(peak, *(lower.get_ydata() for _, lower in self._lines)))
+        self._axes[1].set_ylim(-top, top)
         larger = max(diagram.names, key=diagram.peak_acceleration)
         lines = [self._describe(diagram, moved) for moved in diagram.motions]
-        return "\n".join([*lines, f"larger peak: {larger}, {peak:.3f} m/s²"])
+        return "\n".join([*lines, f"larger peak: {larger}, {as_text(peak, '.3f')} m/s²"])
 
     def _describe(self, diagram: TimingDiagram, moved: Motion) -> str:
         angles = " and ".join(f"{segment.angle_deg:.5g}" for segment in moved.moves)
         peak = diagram.peak_acceleration(moved.name)
-        return f"{moved.name}: moves over {angles} deg, a_max = {peak:.3f} m/s²"
+        return f"{moved.name}: moves over {angles} deg, a_max = {as_text(peak, '.3f')} m/s²"
 
     def _prepare(self) -> list[list[Any]]:
         """Draw what stays; return a line of each picture for each motion."""
@@ -108,11 +111,7 @@ def explore_shares(diagram: TimingDiagram) -> ShareExplorer:
     two moves get what is left. Raises InputError for another diagram.
 
     >>> import cammotion as cm
-    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-    >>> die = cm.motion(
-    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
-    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
-    >>> explorer = explore_shares(cm.TimingDiagram([mill, die], rate_per_hour=2000))
+    >>> explorer = explore_shares(cm.EXAMPLE.diagram)
     >>> explorer.mill_angle.value = 100
     >>> print(explorer.text.splitlines()[1])
     die: moves over 80 and 80 deg, a_max = 1.963 m/s²

@@ -1,0 +1,173 @@
+"""A smooth piece of a curve: what every kind of them is asked, and a piece put elsewhere."""
+
+import math
+from abc import ABC, abstractmethod
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+import sympy
+
+from cammotion.laws.symbols import x
+from cammotion.laws.turning import bisect, turning_points
+from cammotion.quantities import Floats
+
+Number: TypeAlias = Any  # SymPy comes without types
+"""A float, or an exact number of SymPy that stays exact in the expressions made of it."""
+
+
+class Piece(ABC):
+    """A smooth curve from `low` to `high`."""
+
+    low: float
+    high: float
+
+    @abstractmethod
+    def at(self, place: float) -> float:
+        """Return the value at one place; what is left of terms that cancel each other is 0."""
+
+    @abstractmethod
+    def over(self, places: Floats, out: Floats | None = None) -> Floats:
+        """Return the values at many places, in an array of their shape; in `out`, if given."""
+
+    @abstractmethod
+    def bounds(self, low: float, high: float) -> tuple[float, float]:
+        """Return what every value between two places certainly lies between."""
+
+    @property
+    @abstractmethod
+    def derivative(self) -> "Piece":
+        """The derivative, made once."""
+
+    @abstractmethod
+    def torque(self) -> "Piece":
+        """Return the product of the first and the second derivative."""
+
+    @property
+    @abstractmethod
+    def expression(self) -> sympy.Expr:
+        """It as an expression in `x`."""
+
+    @property
+    def cost(self) -> int:
+        """How many terms it takes to bound it once."""
+        return 1
+
+    @cached_property
+    def turns(self) -> list[float]:
+        """Where between its ends it turns, in order; that no turn is missed is proved."""
+        return turning_points(self, self.low, self.high)
+
+    @cached_property
+    def corners(self) -> list[tuple[float, float]]:
+        """Places and values at its ends and where it turns: between two it rises or falls."""
+        return [(place, self.at(place)) for place in (self.low, *self.turns, self.high)]
+
+    @cached_property
+    def extremes(self) -> tuple[float, float]:
+        """The least and the largest value."""
+        values = [value for _, value in self.corners]
+        return min(values), max(values)
+
+    def restricted(self, low: float, high: float) -> "Piece":
+        """Return the part of it between two of its places."""
+        if (low, high) == (self.low, self.high):
+            return self
+        return Placed(self, 0.0, 1.0, 0.0, 1.0, (low, high))
+
+    def solve(self, height: float, low: float, high: float) -> float:
+        """Return where between two places it passes a height, if it only rises or falls there."""
+        rising = self.at(high) > self.at(low)
+        return bisect(lambda place: (self.at(place) < height) == rising, low, high)
+
+
+class Placed(Piece):
+    """A piece drawn elsewhere: offset + factor * inner((place - shift) / width).
+
+    A negative `width` turns it round; `span` is what is shown of the inner piece, all of it unless
+    given. Turns are those of the inner piece, which finds them once for all its places.
+    """
+
+    def __init__(  # noqa: PLR0913, PLR0917 - four numbers are one transformation
+        self,
+        inner: Piece,
+        shift: Number,
+        width: Number,
+        offset: Number,
+        factor: Number,
+        span: tuple[float, float] | None = None,
+    ) -> None:
+        self._inner, self._exact = inner, (shift, width, offset, factor)
+        self._shift, self._width = float(shift), float(width)
+        self._offset, self._factor = float(offset), float(factor)
+        self._span = span or (inner.low, inner.high)
+        self.low, self.high = sorted(map(self._out, self._span))
+
+    @property
+    def cost(self) -> int:
+        """How many terms it takes to bound it once."""
+        return self._inner.cost
+
+    def at(self, place: float) -> float:
+        """Return the value at one place."""
+        return self._offset + self._factor * self._inner.at(self._in(place))
+
+    def over(self, places: Floats, out: Floats | None = None) -> Floats:
+        """Return the values at many places; in `out`, if given."""
+        inside = (places - self._shift) / self._width
+        np.clip(inside, *self._span, out=inside)
+        values = self._inner.over(inside, out)
+        values *= self._factor
+        if self._offset:
+            values += self._offset
+        return values
+
+    def bounds(self, low: float, high: float) -> tuple[float, float]:
+        """Return what every value between two places certainly lies between."""
+        inside = sorted((self._in(low), self._in(high)))
+        ends = [self._factor * value for value in self._inner.bounds(*inside)]
+        slack = 4 * math.ulp(abs(self._offset) + max(map(abs, ends)))
+        return self._offset + min(ends) - slack, self._offset + max(ends) + slack
+
+    @cached_property
+    def derivative(self) -> "Piece":
+        """The derivative, made once."""
+        shift, width, _, factor = self._exact
+        return Placed(self._inner.derivative, shift, width, 0.0, factor / width, self._span)
+
+    def torque(self) -> "Piece":
+        """Return the product of the first and the second derivative."""
+        shift, width, _, factor = self._exact
+        return Placed(self._inner.torque(), shift, width, 0.0, factor**2 / width**3, self._span)
+
+    @cached_property
+    def expression(self) -> sympy.Expr:
+        """It as an expression in `x`."""
+        shift, width, offset, factor = self._exact
+        return offset + factor * self._inner.expression.xreplace({x: (x - shift) / width})
+
+    @cached_property
+    def turns(self) -> list[float]:
+        """Where between its ends it turns, in order."""
+        low, high = self._span
+        return sorted(self._out(turn) for turn in self._inner.turns if low < turn < high)
+
+    @cached_property
+    def extremes(self) -> tuple[float, float]:
+        """The least and the largest value."""
+        if self._span != (self._inner.low, self._inner.high):
+            return super().extremes
+        ends = [self._offset + self._factor * value for value in self._inner.extremes]
+        return min(ends), max(ends)
+
+    def solve(self, height: float, low: float, high: float) -> float:
+        """Return where between two places it passes a height, if it only rises or falls there."""
+        inside = sorted((self._in(low), self._in(high)))
+        return self._out(self._inner.solve((height - self._offset) / self._factor, *inside))
+
+    def _in(self, place: float) -> float:
+        inside = (place - self._shift) / self._width
+        return min(max(inside, self._span[0]), self._span[1])
+
+    def _out(self, inside: float) -> float:
+        return self._shift + self._width * inside

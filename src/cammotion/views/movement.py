@@ -1,0 +1,39 @@
+"""Where a motion is through the turn that is drawn, from 0 to 360 deg: for every picture of it."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats
+
+SAMPLED_DEGS = np.linspace(0.0, DEG_PER_TURN, 721)
+
+
+def movement(motion: Motion, angle_deg: ArrayLike) -> Floats:
+    """Return the position in mm; of an indexing motion, from the stop it is nearest at 0 deg.
+
+    `angle_deg` are cam angles in deg, an array of any shape. An indexing motion goes on over the
+    end of its turn, and is not set back where its stops close the turret.
+
+    >>> import cammotion as cm
+    >>> belt = cm.indexing_motion("belt", cm.rise(100, over_deg=150), cm.dwell(210), stops=1)
+    >>> movement(belt, [0, 75, 360])
+    array([  0.,  50., 100.])
+    """
+    if motion.stops is None:
+        return np.asarray(motion.position_mm(angle_deg))
+    at_zero = _way_mm(motion, 0.0) / motion.pitch_mm
+    return np.asarray(_way_mm(motion, angle_deg) - motion.pitch_mm * np.round(at_zero))
+
+
+def curve_angles(motion: Motion) -> Floats:
+    """Return cam angles, 0 to 360 deg, close enough for a curve and with its corners in it."""
+    return np.union1d(SAMPLED_DEGS, np.mod(motion.turning_degs, DEG_PER_TURN))
+
+
+def _way_mm(motion: Motion, angle_deg: ArrayLike) -> Floats:
+    """Return how far an indexing motion has come since the stop of its first segment."""
+    turns = np.floor((np.asarray(angle_deg) - motion.start_deg) / DEG_PER_TURN)
+    closed = turns - np.mod(turns, motion.stops or 1)  # what position_mm sets back
+    return np.asarray(motion.position_mm(angle_deg) - motion.start_mm + motion.pitch_mm * closed)
