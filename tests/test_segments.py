@@ -1,6 +1,7 @@
 """Segments: the cycloid in closed form, and what is no segment."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
@@ -52,8 +53,9 @@ def test_the_smallest_stroke_is_a_rise_or_a_return(stroke_mm: float) -> None:
     up = Segment(from_deg=0, to_deg=90, from_mm=0, to_mm=stroke_mm, law="cycloidal")
     down = Segment(from_deg=0, to_deg=90, from_mm=stroke_mm, to_mm=0, law="cycloidal")
     assert (up.kind, down.kind) == ("rise", "return")
-    assert up.where_above(stroke_mm / 2) == down.where_below(stroke_mm / 2) == [(45, 90)]
-    assert up.where_below(stroke_mm / 2) == down.where_above(stroke_mm / 2) == [(0, 45)]
+    rest = Segment(from_deg=180, to_deg=360, from_mm=0, to_mm=0)
+    die = cm.Motion("die", [up, replace(down, from_deg=90, to_deg=180), rest])
+    assert die.where_beyond(stroke_mm / 2) == [(45, 135)]
 
 
 def test_a_segment_is_said_by_name() -> None:
@@ -67,7 +69,7 @@ def test_a_segment_is_said_by_name() -> None:
 def test_a_segment_takes_any_angle_up_to_a_turn(angle: float) -> None:
     assert Segment(from_deg=0, to_deg=angle, from_mm=0, to_mm=0).angle_deg == angle
     assert cm.dwell(angle) == Part(angle)
-    assert cm.rise(0.5, over_deg=angle) == Part(angle, 0.5, "cycloidal")
+    assert cm.rise(0.5, over_deg=angle) == Part(angle, 0.5, cm.as_law("cycloidal"))
     for make in (cm.dwell, lambda wide: cm.return_(50, over_deg=wide)):
         for wrong in (-angle, 0, 360.001):
             with pytest.raises(cm.InputError, match=r"^The angle of a segment is"):

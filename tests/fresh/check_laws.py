@@ -4,7 +4,7 @@ import numpy as np
 
 from cammotion import MotionLaw
 from fresh.drawing import Machine
-from fresh.sampling import Array, function_of, joints_of
+from fresh.sampling import Array, function_of, joints_of, jumps_at
 
 SAMPLES = 4001
 JUMP = 1e-6  # of a curve whose size is about 1
@@ -115,12 +115,9 @@ def _largest(law: MotionLaw, order: int) -> float:
 
 def _largest_jump(law: MotionLaw, order: int) -> float:
     curve = function_of(law, order)
-    inner = np.array(joints_of(law))
-    ends = np.abs(curve(np.array([1e-12, 1 - 1e-12])))
-    inside = np.abs(curve(inner + 1e-9) - curve(inner - 1e-9))
-    # Over so short a way the curve itself changes, by its slope.
-    slope = np.abs(function_of(law, order + 1)(_samples(law))).max()
-    return float(max(np.max(ends) - 1e-12 * slope, np.max(inside, initial=0) - 3e-9 * slope))
+    ends = np.abs(curve(np.array([0.0, 1.0])))
+    inside = np.abs(jumps_at(curve, joints_of(law), 1e-7))
+    return float(max(np.max(ends), np.max(inside, initial=0)))
 
 
 def _away(law: MotionLaw, places: Array) -> Array:
