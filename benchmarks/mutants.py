@@ -21,7 +21,7 @@ import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
@@ -33,6 +33,7 @@ ROOT = Path(__file__).resolve().parent.parent
 TESTS = ROOT / "tests"
 LEFT_OUT = ("teaching/lessons/", "__init__.py", "__init__.pyi")
 SLOW = ("browser", "nbgrader", "notebook", "solutions", "conftest", "house", "readme")
+_PASSED, _NOT_RUN = 0, (4, 5)  # exit codes of pytest
 FEW, NEAREST = 3, 9  # test files: with fewer, those of the importers count too; at most so many
 COPIED = (
     *("src", "tests", "starter", "benchmarks", "notebooks", "docs", ".binder", ".ci"),
@@ -71,7 +72,9 @@ class Mutant:
 
     path: Path
     line: int
+    whole: str
     text: str
+    tests: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
@@ -81,8 +84,8 @@ class Mutant:
     @property
     def diff(self) -> str:
         """What it changes."""
-        before = self.path.read_text(encoding="utf-8").splitlines()
-        lines = difflib.unified_diff(before, self.text.splitlines(), n=1, lineterm="")
+        texts = self.whole.splitlines(), self.text.splitlines()
+        lines = difflib.unified_diff(*texts, n=1, lineterm="")
         return "\n".join(line for line in lines if not line.startswith(("---", "+++")))
 
 
@@ -98,7 +101,7 @@ def mutants_of(path: Path) -> Iterator[Mutant]:
             text = (raw[:start] + new.encode() + raw[end:]).decode()
             with contextlib.suppress(SyntaxError):
                 ast.parse(text)
-                yield Mutant(path, old.lineno, text)
+                yield Mutant(path, old.lineno, source, text)
 
 
 def _nodes(tree: ast.AST) -> Iterator[Any]:
@@ -180,7 +183,7 @@ def quick_tests() -> dict[Path, Counter[str]]:
 
 
 @cache
-def near_tests(path: Path) -> list[str]:
+def near_tests(path: Path) -> tuple[str, ...]:
     """Return the doctests of a file and the test files that speak most of what it defines."""
     of_starter = path.parent.name == "starter"
     tests = {
@@ -200,8 +203,8 @@ def near_tests(path: Path) -> list[str]:
     return _relative(dict.fromkeys([*doctests, *own, *nearest]))
 
 
-def _relative(paths: Iterable[Path]) -> list[str]:
-    return [str(path.relative_to(ROOT)) for path in paths]
+def _relative(paths: Iterable[Path]) -> tuple[str, ...]:
+    return tuple(str(path.relative_to(ROOT)) for path in paths)
 
 
 def _spoken(path: Path) -> Counter[str]:
@@ -250,7 +253,7 @@ class Bench:
         """Whether all quick tests pass while nothing is broken."""
         copy = self.free.get()
         try:
-            return self._run(copy, _relative(quick_tests())) == 0
+            return self._run(copy, _relative(quick_tests())) == _PASSED
         finally:
             self.free.put(copy)
 
@@ -258,23 +261,21 @@ class Bench:
         """Try a mutant in a free copy; the copy is whole again afterwards."""
         copy = self.free.get()
         broken = copy / mutant.path.relative_to(ROOT)
-        whole = broken.read_text(encoding="utf-8")
         try:
             broken.write_text(mutant.text, encoding="utf-8")
-            near = self._run(copy, near_tests(mutant.path))
-            if near is None:
-                return "took too long"
-            if near:
-                return "died near"
-            if self.near_only:
-                return "lives"
-            rest = self._run(copy, _relative(quick_tests()))
-            return "lives" if rest == 0 else "died in the quick suite"
+            steps: dict[Fate, tuple[str, ...]] = {"died near": mutant.tests}
+            if not self.near_only:
+                steps["died in the quick suite"] = _relative(quick_tests())
+            for fate, tests in steps.items():
+                code = self._run(copy, tests)
+                if code != _PASSED:
+                    return "took too long" if code is None else fate
+            return "lives"
         finally:
-            broken.write_text(whole, encoding="utf-8")
+            broken.write_text(mutant.whole, encoding="utf-8")
             self.free.put(copy)
 
-    def _run(self, copy: Path, tests: list[str]) -> int | None:
+    def _run(self, copy: Path, tests: Iterable[str]) -> int | None:
         """Run tests in a copy; return pytest's exit code, None if it takes too long."""
         environment = {
             **os.environ,
@@ -291,7 +292,10 @@ class Bench:
             start_new_session=True,
         )
         try:
-            return process.wait(self.seconds)
+            code = process.wait(self.seconds)
+            if code in _NOT_RUN:
+                raise RuntimeError(f"pytest cannot run {tests} (exit code {code})")
+            return code
         except subprocess.TimeoutExpired:
             return None
         finally:
@@ -322,7 +326,7 @@ def main() -> int:
     started = time.monotonic()
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.processes) as pool:
         bench = Bench(Path(folder), options.processes, options.seconds, options.near_only)
-        mutants = [every[place] for place in chosen]
+        mutants = [replace(m, tests=near_tests(m.path)) for m in (every[n] for n in chosen)]
         if not bench.is_whole():
             sys.exit("The quick tests fail, or take too long, before anything is broken.")
         print(f"The quick tests pass ({time.monotonic() - started:.0f} s).", flush=True)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fresh.drawing import draw
+from fresh.drawing import build, draw
 from fresh.runner import CHECKS, examine, main, run
 
 import cammotion as cm
@@ -31,9 +31,8 @@ def test_a_machine_is_drawn_again_the_same() -> None:
 
 
 def test_its_code_builds_it() -> None:
-    names: dict[str, Any] = {}
     machine = draw(SEED, 3)
-    exec(machine.code, names)  # noqa: S102 - the code is our own
+    names = build(machine.code)
     angles = np.linspace(0, 360, 50)
     for name in machine.diagram.names:
         again = names["diagram"].position_mm(name, angles)

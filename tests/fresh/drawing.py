@@ -1,14 +1,15 @@
 """Machines at random: each is drawn as code, and what is run is what can be printed."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 import cammotion as cm
 from cammotion import ClearanceRule, InputError, MotionLaw, TimingDiagram
+from fresh.sampling import Array, tracks_of
 
 Rng = np.random.Generator
 
@@ -26,13 +27,7 @@ class Machine:
     seed: str
     number: int
     code: str
-
-    @cached_property
-    def built(self) -> dict[str, Any]:
-        """The names that the code gives."""
-        names: dict[str, Any] = {}
-        exec(self.code, names)  # noqa: S102 - the code is our own
-        return names
+    built: dict[str, Any]
 
     @property
     def diagram(self) -> TimingDiagram:
@@ -62,37 +57,64 @@ def draw(seed: str, number: int) -> Machine:
     """Draw the machine of that number; it is always the same one."""
     rng = _rng(seed, number, "machine")
     while True:
-        machine = Machine(seed, number, "\n".join([HEAD, *_lines(rng)]))
+        motions = "\n".join([HEAD, *_motions(rng)])
         try:
-            machine.built  # noqa: B018 - some drawn polynomials are refused
-        except InputError:
+            built = build(motions)
+        except InputError:  # some drawn polynomials are refused
             continue
-        return machine
+        rules = "\n".join(["rules = [", *(f"    {rule}," for rule in _rules(rng, built)), "]"])
+        code = f"{motions}\n{rules}\n"
+        return Machine(seed, number, code, build(rules, built))
+
+
+def build(code: str, names: Mapping[str, Any] = MappingProxyType({})) -> dict[str, Any]:
+    """Return the names that a machine's code gives, those that are there already among them."""
+    found = dict(names)
+    exec(code, found)  # noqa: S102 - the code is our own
+    return found
 
 
 def _rng(*words: object) -> Rng:
     return np.random.default_rng([*":".join(map(str, words)).encode()])
 
 
-def _lines(rng: Rng) -> Iterator[str]:
-    """Yield the lines of a machine."""
+def _motions(rng: Rng) -> Iterator[str]:
+    """Yield the lines of a machine without rules."""
     number = int(rng.choice([2, 2, 3]))
     names = ["a", "b", "c"][:number]
-    is_turret = [bool(rng.random() < share) for share in (0.7, 0.15, 0.3)[:number]]
-    spans = []
-    for name, turret in zip(names, is_turret, strict=True):
-        count = int(rng.choice([1, 1, 1, 2, 3] if turret else [2, 2, 2, 3, 4]))
-        heights = _heights(rng, count, turret)
-        spans.append((heights.min(), heights.max(), abs(heights[-1] - heights[0])))
+    for name, turrets in zip(names, (0.7, 0.15, 0.3), strict=False):
+        is_turret = bool(rng.random() < turrets)
+        count = int(rng.choice([1, 1, 1, 2, 3] if is_turret else [2, 2, 2, 3, 4]))
         for place in range(count):
             yield f"law_{name}{place} = {_law(rng)}"
-        yield _motion(rng, name, heights, turret)
+        yield _motion(rng, name, _heights(rng, count, is_turret), is_turret)
     rate = _digits(np.exp(rng.uniform(np.log(100), np.log(20_000))), 4)
     yield f"diagram = cm.TimingDiagram([{', '.join(names)}], rate_per_hour={rate})"
-    rules = [_rule(rng, names, is_turret, spans) for _ in range(rng.choice([1, 1, 2, 3]))]
-    yield "rules = ["
-    yield from (f"    {rule}," for rule in rules)
-    yield "]"
+
+
+def _rules(rng: Rng, built: dict[str, Any]) -> Iterator[str]:
+    """Yield the code of some rules; mostly ones that the machine just keeps."""
+    tracks = tracks_of(built["diagram"])
+    keeps = rng.random() < 0.8
+    for _ in range(rng.choice([1, 1, 2, 3])):
+        first, second = (str(name) for name in rng.permutation([*tracks])[:2])
+        grid = np.concatenate([np.arange(0, 360, 0.5), tracks[first].grid, tracks[second].grid])
+        other = tracks[second].offset(grid)
+        kind, limit = rng.choice(["within"] * 3 + ["beyond"]), _limit(rng, other)
+        is_open = other > limit if kind == "within" else other <= limit
+        only_while = f'cm.{kind}("{second}", {limit})'
+        kind, own = rng.choice(["beyond"] * 3 + ["within"]), tracks[first].offset(grid)
+        limit = _limit(rng, own)
+        if keeps and is_open.any():
+            room, side = rng.choice([1e-3, 0.05, 0.3]) * np.ptp(own), 1 if kind == "beyond" else -1
+            limit = float(_digits(side * (side * own[is_open]).max() + side * room, 6))
+        yield f'cm.ClearanceRule(cm.{kind}("{first}", {limit}), only_while={only_while})'
+
+
+def _limit(rng: Rng, offsets: Array) -> float:
+    """Return a limit somewhere in a range, now and then near to an end of it."""
+    share = rng.choice([rng.uniform(0.02, 0.98), rng.uniform(0, 0.05), rng.uniform(0.95, 1)])
+    return float(_digits(offsets.min() + share * np.ptp(offsets), 6))
 
 
 def _heights(rng: Rng, moves: int, turret: bool) -> Any:
@@ -137,21 +159,6 @@ def _widths(rng: Rng, count: int) -> list[float]:
     widths = np.maximum(np.round(shares * 360 / grain), 1) * grain
     widths[np.argmax(widths)] += 360 - widths.sum()
     return [float(width) for width in np.round(widths, 6)]
-
-
-def _rule(rng: Rng, names: list[str], is_turret: list[bool], spans: list[Any]) -> str:
-    """Return the code of a rule about two of the motions."""
-    first, second = rng.permutation(len(names))[:2]
-    halves = []
-    for place, kinds in (
-        (first, ["beyond"] * 3 + ["within"]),
-        (second, ["within"] * 3 + ["beyond"]),
-    ):
-        low, high, pitch = spans[place]
-        share = rng.choice([rng.uniform(0.02, 0.98), rng.uniform(0, 0.05), rng.uniform(0.95, 1)])
-        limit = share * pitch / 2 if is_turret[place] else low + share * (high - low)
-        halves.append(f'cm.{rng.choice(kinds)}("{names[place]}", {_digits(limit, 6)})')
-    return f"cm.ClearanceRule({halves[0]}, only_while={halves[1]})"
 
 
 def _law(rng: Rng) -> str:
