@@ -9,7 +9,7 @@ from machines import DIPPING, MONOTONE, WAVY, Array, examples
 
 import cammotion as cm
 from cammotion import MotionLaw
-from cammotion.laws.catalogue import x
+from cammotion import x
 from cammotion.laws.reader import read_pieces
 from cammotion.laws.turning import bisect
 

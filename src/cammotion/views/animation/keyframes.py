@@ -12,17 +12,15 @@ import numpy as np
 
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import ROUNDING_DEG
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, over_time
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats
 from cammotion.views.movement import movement
-from cammotion.views.scales import drawn_peak
 
 TOLERANCE_MM = 0.06
 TOLERANCE_SHARE = 1.2e-3  # of a move: small strokes are drawn large
 MOST_CHORDS = 200  # within the tolerance up to a move of 3 m; beyond, the drawing stays small
-_PLACES = np.linspace(0.0, 1.0, 65)
 ACCELERATION_CHORDS = 64  # of one move; the law may jump, which a chord makes steep
 
 
@@ -70,7 +68,8 @@ def trace_acceleration(motion: Motion, rate_per_hour: float) -> Trace:
                 continue
             inner = [angle for angle in _acceleration_angles(segment) if low < angle < high]
             angles = np.array([low, *inner, high])
-            parts.append((angles - start, segment.derivative(2, angles, rate_per_hour)))
+            values = segment.curve.derived(2)(angles)
+            parts.append((angles - start, over_time(2, values, cycle_time(rate_per_hour))))
     parts.sort(key=lambda part: float(part[0][0]))
     angles, values = (np.concatenate(of_all) for of_all in zip(*parts, strict=True))
     return _thinned(angles, values)
@@ -88,10 +87,10 @@ def _position_angles(segment: Segment) -> Floats:
         return np.array([segment.from_deg, segment.to_deg])
     law, way = as_law(segment.law), abs(segment.change_mm)
     tolerance = min(TOLERANCE_MM, TOLERANCE_SHARE * way)
-    bend = drawn_peak(law.Ca, law(_PLACES, 2))  # where V jumps, a chord ends anyway
+    bend = law.curve.derived(2).largest  # where V jumps, a chord ends anyway
     chords = math.ceil(math.sqrt(way * bend / (8 * tolerance)))
     even = np.linspace(segment.from_deg, segment.to_deg, min(chords, MOST_CHORDS) + 1)
-    return np.union1d(even, segment.turning_degs)
+    return np.union1d(even, [branch.high for branch in segment.curve.branches])
 
 
 def _acceleration_angles(segment: Segment) -> Floats:
