@@ -236,6 +236,7 @@ class Bench:
     def __init__(self, folder: Path, processes: int, seconds: float, near_only: bool) -> None:
         self.seconds, self.near_only = seconds, near_only
         self.free: SimpleQueue[Path] = SimpleQueue()
+        self.running: set[subprocess.Popen[bytes]] = set()
         for number in range(processes):
             copy = folder / str(number)
             copy.mkdir()
@@ -291,6 +292,7 @@ class Bench:
             stderr=subprocess.DEVNULL,
             start_new_session=True,
         )
+        self.running.add(process)
         try:
             code = process.wait(self.seconds)
             if code in _NOT_RUN:
@@ -299,9 +301,20 @@ class Bench:
         except subprocess.TimeoutExpired:
             return None
         finally:
-            with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
+            self.running.discard(process)
+            _end(process)
+
+    def stop(self) -> None:
+        """End what runs."""
+        for process in [*self.running]:
+            _end(process)
+
+
+def _end(process: "subprocess.Popen[bytes]") -> None:
+    """End a process with all that it has started, and wait for it."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -322,23 +335,34 @@ def main() -> int:
     every = [mutant for path in files() if options.only in str(path) for mutant in mutants_of(path)]
     count = min(options.count, len(every))
     chosen = np.random.default_rng(options.seed).choice(len(every), count, replace=False)
-    fates: Counter[Fate] = Counter()
-    started = time.monotonic()
+    mutants = [replace(m, tests=near_tests(m.path)) for m in (every[n] for n in chosen)]
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.processes) as pool:
         bench = Bench(Path(folder), options.processes, options.seconds, options.near_only)
-        mutants = [replace(m, tests=near_tests(m.path)) for m in (every[n] for n in chosen)]
-        if not bench.is_whole():
-            sys.exit("The quick tests fail, or take too long, before anything is broken.")
-        print(f"The quick tests pass ({time.monotonic() - started:.0f} s).", flush=True)
-        for mutant, fate in zip(mutants, pool.map(bench.fate, mutants), strict=True):
-            fates[fate] += 1
-            seconds = time.monotonic() - started
-            print(f"[{fates.total()}/{count}] {mutant.name}: {fate} ({seconds:.0f} s)", flush=True)
-            if fate == "lives":
-                print(mutant.diff, flush=True)
+        try:
+            fates = _try(mutants, bench, pool)
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+            bench.stop()
     died = count - fates["lives"]
     print(f"Of {count} mutants out of {len(every)}, {died} died: {dict(fates)}")
     return 1 if fates["lives"] else 0
+
+
+def _try(mutants: list[Mutant], bench: Bench, pool: ThreadPoolExecutor) -> Counter[Fate]:
+    """Try the mutants, tell of each, and count how they end."""
+    started = time.monotonic()
+    if not bench.is_whole():
+        sys.exit("The quick tests fail, or take too long, before anything is broken.")
+    print(f"The quick tests pass ({time.monotonic() - started:.0f} s).", flush=True)
+    fates: Counter[Fate] = Counter()
+    for mutant, fate in zip(mutants, pool.map(bench.fate, mutants), strict=True):
+        fates[fate] += 1
+        place = f"[{fates.total()}/{len(mutants)}]"
+        print(f"{place} {mutant.name}: {fate} ({time.monotonic() - started:.0f} s)", flush=True)
+        if fate == "lives":
+            print(mutant.diff, flush=True)
+    return fates
 
 
 if __name__ == "__main__":
