@@ -47,7 +47,7 @@ def measure_laws() -> list[Finding]:
     x = np.linspace(0, 1, POINTS)
     return [
         Finding(f"s, v, a, j of {name} : by hand", ratio_to_hand(name, x), 1.5, "x")
-        for name in LAWS
+        for name in BY_HAND
     ]
 
 

@@ -1,7 +1,8 @@
-"""Wrong answers that a student could give, each computed the wrong way from a machine's numbers.
+"""Lessons 01 to 04 by hand: right answers, and wrong ones that a student could give.
 
-What stands here knows nothing of the package: neither its laws nor the slips that it recognises.
-`said` is a pattern of which a fitting reason has to contain a match.
+Each is computed from a machine's numbers. What stands here knows nothing of the package: neither
+its laws nor the slips that it recognises. `said` is a pattern of which a fitting reason has to
+contain a match. Any file known_slips*.py with RIGHT, SOURCE and SLIPS is found by its name.
 """
 
 import math
@@ -119,7 +120,36 @@ def without_return(t: float, h_m: float, t_m: float) -> None:
     h_m / t_m**2 * (6 - 12 * t / t_m)
 
 
-KNOWN_SLIPS = [
+RIGHT: dict[str, Callable[[MillAndDie], float]] = {
+    "01.1": die,
+    "01.2": lambda m: time(m, m.work_deg),
+    "01.3": lambda m: peak(m, die(m)) / peak(m, m.mill_angle_deg, m.pitch_mm),
+    "02.1": lambda m: peak(m, die(m)),
+    "02.3": lambda m: m.die_mass_kg * peak(m, die(m)),
+    "02.4": lambda m: faster(m) ** 2,
+    "03.1": lambda m: m.pitch_mm * law(0.1),
+    "03.2": later,
+    "03.3": x_deep,
+    "03.4": widest,
+    "03.5": gain,
+    "04.1": lambda m: stroke(m) * law(depth_x(m)),
+    "04.2": lambda m: slower(m) ** 2,
+    "04.3": lambda m: 1000 * time(m, rest(m)),
+}
+
+SOURCE = {
+    "01.1": 55,
+    "01.2": 0.5,
+    "02.1": 4.15417,
+    "03.1": 0.6451,
+    "03.2": 70,
+    "03.3": 0.43927,
+    "03.4": 124.84,
+    "03.5": 4.15417 / 0.8064,
+}
+"""Figures that the source itself gives, or that follow from them on paper."""
+
+SLIPS = [
     KnownSlip("01.1", "both ways", lambda m: 360 - m.mill_angle_deg - m.work_deg, "both ways"),
     KnownSlip("01.1", "work forgotten", lambda m: (360 - m.mill_angle_deg) / 2, "work"),
     KnownSlip("01.1", "mill forgotten", lambda m: (360 - m.work_deg) / 2, "mill"),

@@ -1,6 +1,6 @@
-"""Wrong answers to the exercises on motion laws and on their limits, each computed a wrong way.
+"""Lessons 05 and 06 by hand: right answers, and wrong ones that a student could give.
 
-As in known_slips.py, nothing here knows of the package's laws or of the slips that it recognises.
+Nothing here knows of the package's laws or of the slips that it recognises.
 """
 
 import math
@@ -121,7 +121,30 @@ def servo(m: MillAndDie, motor_kg: float, die_kg: float | None = None, a: float 
 SCREW = 2 * math.pi / 0.01  # how far the screw turns, in rad for a metre
 MOTOR_KG = 1e-4 * SCREW**2
 
-LAW_SLIPS = [
+RIGHT: dict[str, Callable[[MillAndDie], float]] = {
+    "05.1": lambda m: hard(m, die(m), 4),
+    "05.2": lambda _: 100 * (1 - 4 / (2 + math.pi)),
+    "05.3": lambda m: die(m) * math.sqrt((2 + math.pi) / 4),
+    "05.5": sine_peak,
+    "06.1": lambda _: 2,
+    "06.3": least,
+    "06.4": times_least,
+    "06.5": lambda m: servo(m, MOTOR_KG),
+}
+"""The right numbers; test_exercises_laws.py integrates for those of notebook 06."""
+
+SOURCE = {
+    "05.1": 2.64463,
+    "05.2": 22.203,
+    "05.3": 62.357,
+    "05.5": 0.73028,
+    "06.1": 2,
+    "06.3": 0.51134,
+    "06.4": 1.57695,
+    "06.5": 30.887,
+}
+
+SLIPS = [
     # How hard the law of constant acceleration is.
     KnownSlip("05.1", "the cycloid's factor", lambda m: hard(m, die(m), CYCLOID), "cycloid"),
     KnownSlip("05.1", "the harmonic's", lambda m: hard(m, die(m), HARMONIC), "harmonic|sine|pi"),

@@ -4,51 +4,29 @@ import re
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
+from importlib import import_module
+from pathlib import Path
 from typing import Any
 
-import known_slips as by_hand
-import known_slips_laws as laws_by_hand
 import mpmath
 import numpy as np
 import pytest
 import sympy
 from judging import MACHINES, each_exercise, each_number, is_right, reasons_of, say
-from known_slips import KNOWN_SLIPS
-from known_slips_laws import LAW_SLIPS
+from known_slips import KnownSlip, h_m
 
-from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.exercise import Exercise, NumberExercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
 
-RIGHT: dict[str, Callable[[MillAndDie], float]] = {
-    "01.1": by_hand.die,
-    "01.2": lambda m: by_hand.time(m, m.work_deg),
-    "01.3": lambda m: (
-        by_hand.peak(m, by_hand.die(m)) / by_hand.peak(m, m.mill_angle_deg, m.pitch_mm)
-    ),
-    "02.1": lambda m: by_hand.peak(m, by_hand.die(m)),
-    "02.3": lambda m: m.die_mass_kg * by_hand.peak(m, by_hand.die(m)),
-    "02.4": lambda m: by_hand.faster(m) ** 2,
-    "03.1": lambda m: m.pitch_mm * by_hand.law(0.1),
-    "03.2": by_hand.later,
-    "03.3": by_hand.x_deep,
-    "03.4": by_hand.widest,
-    "03.5": by_hand.gain,
-    "04.1": lambda m: by_hand.stroke(m) * by_hand.law(by_hand.depth_x(m)),
-    "04.2": lambda m: by_hand.slower(m) ** 2,
-    "04.3": lambda m: 1000 * by_hand.time(m, by_hand.rest(m)),
-    "05.1": lambda m: laws_by_hand.hard(m, by_hand.die(m), 4),
-    "05.2": lambda _: 100 * (1 - 4 / (2 + np.pi)),
-    "05.3": lambda m: by_hand.die(m) * np.sqrt((2 + np.pi) / 4),
-    "05.5": laws_by_hand.sine_peak,
-    "06.1": lambda _: 2,
-    "06.3": laws_by_hand.least,
-    "06.4": laws_by_hand.times_least,
-    "06.5": lambda m: laws_by_hand.servo(m, laws_by_hand.MOTOR_KG),
-}
-"""The right numbers, computed without the package; test_exercises_laws.py integrates for them."""
-ALL_SLIPS = [*KNOWN_SLIPS, *LAW_SLIPS]
+BY_HAND = [
+    import_module(file.stem) for file in sorted(Path(__file__).parent.glob("known_slips*.py"))
+]
+"""What is right and what is wrong, by lessons and without the package; a new file is found here."""
+RIGHT = {number: answer for known in BY_HAND for number, answer in known.RIGHT.items()}
+OF_THE_SOURCE = {number: value for known in BY_HAND for number, value in known.SOURCE.items()}
+ALL_SLIPS: list[KnownSlip] = [slip for known in BY_HAND for slip in known.SLIPS]
 
 
 @each_exercise
@@ -65,15 +43,7 @@ def test_the_solution_is_the_number_computed_by_hand(exercise: NumberExercise) -
         assert exercise.solution(machine) == pytest.approx(RIGHT[exercise.number](machine))
 
 
-@pytest.mark.parametrize(
-    ("number", "value"),
-    [
-        *[("01.1", 55), ("01.2", 0.5), ("02.1", 4.15417), ("03.1", 0.6451), ("03.2", 70)],
-        *[("03.3", 0.43927), ("03.4", 124.84), ("03.5", 4.15417 / 0.8064)],
-        *[("05.1", 2.64463), ("05.2", 22.203), ("05.3", 62.357), ("05.5", 0.73028)],
-        *[("06.1", 2), ("06.3", 0.51134), ("06.4", 1.57695), ("06.5", 30.887)],
-    ],
-)
+@pytest.mark.parametrize(("number", "value"), OF_THE_SOURCE.items())
 def test_the_solutions_of_the_source(number: str, value: float) -> None:
     assert EXERCISES[number].solution(EXAMPLE) == pytest.approx(value, rel=1e-4)
 
@@ -230,8 +200,8 @@ ODD_NUMBERS: list[tuple[Any, str]] = [
     (np.array([4.154]), "of type ndarray"),
     ({"a": 4.154}, "of type dict"),
     (sympy.Matrix([4.154]), "several values"),
-    (by_hand.h_m * 83, "There still is h_m in it. Put in the numbers, with subs"),
-    (sympy.Eq(by_hand.h_m, 4.154), "is no number|There still is"),
+    (h_m * 83, "There still is h_m in it. Put in the numbers, with subs"),
+    (sympy.Eq(h_m, 4.154), "is no number|There still is"),
     (True, "True is no number"),
     (np.array(False), "False is no number"),
     (float("nan"), "not a finite number"),
@@ -260,7 +230,7 @@ def test_no_answer_is_not_answered_yet(exercise: Exercise, nothing: Any) -> None
 def test_eight_slips_at_least_are_known_for_each_question_on_laws_that_has_no_options() -> None:
     for exercise in EXERCISES.values():
         if exercise.number > "05":
-            known = [slip for slip in LAW_SLIPS if slip.number == exercise.number]
+            known = [slip for slip in ALL_SLIPS if slip.number == exercise.number]
             options = getattr(exercise, "options", None)
             assert len(known) >= (len(options) - 1 if options else 8), exercise.number
 

@@ -29,8 +29,8 @@ from machines import (
 
 import cammotion as cm
 from cammotion import ClearanceRule, MotionLaw, TimingDiagram, beyond, within
+from cammotion.limits.widest import WidestMove, with_angle
 from cammotion.machine.clearance import Condition
-from cammotion.machine.overlap import WidestMove, with_angle
 
 TOLERANCE_MM = 1e-7  # by so much a plain formula may miss a limit
 DENSE = np.linspace(0, 360, 180_001)

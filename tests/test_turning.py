@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 from machines import DIPPING, MONOTONE, WAVY, Array, examples
 
 import cammotion as cm
-from cammotion import MotionLaw
-from cammotion import x
+from cammotion import MotionLaw, x
 from cammotion.laws.reader import read_pieces
 from cammotion.laws.turning import bisect
 

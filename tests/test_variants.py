@@ -14,8 +14,8 @@ import sympy
 from known_slips import die, law, place, rest, stroke, widest
 
 import cammotion as cm
+from cammotion.limits.widest import with_angle
 from cammotion.machine.clearance import find_violations
-from cammotion.machine.overlap import with_angle
 from cammotion.quantities import Floats
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise

@@ -3,6 +3,9 @@
 Every public name is listed once, in ``__init__.pyi``, and its module is loaded when the name is
 first used. So ``import cammotion`` costs next to nothing, and a lesson pays for SymPy, Matplotlib
 or ipywidgets only when it draws or derives something.
+
+Four names are values: `LAWS`, the motion laws by their names; `x`, the symbol in which a law is
+written; `EXAMPLE`, the machine of the lessons; and `SUSPECTS`, the six laws of the bug hunt.
 """
 
 import lazy_loader

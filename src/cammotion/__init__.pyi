@@ -5,6 +5,7 @@ from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
+from .limits.widest import widest_move, with_angle
 from .machine.clearance import (
     ClearanceRule,
     beyond,
@@ -23,7 +24,6 @@ from .machine.kinematics import (
     peak_velocity,
 )
 from .machine.motions import Motion, indexing_motion, motion
-from .machine.overlap import widest_move, with_angle
 from .machine.segments import Segment, dwell, return_, rise
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS

@@ -38,8 +38,9 @@ _HALF = sympy.Rational(1, 2)
 class MotionLaw:
     """A motion law: its `name` and its one expression `s` in `cammotion.x`, 0 <= x <= 1.
 
-    `also_called` lists the other names under which the field knows the same law; `sampled_at` the
-    places of the points through which a law of `law_from_points` goes. A law cannot be changed.
+    `also_called` lists the other names under which the field knows the same law, `sampled_at` the
+    places of the points through which a law of `law_from_points` goes; `curve` is S over x, to
+    reckon with. A law cannot be changed.
     Raises InputError for what is no expression in x alone, and for one that is not real and finite
     from 0 to 1, with its velocity, acceleration and jerk.
 
@@ -50,6 +51,11 @@ class MotionLaw:
     0.25
     """
 
+    name: str
+    curve: Curve
+    also_called: tuple[str, ...]
+    sampled_at: tuple[float, ...]
+
     def __init__(
         self,
         name: str,
@@ -59,7 +65,7 @@ class MotionLaw:
     ) -> None:
         zones = cut(as_expression(name, s))
         self._keep(name, Curve(_whole(name, read_pieces(zones))), also_called, sampled_at)
-        self._s, self._zones = s, zones
+        self.__dict__.update(s=s, _zones=zones)
 
     @classmethod
     def of_curve(
@@ -82,38 +88,21 @@ class MotionLaw:
         also_called: tuple[str, ...],
         sampled_at: tuple[float, ...],
     ) -> None:
-        self._name, self._also_called, self._sampled_at = name, also_called, sampled_at
-        self._curve = curve
+        known = {"name": name, "curve": curve, "also_called": also_called}
+        self.__dict__.update(known, sampled_at=sampled_at)
 
-    @property
-    def name(self) -> str:
-        """The name."""
-        return self._name
-
-    @property
-    def also_called(self) -> tuple[str, ...]:
-        """The other names under which the field knows the law."""
-        return self._also_called
-
-    @property
-    def sampled_at(self) -> tuple[float, ...]:
-        """The places x of the points through which a law from points goes; () for another."""
-        return self._sampled_at
+    def __setattr__(self, name: str, _: object) -> None:
+        raise AttributeError(f"A motion law cannot be changed: make another one with its {name}.")
 
     @property
     def is_sampled(self) -> bool:
         """Whether the law goes through points, by a curve that somebody chose."""
         return bool(self.sampled_at)
 
-    @property
-    def curve(self) -> Curve:
-        """S as a curve over x from 0 to 1, to reckon with."""
-        return self._curve
-
-    @property
+    @cached_property
     def s(self) -> sympy.Expr:
         """The dimensionless displacement S, an expression in x."""
-        return self._s
+        return write(self._zones)
 
     @property
     def v(self) -> sympy.Expr:
@@ -144,7 +133,7 @@ class MotionLaw:
                 f"The derivative is {derivative!r}; it has to be 0 for S, 1 for V, 2 for A "
                 "or 3 for J."
             )
-        return plain(self._curve.derived(derivative)(_checked(x)))
+        return plain(self.curve.derived(derivative)(_checked(x)))
 
     @property
     def Cv(self) -> float:  # noqa: N802 (the field's symbol)
@@ -168,12 +157,12 @@ class MotionLaw:
     @cached_property
     def Cq(self) -> float:  # noqa: N802
         """The torque factor of the inertia: the largest abs(V A)."""
-        return Curve(piece.torque() for piece in self._curve.pieces).largest
+        return Curve(piece.torque() for piece in self.curve.pieces).largest
 
     @property
     def Cj_inside(self) -> float:  # noqa: N802
         """The largest abs(J) away from the jumps of A."""
-        return self._curve.derived(_JERK).largest
+        return self.curve.derived(_JERK).largest
 
     @cached_property
     def jerk_impulses(self) -> tuple[tuple[float, float], ...]:
@@ -198,7 +187,7 @@ class MotionLaw:
         (1 - (1 - x)**2, 0.75)
         """
         sampled = tuple(1 - place for place in reversed(self.sampled_at))
-        curve = self._curve.placed(sympy.Integer(1), -1, sympy.Integer(1), -1)
+        curve = self.curve.placed(sympy.Integer(1), -1, sympy.Integer(1), -1)
         return MotionLaw.of_curve(f"{self.name}, reversed", curve, sampled_at=sampled)
 
     def part(self, start: float, end: float) -> "MotionLaw":
@@ -224,7 +213,7 @@ class MotionLaw:
                 "give two places between which it moves."
             )
         way = s_high - s_low
-        pieces = Curve(self._curve.between(low, high))
+        pieces = Curve(self.curve.between(low, high))
         curve = pieces.placed(-low / (high - low), 1 / (high - low), -s_low / way, 1 / way)
         return MotionLaw.of_curve(f"{self.name}, {low:g} to {high:g}", curve)
 
@@ -252,7 +241,7 @@ class MotionLaw:
                 "put in there: give a law that moves there."
             )
         velocity = 1 / (part + (1 - part) / steepest)
-        first = Curve(self._curve.between(0.0, 0.5)).placed(
+        first = Curve(self.curve.between(0.0, 0.5)).placed(
             0, 1 - part, 0, velocity * (1 - part) / steepest
         )
         start = float(_HALF - velocity * part / 2), float(velocity)
@@ -270,7 +259,7 @@ class MotionLaw:
     @property
     def branches(self) -> tuple[Branch, ...]:
         """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
-        return self._curve.branches
+        return self.curve.branches
 
     @property
     def is_monotone(self) -> bool:
@@ -305,15 +294,15 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).where_above(0.5)
         [(0.5, 1.0)]
         """
-        return self._curve.where(s, 1, _ROUNDING)
+        return self.curve.where(s, 1, _ROUNDING)
 
     def where_below(self, s: float) -> list[tuple[float, float]]:
         """Return the intervals of x in which S < s, in order; solved for, not sampled."""
-        return self._curve.where(s, -1, _ROUNDING)
+        return self.curve.where(s, -1, _ROUNDING)
 
     def check_way(self) -> None:
         """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
-        start, end = self._curve.ends
+        start, end = self.curve.ends
         if max(abs(start), abs(end - 1)) > _ROUNDING:
             raise InputError(
                 f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
@@ -325,12 +314,8 @@ class MotionLaw:
         return f"MotionLaw({self.name!r}{sampled})"
 
     @cached_property
-    def _s(self) -> sympy.Expr:
-        return write(self._zones)
-
-    @cached_property
     def _zones(self) -> tuple[Zone, ...]:
-        return tuple(Zone(piece.expression, piece.low, piece.high) for piece in self._curve.pieces)
+        return tuple(Zone(piece.expression, piece.low, piece.high) for piece in self.curve.pieces)
 
     def _derived(self, order: int) -> sympy.Expr:
         return write((sympy.diff(s, x, order), low, high) for s, low, high in self._zones)
@@ -346,11 +331,11 @@ class MotionLaw:
     def _peak(self, derivative: int) -> float:
         """Return the largest magnitude of a curve, infinity where the one before it jumps."""
         jumps = any(self._jumps(lower) for lower in range(derivative))
-        return math.inf if jumps else self._curve.derived(derivative).largest
+        return math.inf if jumps else self.curve.derived(derivative).largest
 
     def _jumps(self, derivative: int) -> tuple[tuple[float, float], ...]:
         """Return where a curve jumps and by how much; outside of the move it stands still."""
-        curve = self._curve.derived(derivative)
+        curve = self.curve.derived(derivative)
         start, end = curve.ends
         after = 1.0 if derivative == 0 else 0.0
         steps = ((0.0, start), *curve.steps, (1.0, after - end))

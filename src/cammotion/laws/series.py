@@ -16,6 +16,7 @@ import sympy
 from cammotion.laws.expression import Expression
 from cammotion.laws.piece import Piece
 from cammotion.laws.symbols import x
+from cammotion.laws.turning import bisect
 from cammotion.quantities import Floats
 
 _ULP = math.ulp(1.0)
@@ -136,13 +137,33 @@ class Series(Piece):
 
     def at(self, place: float) -> float:
         """Return the value at one place; what is left of terms that cancel each other is 0."""
-        u = place - self.low
-        value = 0.0
-        for factor in reversed(self.powers):
-            value = value * u + factor
-        for wave in self.waves:
-            value += wave.at(u)
-        return value if abs(value) > _NOTHING * self.size(u) else 0.0
+        value = self._value(place)
+        if abs(value) > self._rounding:  # that of the whole zone, which is known
+            return value
+        return value if abs(value) > _NOTHING * self.size(place - self.low) else 0.0
+
+    @cached_property
+    def _value(self) -> Callable[[float], float]:
+        """The function that returns the value at one place, for solvers that ask thousands."""
+        low, factors = self.low, self.powers[::-1]
+        waves = [
+            (-a if n % 4 > 1 else a, f, phase, math.cos if n % 2 else math.sin)
+            for a, f, phase, n in self.waves
+        ]
+
+        def evaluate(place: float) -> float:
+            u, value = place - low, 0.0
+            for factor in factors:
+                value = value * u + factor
+            for amplitude, frequency, phase, wave in waves:
+                value += amplitude * wave(frequency * u + phase)
+            return value
+
+        return evaluate
+
+    @cached_property
+    def _rounding(self) -> float:
+        return _NOTHING * self.size(self.high - self.low)
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given.
@@ -175,6 +196,12 @@ class Series(Piece):
         operations = 4 * (len(self.powers) + len(self.waves) + turns + 2)
         slack = operations * _ULP * self.size(end)  # more than rounding can come to
         return least - slack, most + slack
+
+    def solve(self, height: float, low: float, high: float) -> float:
+        """Return where between two places it passes a height, if it only rises or falls there."""
+        value = self._value
+        rising = value(high) > value(low)
+        return bisect(lambda place: (value(place) < height) == rising, low, high)
 
     def size(self, width: float) -> float:
         """Return the sum of the magnitudes of all terms, at most, up to u = `width`."""

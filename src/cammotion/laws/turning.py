@@ -10,9 +10,12 @@ cannot change by more than `NEGLIGIBLE`, however it turns.
 
 from collections.abc import Callable, Iterator
 from itertools import pairwise
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from cammotion.quantities import InputError
+
+if TYPE_CHECKING:
+    from cammotion.laws.piece import Piece
 
 NEGLIGIBLE = 1e-13
 """The change of a curve that is taken for none, where a motion law changes by 1."""
@@ -22,25 +25,7 @@ _BUDGET = 1_000_000  # terms to bound; what takes more would take minutes
 _Run = tuple[int, float, float]  # 1 for rising or -1 for falling, and from where to where
 
 
-class Bounded(Protocol):
-    """What is asked of a curve whose turns are looked for."""
-
-    @property
-    def derivative(self) -> "Bounded":
-        """The derivative, a curve like it."""
-
-    @property
-    def cost(self) -> int:
-        """How many terms it takes to bound it once."""
-
-    def at(self, place: float) -> float:
-        """Return the value at a place."""
-
-    def bounds(self, low: float, high: float) -> tuple[float, float]:
-        """Return what every value between two places certainly lies between."""
-
-
-def turning_points(curve: Bounded, low: float, high: float) -> list[float]:
+def turning_points(curve: "Piece", low: float, high: float) -> list[float]:
     """Return in order every place in ]low, high[ at which a smooth curve turns.
 
     Raises InputError where that would take minutes: for a curve that turns many thousand times, or
@@ -67,7 +52,7 @@ def bisect(is_before: Callable[[float], bool], low: float, high: float) -> float
 class _Slopes:
     """The slope of a curve (order 0) and its derivatives over intervals."""
 
-    def __init__(self, curve: Bounded, low: float, high: float) -> None:
+    def __init__(self, curve: "Piece", low: float, high: float) -> None:
         self._chain = [curve.derivative]
         self._spent = 0
         roundings = (most - least for least, most in (curve.bounds(p, p) for p in (low, high)))
@@ -120,7 +105,7 @@ class _Slopes:
             if sign * other < 0
         ]
 
-    def _of(self, order: int) -> Bounded:
+    def _of(self, order: int) -> "Piece":
         while len(self._chain) <= order:
             self._chain.append(self._chain[-1].derivative)
         return self._chain[order]

@@ -199,6 +199,15 @@ class Motion:
         15.0383 134.9617
         """
         limit = POSITION.number(limit_mm)
+        if limit not in self._beyond:  # rules ask the same again and again
+            self._beyond[limit] = self._solve_beyond(limit)
+        return list(self._beyond[limit])
+
+    @cached_property
+    def _beyond(self) -> dict[float, list[Arc]]:
+        return {}
+
+    def _solve_beyond(self, limit: float) -> list[Arc]:
         if not self.is_indexing:
             return self._where(limit, 1)
         return arcs(

@@ -3,11 +3,11 @@
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from cammotion.limits.widest import widest_move
 from cammotion.machine.clearance import ClearanceRule, beyond, within
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion, indexing_motion, motion
-from cammotion.machine.overlap import widest_move
 from cammotion.machine.segments import dwell, return_, rise
 
 QUIET_SHARE = 0.1

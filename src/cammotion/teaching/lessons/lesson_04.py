@@ -1,8 +1,8 @@
 """Exercises of notebook 04, the machine in motion."""
 
 from cammotion.laws.catalogue import LAWS
+from cammotion.limits.widest import with_angle
 from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, indexing_time
-from cammotion.machine.overlap import with_angle
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees

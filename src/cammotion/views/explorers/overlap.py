@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from cammotion.limits.widest import widest_move, with_angle
 from cammotion.machine.clearance import (
     ClearanceRule,
     Violation,
@@ -19,7 +20,6 @@ from cammotion.machine.clearance import (
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.overlap import widest_move, with_angle
 from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.views.live import Explorer, LiveFigure, NumberControl
 from cammotion.views.movement import curve_angles, movement
