@@ -12,7 +12,6 @@ from fresh.runner import CHECKS, examine, main, run
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
-from cammotion.machine.overlap import WidestMove
 
 SEED, SOUND = "smoke", range(6)
 Patch = tuple[object, str, Callable[[Any], Any]]
@@ -39,15 +38,16 @@ def test_its_code_builds_it() -> None:
         assert np.array_equal(again, machine.diagram.position_mm(name, angles))
 
 
-def narrower(solve: Any) -> Callable[..., WidestMove]:
+def narrower(solve: Any) -> Callable[..., Any]:
     """Break a solver for the widest move: it leaves a tenth unused."""
 
-    def narrow(diagram: TimingDiagram, name: str, rules: Any) -> WidestMove:
-        found = solve(diagram, name, rules)
-        angle = 0.9 * found.angle_deg
-        changed = diagram.with_motion(cm.with_angle(diagram[name], angle))
-        broken: WidestMove = replace(found, angle_deg=angle, diagram=changed)
-        return broken
+    def narrow(diagram: TimingDiagram, name: str, rules: Any, **named: Any) -> Any:
+        found = solve(diagram, name, rules, **named)
+        angles = tuple(0.9 * angle for angle in found.angles_deg)
+        if len(set(angles)) > 1:
+            return replace(found, angles_deg=angles)
+        changed = diagram.with_motion(cm.with_angle(diagram[name], angles[0]))
+        return replace(found, angles_deg=angles, diagram=changed)
 
     return narrow
 
@@ -74,6 +74,7 @@ FAULTS: dict[str, Patch] = {
     "violations": (cm, "find_violations", lambda right: lambda *given: right(*given)[1:]),
     "widenings": (cm, "with_angle", lambda right: lambda one, angle: right(one, angle * 0.999)),
     "widest": (cm, "widest_move", narrower),
+    "each_way": (cm, "widest_move", narrower),
     "tables": (cm, "read_segments", lambda right: lambda path, **_: right(path)),
     "values": (MotionLaw, "__call__", scaled(1 + 1e-6)),
     "factors": (MotionLaw, "Ca", lambda right: property(lambda law: 1.01 * right.fget(law))),

@@ -1,7 +1,5 @@
 """Checks of a machine: where it is, its peaks, what breaks a rule, the widest move, its table."""
 
-from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TypeAlias
@@ -10,26 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 import cammotion as cm
-from cammotion import InputError, Motion
 from fresh.drawing import Machine
 from fresh.sampling import (
     Array,
-    Piece,
     Track,
     excesses,
     grid_of,
     margin,
-    track_of,
     tracks_of,
     worst,
-    worst_of,
 )
 
 Flags: TypeAlias = NDArray[np.bool_]
 
 NEAR_MM, NEAR_DEG = 1e-6, 1e-6
-SCAN = 60  # angles at which a wider move is tried
-FEW, MANY = 400, 20_000  # samples of the turn, to suspect and to be sure
 
 
 def positions(machine: Machine) -> None:
@@ -117,30 +109,6 @@ def violations(machine: Machine) -> None:
             assert other > -NEAR_MM, f"the clearance is counted where {rule} asks for none"
 
 
-def widest(machine: Machine) -> None:
-    """See that the widest move is free, and no wider one is."""
-    for motion in machine.diagram.motions:
-        asked = len(motion.moves) == (1 if motion.is_indexing else 2)
-        if asked and any(motion.name in _motions_of(rule) for rule in machine.rules):
-            _check_widest(machine, motion)
-
-
-def widenings(machine: Machine) -> None:
-    """Give moves another angle: each stands where it has to."""
-    for motion in machine.diagram.motions:
-        if len(motion.moves) == (1 if motion.is_indexing else 2):
-            angle = machine.rng.uniform(0.02, 1) * _most(motion)
-            try:
-                found = track_of(cm.with_angle(motion, angle))
-            except InputError as refusal:
-                raise AssertionError(f"{angle} deg fit, but: {refusal}") from refusal
-            own = widened(track_of(motion), angle)
-            angles = machine.rng.uniform(0, 360, 200)
-            same(
-                found.offset(angles), own.offset(angles), 1e-8 * (1 + np.ptp(own.offset(own.grid)))
-            )
-
-
 def tables(machine: Machine) -> None:
     """Write a table and read it back: it gives the same machine."""
     with TemporaryDirectory() as folder:
@@ -158,71 +126,6 @@ def same(found: object, own: object, within: float) -> None:
     """Assert that numbers are the same, within so much."""
     off = np.abs(np.subtract(found, own))  # type: ignore[call-overload]
     assert np.all(off <= within), f"{off.max()} off, and {within} is allowed"
-
-
-def widened(track: Track, angle: float) -> Track:
-    """Return a motion with another angle for its move or moves, what stays staying in place."""
-    moves = [piece for piece in track.pieces if piece.law is not None]
-    first, last = moves[0], moves[-1]
-    if track.pitch_mm:
-        middle = (first.from_deg + first.to_deg) / 2
-        made = [replace(first, from_deg=middle - angle / 2, to_deg=middle + angle / 2)]
-    else:
-        made = [
-            replace(first, from_deg=first.to_deg - angle),
-            replace(last, to_deg=last.from_deg + angle),
-        ]
-    pieces = []
-    for piece, following in zip(made, [*made[1:], made[0]], strict=True):
-        end = following.from_deg + (360 if following is made[0] else 0)
-        pieces.append(piece)
-        if end > piece.to_deg:
-            pieces.append(Piece(piece.to_deg, end, piece.to_mm, piece.to_mm, None))
-    return Track(pieces, track.pitch_mm)
-
-
-def _check_widest(machine: Machine, motion: Motion) -> None:
-    diagram, rules, name = machine.diagram, machine.rules, motion.name
-    own, limit = track_of(motion), _most(motion)
-
-    tracks = tracks_of(diagram)
-
-    def broken_by(angle: float, coarse: int) -> float:
-        wider = {**tracks, name: widened(own, angle)}
-        return worst_of(rules, wider, coarse=coarse, enough=NEAR_MM)
-
-    try:
-        found = cm.widest_move(diagram, name, rules)
-    except InputError as refusal:
-        if not str(refusal).startswith("No move of the"):
-            raise AssertionError(f"{name} is refused: {refusal}") from refusal
-        answer = 0.0
-    else:
-        answer = found.angle_deg
-        assert 0 < answer <= limit + NEAR_DEG, f"{name}: {answer} deg of {limit}"
-        assert broken_by(answer, MANY) <= NEAR_MM, f"{name} collides at the answer, {answer} deg"
-        angles = machine.rng.uniform(0, 360, 200)
-        size = 1e-8 * (1 + np.ptp(own.offset(own.grid)))
-        same(found.diagram.offset_mm(name, angles), widened(own, answer).offset(angles), size)
-    for angle in _wider(answer, limit):
-        if broken_by(angle, FEW) < -NEAR_MM and broken_by(angle, MANY) < -NEAR_MM:
-            raise AssertionError(f"{name}: {angle} deg is free, and {answer} deg was the answer")
-
-
-def _wider(answer: float, limit: float) -> Iterator[float]:
-    """Yield angles wider than the answer: all over the rest, and some just above it."""
-    yield from (angle for angle in answer + np.geomspace(1e-3, 1, 4) if angle < limit)
-    if answer < limit - NEAR_DEG:
-        yield from np.linspace(answer, limit, SCAN)[1:]
-
-
-def _most(motion: Motion) -> float:
-    first, last = motion.moves[0], motion.moves[-1]
-    return 360.0 if motion.is_indexing else (360 - (last.from_deg - first.to_deg)) / 2
-
-
-def _motions_of(rule: cm.ClearanceRule) -> tuple[str, str]:
-    return rule.when.motion, rule.only_while.motion
 
 
 def _inside(angles: Array, arcs: list[tuple[float, float]], slack: float = 0.0) -> Flags:

@@ -19,7 +19,7 @@ from queue import Empty
 from types import FrameType
 from typing import Any
 
-from fresh import check_laws, check_limits, check_machines
+from fresh import check_laws, check_limits, check_machines, check_widest
 from fresh.drawing import Machine, draw
 
 Check = Callable[[Machine], None]
@@ -29,8 +29,9 @@ CHECKS: Mapping[str, Check] = {
     "ranges": check_machines.ranges,
     "peaks": check_machines.peaks,
     "violations": check_machines.violations,
-    "widenings": check_machines.widenings,
-    "widest": check_machines.widest,
+    "widenings": check_widest.widenings,
+    "widest": check_widest.widest,
+    "each_way": check_widest.each_way,
     "tables": check_machines.tables,
     "values": check_laws.values,
     "factors": check_laws.factors,
