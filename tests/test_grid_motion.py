@@ -69,7 +69,7 @@ def test_accelerations_that_are_ramps() -> None:
     assert isinstance(move.law, cm.MotionLaw)
     assert move.law.Ca == pytest.approx(8)
     assert move.law.Cj == pytest.approx(32)
-    assert len(move.law.branches) == 3  # of ramp, ramp, ramp: the middle two are one line
+    assert len(move.law.curve.branches) == 3  # of ramp, ramp, ramp: the middle two are one line
     assert curve.strays(room) == pytest.approx(np.zeros(8))
 
 

@@ -69,7 +69,7 @@ def test_a_law_covers_the_stroke(law: MotionLaw) -> None:
 
 
 def joints_of(law: MotionLaw) -> list[float]:
-    return sorted({zone.low for zone in cut(law.s)} | {1.0})
+    return sorted({zone.low for zone in cut(law.name, law.s)} | {1.0})
 
 
 def integral(law: MotionLaw) -> float:
@@ -200,7 +200,7 @@ def test_a_share_of_constant_velocity(name: str, share: float) -> None:
 
 def test_no_constant_velocity_is_the_law_itself() -> None:
     assert CYCLOIDAL.with_constant_velocity(0) is CYCLOIDAL
-    with pytest.raises(cm.InputError, match="is not symmetric, so that it has no middle"):
+    with pytest.raises(cm.InputError, match="is not symmetric, so that no constant velocity"):
         MotionLaw("slow", x**3).with_constant_velocity(0.5)
     with pytest.raises(cm.InputError, match="share of constant velocity is 1"):
         CYCLOIDAL.with_constant_velocity(1)
@@ -398,9 +398,12 @@ def test_a_law_that_dips_is_below_its_start_and_comes_back() -> None:
     assert DIPPING.where_above(0) == [pytest.approx((0.4, 1.0))]
     assert DIPPING.where_below(0) == [pytest.approx((0.0, 0.4))]
     assert OVERSHOOTING.where_above(1) == [pytest.approx((0.6, 1.0))]
-    assert [branch.high for branch in DIPPING.branches] == [pytest.approx(4 / 15, abs=1e-14), 1]
+    assert [branch.high for branch in DIPPING.curve.branches] == [
+        pytest.approx(4 / 15, abs=1e-14),
+        1,
+    ]
     assert len(WAVY.where_above(0.5)) == 3
-    lowest = DIPPING.branches[0].at_high
+    lowest = DIPPING.curve.branches[0].at_high
     assert DIPPING.where_below(lowest) == []
     assert DIPPING.where_above(lowest) == [(0.0, 1.0)]
 

@@ -324,7 +324,7 @@ def test_the_law_of_the_motion_has_few_zones() -> None:
     for found in (solve(cells=720), solve(TRAVEL, cells=720), solve(jerk=JERK, cells=720)):
         for move in found.motion.moves:
             assert isinstance(move.law, cm.MotionLaw)
-            assert len(move.law.branches) < 40
+            assert len(move.law.curve.branches) < 40
 
 
 def test_where_a_rise_and_a_return_meet_the_acceleration_goes_on() -> None:

@@ -24,7 +24,7 @@ from machines import (
 import cammotion as cm
 from cammotion import Motion, MotionLaw, Segment
 from cammotion.machine.arcs import arcs
-from cammotion.machine.segments import Part
+from cammotion.machine.parts import Part
 
 DIE, MILL = make_die(), make_mill()
 OVERLAPPED = make_die(124.84)  # from 80.16 deg to 429.84, that is 69.84 of the next turn

@@ -97,7 +97,7 @@ def test_it_is_a_law_like_any_other(number: int) -> None:
     assert not CYCLOIDAL.is_sampled
     assert law.is_monotone
     assert law.is_symmetric
-    assert len(cut(law.s)) == number - 1
+    assert len(cut(law.name, law.s)) == number - 1
     ways = np.linspace(0, 1, 51)
     assert law(law.inverse(ways)) == pytest.approx(ways, abs=1e-13)
     assert law.where_above(0.5) == [pytest.approx((0.5, 1))]

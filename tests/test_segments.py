@@ -12,7 +12,7 @@ from machines import CURVES, DIPPING, MONOTONE, TURNING
 import cammotion as cm
 from cammotion import MotionLaw, Segment
 from cammotion.machine.kinematics import over_time
-from cammotion.machine.segments import Part
+from cammotion.machine.parts import Part
 
 RISE = Segment(from_deg=150, to_deg=205, from_mm=10, to_mm=60, law="cycloidal")
 FALL = Segment(from_deg=305, to_deg=360, from_mm=60, to_mm=10, law="cycloidal")

@@ -1,5 +1,5 @@
 from .exchange.tables import read_segments, write_curves, write_segments
-from .laws.catalogue import LAWS, as_law, fifth_degree_linear, polynomial
+from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
 from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
@@ -23,8 +23,9 @@ from .machine.kinematics import (
     peak_jerk,
     peak_velocity,
 )
-from .machine.motions import Motion, indexing_motion, motion
-from .machine.segments import Segment, dwell, return_, rise
+from .machine.motions import Motion
+from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
+from .machine.segments import Segment
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
@@ -43,8 +44,10 @@ from .views.timing_plots import plot_clearance, plot_timing
 __version__: str
 
 __all__ = [
+    "CONSTANT_VELOCITY",
     "EXAMPLE",
     "LAWS",
+    "MATCHED",
     "SUSPECTS",
     "ClearanceRule",
     "InputError",

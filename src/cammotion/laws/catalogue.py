@@ -12,7 +12,7 @@ import sympy
 
 from cammotion.laws.motion_law import MotionLaw, mirrored
 from cammotion.laws.reader import read_pieces
-from cammotion.laws.scca_family import NAMED_PARTS, scca
+from cammotion.laws.scca_family import scca
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Quantity, one_of, shorten
 
@@ -45,7 +45,7 @@ def polynomial(
             f"The polynomial goes from s = {float(values[0][0]):g} to {float(values[1][0]):g}; a "
             "motion law goes from 0 to 1: scale the values."
         )
-    curve = _through(values[0], values[1], sympy.Integer(0), sympy.Integer(1))
+    curve = _through(values[0], values[1], sympy.Integer(1))
     degree = len(values[0]) + len(values[1]) - 1
     law = MotionLaw(name or f"polynomial of degree {degree}", curve, also_called)
     worst = max(law.curve.extremes, key=lambda s: max(-s, s - 1))
@@ -73,84 +73,66 @@ def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
     velocity, joint = 2 / (1 + part), (1 - part) / 2
     height = _half - velocity * part / 2
     rest, moving = (sympy.Integer(0),) * 3, (height, velocity, sympy.Integer(0))
-    zones = [(_through(rest, moving, sympy.Integer(0), joint), 0.0, float(joint))]
+    zones = [(_through(rest, moving, joint), 0.0, float(joint))]
     if part:
         zones.append((_half + velocity * (x - _half), float(joint), 0.5))
     title = name or f"fifth degree + linear, {float(part):.4g} constant velocity"
-    return MotionLaw.of_curve(title, mirrored(read_pieces(zones)))
+    return MotionLaw(title, mirrored(read_pieces(zones)))
+
+
+def _sines(*amplitudes: float | sympy.Rational) -> sympy.Expr:
+    """Return x less sines of one, three and five periods, with these amplitudes over 2 pi."""
+    waves = (a * sympy.sin(2 * n * _pi * x) for n, a in zip((1, 3, 5), amplitudes, strict=False))
+    return x - sum(waves) / (2 * _pi)
+
+
+_ratio = sympy.Rational
+_m = _ratio(1125, 1192)
+
+_KNOWN: dict[str, tuple[Callable[[], Any], tuple[str, ...]]] = {
+    "constant acceleration": (lambda: scca(0, 1, 0).curve, ("parabolic",)),
+    "simple harmonic": (lambda: (1 - sympy.cos(_pi * x)) / 2, ("cosine",)),
+    "cycloidal": (lambda: _sines(1), ("inclined sine", "Bestehorn")),
+    "modified trapezoid": (lambda: scca(0.25, 0.5, 0.25).curve, ("modified trapezoidal",)),
+    "modified sine": (lambda: scca(0.25, 0, 0.75).curve, ("modified sinusoidal",)),
+    "3-4-5 polynomial": (lambda: polynomial((0, 0, 0), (1, 0, 0)).s, ("fifth degree",)),
+    "4-5-6-7 polynomial": (lambda: polynomial((0,) * 4, (1, 0, 0, 0)).s, ("seventh degree",)),
+    "Gutman 1-3": (lambda: _sines(_ratio(15, 16), _ratio(1, 48)), ()),
+    "Freudenstein 1-3": (lambda: _sines(_ratio(27, 28), _ratio(1, 84)), ()),
+    "Freudenstein 1-3-5": (lambda: _sines(_m, _m / 54, _m / 1250), ()),
+    "cubic": (lambda: 3 * x**2 - 2 * x**3, ("2-3 polynomial",)),
+    "MCV50": (
+        lambda: LAWS["modified sine"].with_constant_velocity(0.5).curve,
+        ("modified sine with 50 % constant velocity",),
+    ),
+}
+"""For each name what makes S, an expression or a curve, and the other names of the law."""
 
 
 class Catalogue(Mapping[str, MotionLaw]):
     """Laws by their names, each made when it is first asked for."""
 
-    def __init__(self, makers: Mapping[str, Callable[[], MotionLaw]]) -> None:
-        self._makers = dict(makers)
+    def __init__(self) -> None:
         self._made: dict[str, MotionLaw] = {}
 
     def __getitem__(self, name: str) -> MotionLaw:
         if name not in self._made:
-            self._made[name] = self._makers[name]()
+            make, others = _KNOWN[name]
+            self._made[name] = MotionLaw(name, make(), others)
         return self._made[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._makers)
+        return iter(_KNOWN)
 
     def __len__(self) -> int:
-        return len(self._makers)
+        return len(_KNOWN)
 
 
-def _sines(first: Any, third: Any, fifth: Any = 0) -> sympy.Expr:
-    """Return x less sines of one, three and five periods, with these amplitudes over 2 pi."""
-    amplitudes = {1: first, 3: third, 5: fifth}
-    return x - sum(a * sympy.sin(2 * n * _pi * x) for n, a in amplitudes.items()) / (2 * _pi)
-
-
-def _ratio(over: int, under: int) -> sympy.Rational:
-    return sympy.Rational(over, under)
-
-
-def _sine_law(name: str, *amplitudes: Any, also_called: tuple[str, ...] = ()) -> MotionLaw:
-    return MotionLaw(name, _sines(*amplitudes), also_called)
-
-
-def _scca_law(name: str, *also_called: str) -> MotionLaw:
-    return scca(*NAMED_PARTS[name], name=name, also_called=also_called)
-
-
-def _mcv50() -> MotionLaw:
-    half = LAWS["modified sine"].with_constant_velocity(0.5)
-    return MotionLaw("MCV50", half.s, ("modified sine with 50 % constant velocity",))
-
-
-_m = _ratio(1125, 1192)
-
-LAWS: Mapping[str, MotionLaw] = Catalogue(
-    {
-        "constant acceleration": lambda: _scca_law("constant acceleration", "parabolic"),
-        "simple harmonic": lambda: MotionLaw(
-            "simple harmonic", (1 - sympy.cos(_pi * x)) / 2, ("cosine",)
-        ),
-        "cycloidal": lambda: _sine_law(
-            "cycloidal", 1, 0, also_called=("inclined sine", "Bestehorn")
-        ),
-        "modified trapezoid": lambda: _scca_law("modified trapezoid", "modified trapezoidal"),
-        "modified sine": lambda: _scca_law("modified sine", "modified sinusoidal"),
-        "3-4-5 polynomial": lambda: polynomial(
-            (0, 0, 0), (1, 0, 0), name="3-4-5 polynomial", also_called=("fifth degree",)
-        ),
-        "4-5-6-7 polynomial": lambda: polynomial(
-            (0, 0, 0, 0), (1, 0, 0, 0), name="4-5-6-7 polynomial", also_called=("seventh degree",)
-        ),
-        "Gutman 1-3": lambda: _sine_law("Gutman 1-3", _ratio(15, 16), _ratio(1, 48)),
-        "Freudenstein 1-3": lambda: _sine_law("Freudenstein 1-3", _ratio(27, 28), _ratio(1, 84)),
-        "Freudenstein 1-3-5": lambda: _sine_law(
-            "Freudenstein 1-3-5", _m, _m * _ratio(1, 54), _m * _ratio(1, 1250)
-        ),
-        "cubic": lambda: MotionLaw("cubic", 3 * x**2 - 2 * x**3, ("2-3 polynomial",)),
-        "MCV50": _mcv50,
-    }
-)
+LAWS: Mapping[str, MotionLaw] = Catalogue()
 """The catalogue: every known law under its name."""
+
+CONSTANT_VELOCITY = MotionLaw("constant velocity", x)
+"""The law of a move that goes on at one speed, for between two moves that join it."""
 
 
 def as_law(law: Any) -> MotionLaw:
@@ -173,17 +155,14 @@ def _boundary(given: Any, which: str) -> tuple[sympy.Rational, ...]:
 
 
 def _through(
-    start: Sequence[sympy.Rational],
-    end: Sequence[sympy.Rational],
-    low: sympy.Rational,
-    high: sympy.Rational,
+    start: Sequence[sympy.Rational], end: Sequence[sympy.Rational], high: sympy.Rational
 ) -> sympy.Expr:
-    """Return the polynomial with these values and derivatives at two places.
+    """Return the polynomial with these values and derivatives at 0 and at another place.
 
     By Newton's divided differences; of places that are the same, the derivative over n!.
     """
-    places = [low] * len(start) + [high] * len(end)
-    given = {low: start, high: end}
+    low = sympy.Integer(0)
+    places, given = [low] * len(start) + [high] * len(end), {low: start, high: end}
 
     def difference(first: int, last: int) -> sympy.Rational:
         at, to, order = places[first], places[last], last - first
@@ -191,8 +170,8 @@ def _through(
             return given[at][order] / math.factorial(order)
         return (difference(first + 1, last) - difference(first, last - 1)) / (to - at)
 
-    factors = [sympy.Integer(0)]  # by rising power
+    factors = [low]  # by rising power
     for last, place in reversed([*enumerate(places)]):
-        factors = [a - place * b for a, b in zip([0, *factors], [*factors, 0], strict=True)]
+        factors = [a - place * b for a, b in zip([low, *factors], [*factors, low], strict=True)]
         factors[0] += difference(0, last)
     return sympy.Add(*(factor * x**power for power, factor in enumerate(factors)))

@@ -40,14 +40,14 @@ class Expression(Piece):
     def at(self, place: float) -> float:
         """Return the value at one place; not a number where it has none that is real."""
         try:
-            return float(self._compiled("math")(place))
+            return float(_compile(self._expression, "math")(place))
         except (ArithmeticError, ValueError, TypeError):
             return nan
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given."""
         with np.errstate(all="ignore"):
-            values = self._compiled("numpy")(places) + np.zeros(np.shape(places))
+            values = _compile(self._expression, "numpy")(places) + np.zeros(np.shape(places))
         if out is None:
             return np.asarray(values)
         out[...] = values
@@ -124,9 +124,6 @@ class Expression(Piece):
             )
         return _compile(simple, "intervals")
 
-    def _compiled(self, library: str) -> Callable[[Any], Any]:
-        return _compile(self._expression, library)
-
 
 @lru_cache(maxsize=512)
 def _compile(expression: sympy.Expr, library: str) -> Callable[[Any], Any]:
@@ -135,6 +132,7 @@ def _compile(expression: sympy.Expr, library: str) -> Callable[[Any], Any]:
     return function
 
 
+@lru_cache(maxsize=10_000)
 def real_number(expression: sympy.Expr) -> float:
     """Return a constant as a float; raise InputError for one that is not real and finite."""
     try:

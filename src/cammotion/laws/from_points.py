@@ -50,7 +50,7 @@ def law_from_points(
 
     spline = CubicSpline(places, ways, bc_type=[(1, slope) for slope in slopes])
     curve = Curve([Spline(places, spline.c)])
-    return MotionLaw.of_curve(name, curve, sampled_at=tuple(places.tolist()))
+    return MotionLaw(name, curve, sampled_at=tuple(places.tolist()))
 
 
 def _checked(x: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:

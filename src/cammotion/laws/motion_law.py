@@ -17,12 +17,12 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from cammotion.laws.curve import Branch, Curve
+from cammotion.laws.curve import Curve
 from cammotion.laws.piece import Piece, Placed
-from cammotion.laws.reader import Zone, as_expression, cut, read_pieces, write
+from cammotion.laws.reader import Zone, cut, read_pieces, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import Floats, InputError, Numbers, Quantity, WrongAnswerError, plain
+from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
@@ -38,11 +38,10 @@ _HALF = sympy.Rational(1, 2)
 class MotionLaw:
     """A motion law: its `name` and its one expression `s` in `cammotion.x`, 0 <= x <= 1.
 
-    `also_called` lists the other names under which the field knows the same law, `sampled_at` the
-    places of the points through which a law of `law_from_points` goes; `curve` is S over x, to
-    reckon with. A law cannot be changed.
-    Raises InputError for what is no expression in x alone, and for one that is not real and finite
-    from 0 to 1, with its velocity, acceleration and jerk.
+    `also_called` lists its other names in the field, `sampled_at` the places of the points through
+    which a law of `law_from_points` goes; `curve` is S over x, to reckon with. (`s` may be given
+    as a `Curve`; its expression is made when it is asked for.) A law cannot be changed. Raises
+    InputError for what is no expression in x alone, and unless S, V, A and J are real and finite.
 
     >>> parabola_up = MotionLaw("square", x**2)
     >>> parabola_up.v
@@ -59,44 +58,21 @@ class MotionLaw:
     def __init__(
         self,
         name: str,
-        s: sympy.Expr,
+        s: sympy.Expr | Curve,
         also_called: tuple[str, ...] = (),
         sampled_at: tuple[float, ...] = (),
     ) -> None:
-        zones = cut(as_expression(name, s))
-        self._keep(name, Curve(_whole(name, read_pieces(zones))), also_called, sampled_at)
-        self.__dict__.update(s=s, _zones=zones)
-
-    @classmethod
-    def of_curve(
-        cls,
-        name: str,
-        curve: Curve,
-        *,
-        also_called: tuple[str, ...] = (),
-        sampled_at: tuple[float, ...] = (),
-    ) -> "MotionLaw":
-        """Return the law that a curve from x = 0 to 1 is; its expression is made when asked for."""
-        law = cls.__new__(cls)
-        law._keep(name, curve, also_called, sampled_at)
-        return law
-
-    def _keep(
-        self,
-        name: str,
-        curve: Curve,
-        also_called: tuple[str, ...],
-        sampled_at: tuple[float, ...],
-    ) -> None:
-        known = {"name": name, "curve": curve, "also_called": also_called}
-        self.__dict__.update(known, sampled_at=sampled_at)
+        is_curve = isinstance(s, Curve)
+        curve = s if is_curve else Curve(read_pieces(cut(name, s)))
+        known = {"name": name, "curve": curve, "also_called": also_called, "sampled_at": sampled_at}
+        self.__dict__.update(known if is_curve else known | {"s": s})
 
     def __setattr__(self, name: str, _: object) -> None:
         raise AttributeError(f"A motion law cannot be changed: make another one with its {name}.")
 
     @property
     def is_sampled(self) -> bool:
-        """Whether the law goes through points, by a curve that somebody chose."""
+        """Whether the law goes through points."""
         return bool(self.sampled_at)
 
     @cached_property
@@ -133,7 +109,7 @@ class MotionLaw:
                 f"The derivative is {derivative!r}; it has to be 0 for S, 1 for V, 2 for A "
                 "or 3 for J."
             )
-        return plain(self.curve.derived(derivative)(_checked(x)))
+        return plain(self.curve.derived(derivative)(_TIME.array(x)))
 
     @property
     def Cv(self) -> float:  # noqa: N802 (the field's symbol)
@@ -188,91 +164,70 @@ class MotionLaw:
         """
         sampled = tuple(1 - place for place in reversed(self.sampled_at))
         curve = self.curve.placed(sympy.Integer(1), -1, sympy.Integer(1), -1)
-        return MotionLaw.of_curve(f"{self.name}, reversed", curve, sampled_at=sampled)
+        return MotionLaw(f"{self.name}, reversed", curve, sampled_at=sampled)
 
     def part(self, start: float, end: float) -> "MotionLaw":
         """Return the part of the law between two x, stretched to go from 0 to 1 in both.
 
-        `start` and `end` are dimensionless, 0 <= start < end <= 1. Of a rise-return law, the part
-        up to the top is a rise, that from the top on a return. Raises InputError for other places,
-        and for two at which S is the same.
+        Of a rise-return law, the part up to the top is a rise, that from the top on a return.
+        Raises InputError unless 0 <= start < end <= 1, and for two places with the same S.
 
         >>> MotionLaw("square", x**2).part(0.5, 1)(0.5)
         0.4166666666666667
         """
         low, high = _TIME.number(start), _TIME.number(end)
-        if not low < high:
+        s_low, way = self(low), self(high) - self(low)
+        if not low < high or abs(way) <= _SOLVED:
             raise InputError(
-                f"The part of the law goes from x = {low:g} to {high:g}; it has to end after it "
-                "begins: give, for example, 0 and 0.5."
+                f"The part of the law {self.name!r} goes from x = {low:g} to {high:g} and from S = "
+                f"{s_low:g} on by {way:g}: give two places, the first one first, between which it "
+                "moves."
             )
-        s_low, s_high = self(low), self(high)
-        if abs(s_high - s_low) <= _SOLVED:
-            raise InputError(
-                f"The law {self.name!r} is at S = {s_low:g} both at x = {low:g} and at {high:g}: "
-                "give two places between which it moves."
-            )
-        way = s_high - s_low
-        pieces = Curve(self.curve.between(low, high))
-        curve = pieces.placed(-low / (high - low), 1 / (high - low), -s_low / way, 1 / way)
-        return MotionLaw.of_curve(f"{self.name}, {low:g} to {high:g}", curve)
+        part, span = Curve(self.curve.between(low, high)), high - low
+        curve = part.placed(-low / span, 1 / span, -s_low / way, 1 / way)
+        return MotionLaw(f"{self.name}, {low:g} to {high:g}", curve)
 
     def with_constant_velocity(self, share: float) -> "MotionLaw":
         """Return the law with a share of constant velocity put into the middle of it.
 
         `share` is the part of the time, from 0 on and below 1. Raises InputError for another one,
-        for a law that is not symmetric, and for one that stands in its middle.
+        and for a law that is not symmetric or stands in its middle.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).with_constant_velocity(0.5).Cv:.3f}")
         1.200
         """
         part = exact(_SHARE.number(share))
-        if not self.is_symmetric:
+        if not self.is_symmetric or abs(self(0.5, 1)) < _JUMP:
+            lack = "stands in its middle" if self.is_symmetric else "is not symmetric"
             raise InputError(
-                f"The law {self.name!r} is not symmetric, so that it has no middle: give a law "
-                "whose second half mirrors the first."
+                f"The law {self.name!r} {lack}, so that no constant velocity can be put in there: "
+                "give a law whose second half mirrors the first, and that moves in between."
             )
         if not part:
             return self
-        steepest = self._middle_velocity
-        if abs(float(steepest)) < _JUMP:
-            raise InputError(
-                f"The law {self.name!r} stands in its middle, so that no constant velocity can be "
-                "put in there: give a law that moves there."
-            )
+        steepest = self(0.5, 1) if self.is_sampled else self.v.xreplace({x: _HALF}).doit()
         velocity = 1 / (part + (1 - part) / steepest)
-        first = Curve(self.curve.between(0.0, 0.5)).placed(
-            0, 1 - part, 0, velocity * (1 - part) / steepest
-        )
+        scale = velocity * (1 - part) / steepest
+        first = Curve(self.curve.between(0.0, 0.5)).placed(0, 1 - part, 0, scale)
         start = float(_HALF - velocity * part / 2), float(velocity)
         line = Series(start, (), first.high, 0.5, write=lambda: _HALF + velocity * (x - _HALF))
-        title = f"{self.name}, {float(part):.4g} constant velocity"
-        sampled = self._sampled_with(float(1 - part))
-        return MotionLaw.of_curve(title, mirrored([*first.pieces, line]), sampled_at=sampled)
-
-    def _sampled_with(self, rest: float) -> tuple[float, ...]:
-        """Return where the points come to lie when both halves take `rest` of their time."""
-        first = (place * rest for place in self.sampled_at if place <= 1 / 2)
-        second = (1 - (1 - place) * rest for place in self.sampled_at if place >= 1 / 2)
-        return (*first, *second)
-
-    @property
-    def branches(self) -> tuple[Branch, ...]:
-        """The law cut at each joint and wherever S turns; that no turn is missed is proved."""
-        return self.curve.branches
+        title, rest = f"{self.name}, {float(part):.4g} constant velocity", float(1 - part)
+        early = [place * rest for place in self.sampled_at if place <= 1 / 2]
+        late = [1 - (1 - place) * rest for place in self.sampled_at if place >= 1 / 2]
+        curve = mirrored([*first.pieces, line])
+        return MotionLaw(title, curve, sampled_at=(*early, *late))
 
     @property
     def is_monotone(self) -> bool:
         """Whether S rises from the start to the end and never falls."""
-        return all(branch.at_high >= branch.at_low for branch in self.branches)
+        return all(branch.at_high >= branch.at_low for branch in self.curve.branches)
 
     def inverse(self, s: ArrayLike) -> Numbers:
         """Return the first x at which the law has come to S = s.
 
         `s` is dimensionless, 0 to 1, a number or an array of any shape; the result has its shape.
         It is solved for until the last bit of x, and checked. Raises InputError for an `s` out of
-        range, and for a law that turns on its way and so passes some places more than once, and
-        for one that does not go from 0 to 1.
+        range, and for a law that turns on its way or does not go from 0 to 1.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).inverse(0.104):.5f}")
         0.20000
@@ -285,7 +240,9 @@ class MotionLaw:
                 "than once: use where_above, which returns every interval."
             )
         roots = np.reshape([self._first(place) for place in places.flat], places.shape)
-        self._check_inverse(roots, places)
+        off = np.abs(self(roots) - places) > _SOLVED
+        if np.any(off & ~np.isin(roots, [place for place, _ in self._jumps(0)])):
+            raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
         return plain(roots)
 
     def where_above(self, s: float) -> list[tuple[float, float]]:
@@ -320,14 +277,6 @@ class MotionLaw:
     def _derived(self, order: int) -> sympy.Expr:
         return write((sympy.diff(s, x, order), low, high) for s, low, high in self._zones)
 
-    @property
-    def _middle_velocity(self) -> float | sympy.Expr:
-        """V in the middle, exact where the law is said by an expression."""
-        if self.is_sampled:
-            return float(self(0.5, 1))
-        middle = next(zone for zone in self._zones if zone.high >= _HALF)
-        return sympy.diff(middle.expression, x).xreplace({x: _HALF})
-
     def _peak(self, derivative: int) -> float:
         """Return the largest magnitude of a curve, infinity where the one before it jumps."""
         jumps = any(self._jumps(lower) for lower in range(derivative))
@@ -337,52 +286,18 @@ class MotionLaw:
         """Return where a curve jumps and by how much; outside of the move it stands still."""
         curve = self.curve.derived(derivative)
         start, end = curve.ends
-        after = 1.0 if derivative == 0 else 0.0
-        steps = ((0.0, start), *curve.steps, (1.0, after - end))
+        steps = ((0.0, start), *curve.steps, (1.0, (derivative == 0) - end))
         return tuple((place, size) for place, size in steps if abs(size) > _JUMP)
 
     def _first(self, s: float) -> float:
-        branch = next(
-            (branch for branch in self.branches if s <= branch.at_high), self.branches[-1]
-        )
+        branches = self.curve.branches
+        branch = next((branch for branch in branches if s <= branch.at_high), branches[-1])
         if s <= branch.at_low:
             return branch.low
         return branch.high if s >= branch.at_high else branch.solve(s)
-
-    def _check_inverse(self, roots: Floats, wanted: Floats) -> None:
-        """Raise WrongAnswerError unless S is what was wanted, or jumps over it."""
-        off = np.abs(np.asarray(self(roots)) - wanted) > _SOLVED
-        jumps = [place for place, _ in self._jumps(0)]
-        if np.any(off & ~np.isin(roots, jumps)):
-            place = wanted[off].flat[0]
-            raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {place:g} there")
 
 
 def mirrored(half: Sequence[Piece]) -> Curve:
     """Return the curve whose second half is the first one turned about (1/2, 1/2)."""
     one = sympy.Integer(1)
     return Curve([*half, *(Placed(piece, one, -1, one, -1) for piece in reversed(half))])
-
-
-def _checked(x: ArrayLike) -> Floats:
-    """Return times as an array, each of them from 0 to 1; many floats at once take no detour."""
-    if type(x) is np.ndarray and x.dtype == np.float64 and x.size:
-        times: Floats = x
-        if times.min() >= 0 and times.max() <= 1:
-            return times
-    return _TIME.array(x)
-
-
-def _whole(name: str, pieces: list[Piece]) -> list[Piece]:
-    """Return the pieces if they follow each other from 0 to 1; raise InputError if not."""
-    ends = [piece.low for piece in pieces[1:]]
-    if (
-        not pieces
-        or (pieces[0].low, pieces[-1].high) != (0, 1)
-        or any(before.high != low for before, low in zip(pieces, ends, strict=False))
-    ):
-        raise InputError(
-            f"The law {name!r} has no value at some x between 0 and 1: let the cases of its "
-            "Piecewise cover all of them, the last one with the condition True."
-        )
-    return pieces

@@ -2,6 +2,7 @@
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -53,6 +54,11 @@ class Piece(ABC):
         """How many terms it takes to bound it once."""
         return 1
 
+    @property
+    def value(self) -> Callable[[float], float]:
+        """The function that returns the value at one place, for solvers that ask thousands."""
+        return self.at
+
     @cached_property
     def turns(self) -> list[float]:
         """Where between its ends it turns, in order; that no turn is missed is proved."""
@@ -77,8 +83,9 @@ class Piece(ABC):
 
     def solve(self, height: float, low: float, high: float) -> float:
         """Return where between two places it passes a height, if it only rises or falls there."""
-        rising = self.at(high) > self.at(low)
-        return bisect(lambda place: (self.at(place) < height) == rising, low, high)
+        value = self.value
+        rising = value(high) > value(low)
+        return bisect(lambda place: (value(place) < height) == rising, low, high)
 
 
 class Placed(Piece):

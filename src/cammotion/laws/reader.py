@@ -34,21 +34,35 @@ def read_pieces(zones: Iterable[tuple[sympy.Expr, float, float]]) -> list[Piece]
     return [_read(*zone) for zone in zones]
 
 
-def cut(expression: sympy.Expr) -> tuple[Zone, ...]:
-    """Cut an expression at its joints.
+def cut(name: str, law: object) -> tuple[Zone, ...]:
+    """Cut the expression of a law at its joints.
 
-    >>> [(low, high) for _, low, high in cut(sympy.Piecewise((x, x <= 0.25), (x**2, True)))]
+    Raises InputError for what is no expression in `x` alone, or not defined from 0 to 1.
+
+    >>> [(low, high) for _, low, high in cut("", sympy.Piecewise((x, x <= 0.25), (x**2, True)))]
     [(0.0, 0.25), (0.25, 1.0)]
     """
-    if not expression.has(sympy.Piecewise):
-        return (Zone(expression, 0.0, 1.0),)
-    if plain := _in_order(expression):
+    others = sorted(map(str, law.free_symbols - {x})) if isinstance(law, sympy.Expr) else []
+    if not isinstance(law, sympy.Expr) or others:
+        said = f"has the symbol {', '.join(others)}" if others else f"is {law!r}"
+        raise InputError(
+            f"The expression of the law {name!r} {said}; it has to be a SymPy expression in "
+            "cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
+        )
+    if not law.has(sympy.Piecewise):
+        return (Zone(law, 0.0, 1.0),)
+    if plain := _in_order(law):
         return plain
-    pieces = sympy.piecewise_fold(expression).as_expr_set_pairs(sympy.Interval(0, 1))
-    zones = (Zone(piece, float(where.inf), float(where.sup)) for piece, where in pieces)
-    return tuple(
-        sorted((zone for zone in zones if zone.low < zone.high), key=lambda zone: zone.low)
-    )
+    pieces = sympy.piecewise_fold(law).as_expr_set_pairs(sympy.Interval(0, 1))
+    found = [Zone(piece, float(where.inf), float(where.sup)) for piece, where in pieces]
+    zones = sorted((z for z in found if z.low < z.high), key=lambda zone: zone.low)
+    cuts = [end for zone in zones for end in (zone.low, zone.high)]
+    if (cuts[:1], cuts[1:-1:2], cuts[-1:]) != ([0], cuts[2::2], [1]):
+        raise InputError(
+            f"The law {name!r} has no value at some x between 0 and 1: let the cases of its "
+            "Piecewise cover all of them, the last one with the condition True."
+        )
+    return tuple(zones)
 
 
 def write(zones: Iterable[tuple[sympy.Expr, float, float]]) -> sympy.Expr:
@@ -86,7 +100,7 @@ def _series(expression: sympy.Expr, low: float) -> Series | None:
     if expression.is_Symbol:
         return Series((low, 1.0), (), low)
     if not expression.free_symbols:
-        return Series((_number(expression),), (), low)
+        return Series((real_number(expression),), (), low)
     if isinstance(expression, sympy.sin | sympy.cos):
         return _wave(_series(expression.args[0], low), int(isinstance(expression, sympy.cos)))
     if expression.is_Add or expression.is_Mul:
@@ -95,9 +109,6 @@ def _series(expression: sympy.Expr, low: float) -> Series | None:
     if expression.is_Pow and expression.exp.is_Integer and 0 < expression.exp <= _HIGHEST:
         return reduce(_times, [_series(expression.base, low)] * int(expression.exp))
     return None
-
-
-_number = lru_cache(maxsize=10_000)(real_number)
 
 
 def _plus(one: Series | None, other: Series | None) -> Series | None:
@@ -135,15 +146,3 @@ def _in_order(expression: sympy.Expr) -> tuple[Zone, ...]:
             return ()
         zones.append(Zone(piece, low, high))
     return tuple(zones) if zones and zones[-1].high == 1 else ()
-
-
-def as_expression(name: str, law: object) -> sympy.Expr:
-    """Return an expression in `x` alone; raise InputError for anything else."""
-    others = sorted(map(str, law.free_symbols - {x})) if isinstance(law, sympy.Expr) else []
-    if not isinstance(law, sympy.Expr) or others:
-        said = f"has the symbol {', '.join(others)}" if others else f"is {law!r}"
-        raise InputError(
-            f"The expression of the law {name!r} {said}; it has to be a SymPy expression in "
-            "cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
-        )
-    return law

@@ -45,7 +45,7 @@ def scca(
     parts = _exact_parts(b, c, d)
     half = [_piece(number, parts) for number, part in enumerate(parts) if part]
     title = name or f"SCCA({b:g}, {c:g}, {d:g})"
-    return MotionLaw.of_curve(title, mirrored(half), also_called=also_called)
+    return MotionLaw(title, mirrored(half), also_called)
 
 
 def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:

@@ -16,7 +16,6 @@ import sympy
 from cammotion.laws.expression import Expression
 from cammotion.laws.piece import Piece
 from cammotion.laws.symbols import x
-from cammotion.laws.turning import bisect
 from cammotion.quantities import Floats
 
 _ULP = math.ulp(1.0)
@@ -137,14 +136,14 @@ class Series(Piece):
 
     def at(self, place: float) -> float:
         """Return the value at one place; what is left of terms that cancel each other is 0."""
-        value = self._value(place)
+        value = self.value(place)
         if abs(value) > self._rounding:  # that of the whole zone, which is known
             return value
         return value if abs(value) > _NOTHING * self.size(place - self.low) else 0.0
 
     @cached_property
-    def _value(self) -> Callable[[float], float]:
-        """The function that returns the value at one place, for solvers that ask thousands."""
+    def value(self) -> Callable[[float], float]:
+        """The function that returns the value at one place, but for rounding."""
         low, factors = self.low, self.powers[::-1]
         waves = [
             (-a if n % 4 > 1 else a, f, phase, math.cos if n % 2 else math.sin)
@@ -196,12 +195,6 @@ class Series(Piece):
         operations = 4 * (len(self.powers) + len(self.waves) + turns + 2)
         slack = operations * _ULP * self.size(end)  # more than rounding can come to
         return least - slack, most + slack
-
-    def solve(self, height: float, low: float, high: float) -> float:
-        """Return where between two places it passes a height, if it only rises or falls there."""
-        value = self._value
-        rising = value(high) > value(low)
-        return bisect(lambda place: (value(place) < height) == rising, low, high)
 
     def size(self, width: float) -> float:
         """Return the sum of the magnitudes of all terms, at most, up to u = `width`."""

@@ -59,7 +59,9 @@ class Spline(Piece):
 
     @cached_property
     def turns(self) -> list[float]:
-        """Where between its ends it turns, in order: each zero of a slope, and kinks between."""
+        """Where between its ends it turns, in order; of steps, each knot."""
+        if len(self.rows) == 1:
+            return [float(knot) for knot in self.knots[1:-1]]
         slope = self.derivative
         zeros = np.unique(np.concatenate([slope._zeros, self.knots[1:-1]]))
         ends = np.concatenate([self.knots[:1], zeros, self.knots[-1:]])
@@ -76,18 +78,6 @@ class Spline(Piece):
             [self.rows[-1], self._inside(every, np.diff(self.knots)), self.over(self._peaks)]
         )
         return float(values.min()), float(values.max())
-
-    def restricted(self, low: float, high: float) -> "Spline":
-        """Return the part of it between two of its places."""
-        inner = self.knots[(self.knots > low) & (self.knots < high)]
-        starts = np.array([low, *inner])
-        which = np.searchsorted(self.knots[1:-1], starts, side="right")
-        rows = self.rows[:, which].copy()
-        move, degree = starts[0] - self.knots[which[0]], len(rows) - 1
-        for first in range(degree):  # the first polynomial begins later now
-            for n in range(1, degree + 1 - first):
-                rows[n, 0] += move * rows[n - 1, 0]
-        return Spline(np.array([*starts, high]), rows)
 
     @cached_property
     def expression(self) -> sympy.Expr:

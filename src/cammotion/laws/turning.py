@@ -10,12 +10,9 @@ cannot change by more than `NEGLIGIBLE`, however it turns.
 
 from collections.abc import Callable, Iterator
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from cammotion.quantities import InputError
-
-if TYPE_CHECKING:
-    from cammotion.laws.piece import Piece
 
 NEGLIGIBLE = 1e-13
 """The change of a curve that is taken for none, where a motion law changes by 1."""
@@ -25,7 +22,16 @@ _BUDGET = 1_000_000  # terms to bound; what takes more would take minutes
 _Run = tuple[int, float, float]  # 1 for rising or -1 for falling, and from where to where
 
 
-def turning_points(curve: "Piece", low: float, high: float) -> list[float]:
+class _Curve(Protocol):
+    @property
+    def derivative(self) -> "_Curve": ...
+    @property
+    def cost(self) -> int: ...  # in terms, to bound it once
+    def at(self, place: float) -> float: ...
+    def bounds(self, low: float, high: float) -> tuple[float, float]: ...
+
+
+def turning_points(curve: _Curve, low: float, high: float) -> list[float]:
     """Return in order every place in ]low, high[ at which a smooth curve turns.
 
     Raises InputError where that would take minutes: for a curve that turns many thousand times, or
@@ -52,7 +58,7 @@ def bisect(is_before: Callable[[float], bool], low: float, high: float) -> float
 class _Slopes:
     """The slope of a curve (order 0) and its derivatives over intervals."""
 
-    def __init__(self, curve: "Piece", low: float, high: float) -> None:
+    def __init__(self, curve: _Curve, low: float, high: float) -> None:
         self._chain = [curve.derivative]
         self._spent = 0
         roundings = (most - least for least, most in (curve.bounds(p, p) for p in (low, high)))
@@ -105,7 +111,7 @@ class _Slopes:
             if sign * other < 0
         ]
 
-    def _of(self, order: int) -> "Piece":
+    def _of(self, order: int) -> _Curve:
         while len(self._chain) <= order:
             self._chain.append(self._chain[-1].derivative)
         return self._chain[order]

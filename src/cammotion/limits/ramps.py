@@ -62,7 +62,7 @@ def law_of(pieces: list[Piece], change_mm: float) -> MotionLaw:
         end = 1.0 if number == len(pieces) else place + seconds
         series.append(Series((s, v, scaled.starting / 2, scaled.slope / 6), (), place, end))
         place, s, v = end, s + v * seconds + scaled.moved, v + scaled.gained
-    return MotionLaw.of_curve("least acceleration", Curve(series))
+    return MotionLaw("least acceleration", Curve(series))
 
 
 def _merged(pieces: list[Piece]) -> list[Piece]:

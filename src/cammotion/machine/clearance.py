@@ -160,7 +160,7 @@ def find_violations(
 def find_clearances(
     diagram: TimingDiagram, rules: ClearanceRule | Iterable[ClearanceRule]
 ) -> tuple[Clearance, ...]:
-    """Return the smallest clearance that each rule leaves, and where; errors as above."""
+    """Return the smallest clearance that each rule leaves, and where, in the order of the rules."""
     found = []
     for rule in as_rules(diagram, rules):
         open_arcs = rule.only_while.opposite.arcs(diagram)

@@ -27,11 +27,7 @@ class TimingDiagram:
     for two of one name, and for a rate that is not above 0.
 
     >>> import cammotion as cm
-    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-    >>> die = cm.motion(
-    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
-    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
-    >>> diagram = cm.TimingDiagram([mill, die], rate_per_hour=2000)
+    >>> diagram = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die], rate_per_hour=2000)
     >>> diagram.position_mm("die", 177.5)
     25.0
     >>> diagram.position_mm("die", time_s=0.8875)
@@ -81,8 +77,7 @@ class TimingDiagram:
 
     def angle_deg(self, time_s: ArrayLike) -> Numbers:
         """Return the cam angle in deg at a time in s, a number or an array; 0 deg is at 0 s."""
-        angles = TIME.array(time_s) * (DEG_PER_TURN / self.cycle_time_s)
-        return plain(angles)
+        return plain(TIME.array(time_s) * (DEG_PER_TURN / self.cycle_time_s))
 
     def position_mm(
         self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
@@ -98,31 +93,25 @@ class TimingDiagram:
     def offset_mm(
         self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
     ) -> Numbers:
-        """Return the position in mm, of an indexing motion the distance from the nearest stop.
-
-        Parameters, shapes and errors are those of `position_mm`.
-        """
+        """Return the position in mm at a cam angle or a time, of a turret how far from a stop."""
         return self[name].offset_mm(self._angle(angle_deg, time_s))
 
     def velocity(
         self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
     ) -> Numbers:
-        """Return the velocity in m/s; parameters, shapes and errors are those of `position_mm`.
-
-        Where two segments meet it is that of the one which begins there.
-        """
+        """Return the velocity in m/s at a cam angle or a time; at a joint, what begins there."""
         return self._derivative(1, name, angle_deg, time_s)
 
     def acceleration(
         self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
     ) -> Numbers:
-        """Return the acceleration in m/s2; else like `velocity`."""
+        """Return the acceleration in m/s2 at a cam angle or a time; at a joint, what begins."""
         return self._derivative(2, name, angle_deg, time_s)
 
     def jerk(
         self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
     ) -> Numbers:
-        """Return the jerk in m/s3; else like `velocity`."""
+        """Return the jerk in m/s3 at a cam angle or a time; at a joint, what begins there."""
         return self._derivative(3, name, angle_deg, time_s)
 
     def moves(self, name: str) -> tuple[Move, ...]:
@@ -142,19 +131,11 @@ class TimingDiagram:
         return self._peak(1, name)
 
     def peak_acceleration(self, name: str) -> float:
-        """Return the peak acceleration of a motion over the turn in m/s2.
-
-        It is that of the whole motion, where segments meet too, and where a turn meets the next:
-        infinite where the velocity jumps, 0 for a motion that stands still or is steady.
-        """
+        """Return the peak acceleration of a motion in m/s2; infinite where its velocity jumps."""
         return self._peak(2, name)
 
     def peak_jerk(self, name: str) -> float:
-        """Return the peak jerk of a motion over the turn in m/s3.
-
-        It is that of the whole motion, where segments meet too, and where a turn meets the next:
-        infinite where the acceleration jumps.
-        """
+        """Return the peak jerk of a motion in m/s3; infinite where its acceleration jumps."""
         return self._peak(3, name)
 
     def overlap(self, *names: str) -> list[Arc]:

@@ -60,7 +60,8 @@ def peak_velocity(
 ) -> Numbers:
     """Return the peak velocity of a move, v_max = Cv hm/tm, in m/s.
 
-    Parameters, shapes and errors are those of `peak_acceleration`.
+    The stroke in mm, the indexing angle in deg (at most 360) and the machine rate in pieces/h are
+    numbers or arrays that broadcast. Raises InputError for others and for an unknown law.
 
     >>> print(f"{peak_velocity(50, 55, 2000):.4f} m/s")
     0.3636 m/s
@@ -97,7 +98,8 @@ def peak_jerk(
 ) -> Numbers:
     """Return the peak jerk of a move, j_max = Cj hm/tm^3, in m/s3.
 
-    Parameters, shapes and errors are those of `peak_acceleration`.
+    The stroke in mm, the indexing angle in deg (at most 360) and the machine rate in pieces/h are
+    numbers or arrays that broadcast. Raises InputError for others and for an unknown law.
 
     >>> print(f"{peak_jerk(50, 55, 2000):.1f} m/s3")
     94.9 m/s3

@@ -16,12 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.laws.catalogue import polynomial
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
-from cammotion.machine.segments import CAM_ANGLE, MATCHED, POSITION, Part, Segment
+from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment
 from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
 
 _JUMP = 1e-6  # what is less, as a share of the largest value, is the rounding of two laws
@@ -85,10 +84,9 @@ class Motion:
         return Curve(piece for segment in self.segments for piece in segment.curve.pieces)
 
     def steps(self, order: int) -> list[Arc]:
-        """Return where a derivative jumps, of order 1, 2, 3 in mm/deg, mm/deg2, mm/deg3: how much.
+        """Return where a derivative of order 1, 2, 3 jumps: cam angle in deg, step in mm/deg^order.
 
-        Pairs of the cam angle, 0 to 360 deg, and the step up there; also where a turn meets the
-        next one. What is less than a millionth of the largest value is rounding.
+        Also where a turn meets the next. A millionth of the largest value is rounding.
         """
         curve = self.curve.derived(order)
         first, last = curve.ends
@@ -97,10 +95,9 @@ class Motion:
         return sorted((at % DEG_PER_TURN, by) for at, by in steps if abs(by) > rounding)
 
     def peak(self, order: int) -> float:
-        """Return the largest magnitude of a derivative of order 1, 2, 3, in mm/deg^order.
+        """Return the largest magnitude of a derivative of order 1, 2, 3 over the whole turn.
 
-        It is that of the whole turn with its joints, the one to the next turn among them: infinite
-        where the derivative before it jumps.
+        It is in mm/deg^order, and infinite where the derivative before it jumps.
         """
         jumps = any(self.steps(lower) for lower in range(1, order))
         return math.inf if jumps else self.curve.derived(order).largest
@@ -140,8 +137,7 @@ class Motion:
         """Return the same motion with another law for all its moves.
 
         >>> import cammotion as cm
-        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-        >>> mill.with_law("modified sine").moves[0].law
+        >>> cm.EXAMPLE.mill.with_law("modified sine").moves[0].law
         MotionLaw('modified sine')
         """
         segments = (s if s.is_dwell else replace(s, law=law) for s in self.segments)
@@ -154,8 +150,7 @@ class Motion:
         one is a pitch further each turn, until its stops have closed the turret.
 
         >>> import cammotion as cm
-        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-        >>> mill.position_mm([75, 150, 360 + 75, 23 * 360 + 75, 24 * 360 + 75])
+        >>> cm.EXAMPLE.mill.position_mm([75, 150, 360 + 75, 23 * 360 + 75, 24 * 360 + 75])
         array([  50.,  100.,  150., 2350.,   50.])
         """
         turns, phase = self._phase(angle_deg)
@@ -169,8 +164,7 @@ class Motion:
         nearest stop.
 
         >>> import cammotion as cm
-        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-        >>> mill.offset_mm([0, 15, 75, 135, 150]).round(4)
+        >>> cm.EXAMPLE.mill.offset_mm([0, 15, 75, 135, 150]).round(4)
         array([ 0.    ,  0.6451, 50.    ,  0.6451,  0.    ])
         """
         positions = self.curve(self._phase(angle_deg)[1])
@@ -193,8 +187,7 @@ class Motion:
         They are solved for, not sampled. Raises InputError for a limit that is not finite.
 
         >>> import cammotion as cm
-        >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-        >>> [(start, end)] = mill.where_beyond(0.65)
+        >>> [(start, end)] = cm.EXAMPLE.mill.where_beyond(0.65)
         >>> print(f"{start:.4f} {end:.4f}")
         15.0383 134.9617
         """
@@ -286,37 +279,6 @@ class Motion:
             )
 
 
-def motion(name: str, *parts: Part, start_deg: float = 0, start_mm: float = 0) -> Motion:
-    """Return the motion that begins at an angle and a position and goes on part by part.
-
-    The parts are made by `rise`, `return_` and `dwell`; together they fill 360 deg and come back.
-    Raises InputError if they do not.
-
-    >>> import cammotion as cm
-    >>> die = cm.motion(
-    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
-    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
-    >>> die.position_mm([150, 177.5, 205, 305, 360])
-    array([ 0., 25., 50., 50.,  0.])
-    """
-    return Motion(name, _place(name, parts, start_deg, start_mm))
-
-
-def indexing_motion(
-    name: str, *parts: Part, stops: int, start_deg: float = 0, start_mm: float = 0
-) -> Motion:
-    """Return a motion that goes on from stop to stop, one pitch each turn; else like `motion`.
-
-    `stops` of its pitches close the turret.
-
-    >>> import cammotion as cm
-    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-    >>> mill.pitch_mm
-    100.0
-    """
-    return Motion(name, _place(name, parts, start_deg, start_mm), stops)
-
-
 def _segments(name: str, given: Any) -> tuple[Segment, ...]:
     segments = tuple(given) if isinstance(given, Iterable) else ()
     if not segments or not all(isinstance(segment, Segment) for segment in segments):
@@ -325,44 +287,3 @@ def _segments(name: str, given: Any) -> tuple[Segment, ...]:
             "motion with motion('die', rise(50, over_deg=55), dwell(100), ...)."
         )
     return segments
-
-
-def _place(name: str, parts: Iterable[Any], start_deg: float, start_mm: float) -> list[Segment]:
-    """Lay the parts one after the other."""
-    angle, height = CAM_ANGLE.number(start_deg), POSITION.number(start_mm)
-    placed: list[dict[str, Any]] = []
-    for part in parts:
-        if not isinstance(part, Part):
-            raise InputError(
-                f"A part of {name!r} is {shorten(part)}: make each with rise(50, over_deg=55), "
-                "dwell(100) or return_(50, over_deg=55)."
-            )
-        ends = angle + part.angle_deg
-        to_mm = round(height + part.change_mm, 9)  # 0.1 + 0.2 - 0.3 is 0 on any machine
-        placed.append(
-            {"from_deg": angle, "to_deg": ends, "from_mm": height, "to_mm": to_mm, "law": part.law}
-        )
-        angle, height = ends, to_mm
-    segments = [None if part["law"] == MATCHED else Segment(**part) for part in placed]
-    return [
-        segment or _matched(name, placed[n], segments[n - 1], segments[(n + 1) % len(segments)])
-        for n, segment in enumerate(segments)
-    ]
-
-
-def _matched(
-    name: str, part: dict[str, Any], before: Segment | None, after: Segment | None
-) -> Segment:
-    """Return the move that goes on with what its neighbours have at both ends."""
-    if before is None or after is None:
-        raise InputError(
-            f"Two neighbours of {name!r} are both to be matched, at {part['to_deg']:g} deg or "
-            f"{part['from_deg']:g} deg: give one of them a law of its own."
-        )
-    way, angle = part["to_mm"] - part["from_mm"], part["to_deg"] - part["from_deg"]
-    slopes = [
-        [segment.curve.derived(n).ends[which] * angle**n / way for n in (1, 2)]
-        for segment, which in ((before, 1), (after, 0))
-    ]
-    law = polynomial((0, *slopes[0]), (1, *slopes[1]), name="matched")
-    return Segment(**part | {"law": law})

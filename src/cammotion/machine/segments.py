@@ -11,15 +11,11 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
-from cammotion.machine.kinematics import DEG_PER_TURN, STROKE
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
 
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
-MATCHED = "matched"
-"""For the law of a rise or a return: the polynomial of degree five that goes on at both ends with
-the velocity and the acceleration of its neighbours, as where a shear comes up to speed."""
-
 PART_ANGLE = Quantity("angle of a segment", "deg", example=55, high=DEG_PER_TURN)
 
 
@@ -93,43 +89,3 @@ class Segment:
     def position_mm(self, angle_deg: ArrayLike) -> Floats:
         """Return the position in mm at cam angles in deg within the segment, as an array."""
         return self.curve(np.asarray(angle_deg, dtype=np.float64))
-
-
-@dataclass(frozen=True)
-class Part:
-    """What is said of a segment before it has its place; made by `rise`, `return_` and `dwell`."""
-
-    angle_deg: float
-    change_mm: float = 0.0
-    law: str | MotionLaw | None = None
-
-
-def rise(stroke_mm: float, *, over_deg: float, law: str | MotionLaw = "cycloidal") -> Part:
-    """Return a rise by `stroke_mm` over a cam angle of `over_deg`, for `motion`.
-
-    Both are numbers above 0, the angle at most 360 deg. `law` is the name of a motion law, a law,
-    or `MATCHED`. Raises InputError for others.
-    """
-    return _move(1, stroke_mm, over_deg, law)
-
-
-def return_(stroke_mm: float, *, over_deg: float, law: str | MotionLaw = "cycloidal") -> Part:
-    """Return a return by `stroke_mm` over a cam angle of `over_deg`, for `motion`.
-
-    Both are numbers above 0, the angle at most 360 deg. `law` is the name of a motion law, a law,
-    or `MATCHED`. Raises InputError for others. (The plain word `return` belongs to Python.)
-    """
-    return _move(-1, stroke_mm, over_deg, law)
-
-
-def dwell(angle_deg: float) -> Part:
-    """Return a dwell over `angle_deg`, a number above 0 and at most 360 deg."""
-    return Part(PART_ANGLE.number(angle_deg))
-
-
-def _move(way: int, stroke_mm: float, over_deg: float, law: str | MotionLaw) -> Part:
-    return Part(
-        PART_ANGLE.number(over_deg),
-        way * STROKE.number(stroke_mm),
-        law if law == MATCHED else as_law(law),
-    )

@@ -7,8 +7,8 @@ from cammotion.limits.widest import widest_move
 from cammotion.machine.clearance import ClearanceRule, beyond, within
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.motions import Motion, indexing_motion, motion
-from cammotion.machine.segments import dwell, return_, rise
+from cammotion.machine.motions import Motion
+from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
 
 QUIET_SHARE = 0.1
 """The share of the mill's time, at either end of its move, in which it does the die no harm."""

@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.motions import Motion, indexing_motion, motion
-from cammotion.machine.segments import dwell, return_, rise
+from cammotion.machine.motions import Motion
+from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
 from cammotion.quantities import InputError
 from cammotion.views.live import Explorer, LiveFigure, NumberControl
 from cammotion.views.movement import curve_angles, movement
