@@ -46,6 +46,7 @@ def test_a_busy_port_is_avoided_or_refused(
 def test_a_port_whose_connections_just_closed_is_free() -> None:
     """A lab that has just stopped leaves such a port behind; the next one takes it again."""
     with socket.socket() as server:
+        server.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         server.bind(("127.0.0.1", 0))
         server.listen()
         port = server.getsockname()[1]
