@@ -20,7 +20,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -34,7 +34,7 @@ TESTS = ROOT / "tests"
 LEFT_OUT = ("teaching/lessons/", "__init__.py", "__init__.pyi")
 SLOW = ("browser", "nbgrader", "notebook", "solutions", "conftest", "house", "readme")
 _PASSED, _NOT_RUN = 0, (4, 5)  # exit codes of pytest
-FEW, NEAREST = 3, 9  # test files: with fewer, those of the importers count too; at most so many
+FEW, NEAREST = 3, 6  # test files: with fewer, those of the importers count too; at most so many
 COPIED = (
     *("src", "tests", "starter", "benchmarks", "notebooks", "docs", ".binder", ".ci"),
     *("workbook.py", "conftest.py", "pyproject.toml", "environment.txt", "README.md"),
@@ -356,7 +356,9 @@ def _try(mutants: list[Mutant], bench: Bench, pool: ThreadPoolExecutor) -> Count
         sys.exit("The quick tests fail, or take too long, before anything is broken.")
     print(f"The quick tests pass ({time.monotonic() - started:.0f} s).", flush=True)
     fates: Counter[Fate] = Counter()
-    for mutant, fate in zip(mutants, pool.map(bench.fate, mutants), strict=True):
+    tried = {pool.submit(bench.fate, mutant): mutant for mutant in mutants}
+    for done in as_completed(tried):
+        mutant, fate = tried[done], done.result()
         fates[fate] += 1
         place = f"[{fates.total()}/{len(mutants)}]"
         print(f"{place} {mutant.name}: {fate} ({time.monotonic() - started:.0f} s)", flush=True)

@@ -13,7 +13,7 @@ from fresh.runner import CHECKS, examine, main, run
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
 
-SEED, SOUND = "smoke", range(6)
+SEED, SOUND = "cam", range(6)
 Patch = tuple[object, str, Callable[[Any], Any]]
 
 
@@ -78,6 +78,7 @@ FAULTS: dict[str, Patch] = {
     "tables": (cm, "read_segments", lambda right: lambda path, **_: right(path)),
     "values": (MotionLaw, "__call__", scaled(1 + 1e-6)),
     "factors": (MotionLaw, "Ca", lambda right: property(lambda law: 1.01 * right.fget(law))),
+    "derived": (MotionLaw, "reversed", lambda _: lambda law: law),
     "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
     "least": (cm, "least_acceleration", bounded),
@@ -97,7 +98,7 @@ def test_the_seed_of_a_finding_is_printed_and_finds_it_again(
     monkeypatch.setattr(cm, "find_violations", lambda *_: ())
     assert run(SEED, 1, names=("violations",), processes=0) == 1
     printed = capsys.readouterr().out
-    again = re.search(r"FOUND: (--seed smoke --machine \d+ --check violations)\n", printed)
+    again = re.search(r"FOUND: (--seed cam --machine \d+ --check violations)\n", printed)
     assert again
     assert "diagram = cm.TimingDiagram(" in printed
     assert "AssertionError: missed at" in printed
@@ -112,5 +113,5 @@ def test_the_seed_of_a_finding_is_printed_and_finds_it_again(
 def test_it_goes_on_by_two_until_the_time_is_up(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--seconds", "2", "--seed", SEED, "--check", "ranges"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0] == "seed smoke, 2 s"
+    assert lines[0] == "seed cam, 2 s"
     assert re.fullmatch(r"\d+ machines, 0 findings", lines[-1])

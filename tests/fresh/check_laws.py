@@ -41,8 +41,21 @@ def factors(machine: Machine) -> None:
         places = np.linspace(0, 1, 101)
         off = float(np.abs(s(places) + s(1 - places) - 1).max())
         assert law.is_symmetric == (off < 1e-9) or 1e-13 < off < 1e-9, f"{law}: symmetry"
-        if law.is_symmetric:
+        if law.is_symmetric and abs(function_of(law, 1)(np.array(0.5))) > JUMP:
             _check_constant_velocity(law, machine.rng.uniform(0.01, 0.9))
+
+
+def derived(machine: Machine) -> None:
+    """Run a law backwards, and take a part of it."""
+    places = machine.rng.uniform(0, 1, 100)
+    for law in machine.laws:
+        s = function_of(law, 0)
+        _same(law.reversed()(places), 1 - s(1 - places), 1e-9, f"{law}, reversed")
+        low, high = np.sort(machine.rng.uniform(0, 1, 2))
+        first, way = s(np.array(low)), s(np.array(high)) - s(np.array(low))
+        if abs(way) > 1e-3 and high - low > 1e-3:
+            own = np.asarray((s(low + (high - low) * places) - first) / way)
+            _same(law.part(low, high)(places), own, 1e-8 / abs(float(way)), f"{law}, {low} to {high}")
 
 
 def inverses(machine: Machine) -> None:

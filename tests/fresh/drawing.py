@@ -166,7 +166,7 @@ def _law(rng: Rng) -> str:
     makers: list[Callable[[Rng], str]] = [
         *[_named] * 4,
         *(_scca, _slow, _straight, _leaning, _two_parabolas),
-        *(_boundaries, _dipping, _overshooting, _wavy, _points),
+        *(_boundaries, _dipping, _overshooting, _wavy, _points, _reversed, _part),
     ]
     return makers[rng.integers(len(makers))](rng)
 
@@ -231,6 +231,16 @@ def _points(rng: Rng) -> str:
     ways[[0, -1]] = 0, 1
     named = f"points {rng.integers(10**6)}"
     return f"cm.law_from_points({places.tolist()}, {ways.tolist()}, name={named!r})"
+
+
+def _reversed(rng: Rng) -> str:
+    makers = [_leaning, _two_parabolas, _boundaries, _dipping, _points]
+    return f"{makers[rng.integers(len(makers))](rng)}.reversed()"
+
+
+def _part(rng: Rng) -> str:
+    start, end = sorted(rng.uniform(0, 1, 2))
+    return f"{_named(rng)}.part({_digits(start * 0.9, 3)}, {_digits(0.1 + 0.9 * end, 3)})"
 
 
 def _digits(value: Any, digits: int) -> str:

@@ -35,6 +35,7 @@ CHECKS: Mapping[str, Check] = {
     "tables": check_machines.tables,
     "values": check_laws.values,
     "factors": check_laws.factors,
+    "derived": check_laws.derived,
     "inverses": check_laws.inverses,
     "heights": check_laws.heights,
     "least": check_limits.least,
