@@ -130,6 +130,14 @@ def test_every_corner_of_the_shares(shares: ShareExplorer) -> None:
             assert low <= values.min() <= values.max() <= high
 
 
+def test_shares_that_begin_unequal_never_take_more_than_the_turn() -> None:
+    wide = make_diagram(make_mill(200, middle_deg=100), make_die(45, down_deg=(250, 300)))
+    explorer = cm.explore_shares(wide)
+    for places in product(["min", "default", "max"], repeat=2):
+        set_controls(explorer, places)
+        assert min(move.angle_deg for move in explorer.diagram["die"].moves) >= 10
+
+
 def test_the_best_share_of_a_turn_without_overlap(shares: ShareExplorer) -> None:
     """Equal peaks: 100/b^2 = 50/d^2 with b + 2 d = 260."""
     shares.mill_angle.value = 260 / (1 + 2**0.5)

@@ -161,6 +161,11 @@ def test_the_explorer_of_the_overlap(law: str) -> None:
     assert "No collision" in explorer.text
 
 
+def test_a_conveyor_leaves_nothing_to_share() -> None:
+    with pytest.raises(cm.InputError, match=r"take 460 deg of the turn: leave 20 deg at least"):
+        cm.explore_shares(DIAGRAMS["a conveyor"])
+
+
 def test_the_explorer_of_the_overlap_over_a_conveyor() -> None:
     """A conveyor never rests at a stop: the die may never be down."""
     explorer = cm.explore_overlap(DIAGRAMS["a conveyor"], rule_for("belt"), contact_mm=20)

@@ -1,6 +1,6 @@
 """The machine's drawing: every motion is in one picture, and a new kind is one entry in a list."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import drawsvg as draw
@@ -38,7 +38,9 @@ def test_a_die_is_drawn_over_its_turret_and_other_motions_in_rows_of_one_length(
 class Lamp:
     """A kind of its own, for motions with this name."""
 
-    names, width, height = ("lamp",), 100, 50
+    names: Sequence[str] = ("lamp",)
+    width: float = 100
+    height: float = 50
 
     @classmethod
     def find(

@@ -109,7 +109,7 @@ def test_a_bar_that_crosses_360_is_drawn_in_two_and_named_once() -> None:
     ax = cm.plot_timing(AFTER)
     start, end = AFTER["die"].moves[1].from_deg, AFTER["die"].moves[1].to_deg - 360
     parts = [(low, high) for low, high, hatch in bars(ax) if hatch == "\\\\\\"]
-    assert np.allclose(parts, [(start, 360), (0, end)])
+    assert np.allclose(parts, [(0, end), (start, 360)])
     assert texts(ax.figure.axes[1]).count("124.91°") == 2  # down and up
 
 

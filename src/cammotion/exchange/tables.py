@@ -87,7 +87,8 @@ def write_curves(
     step = STEP.number(step_deg)
     steps = math.ceil(DEG_PER_TURN / step - _ROUNDING)
     angles = np.append(step * np.arange(steps), DEG_PER_TURN)
-    columns = {"cam angle in deg": angles, "time in s": angles * _seconds_per_deg(diagram)}
+    times = angles * (diagram.cycle_time_s / DEG_PER_TURN)
+    columns = {"cam angle in deg": angles, "time in s": times}
     for name in diagram.names:
         for what, curve in _CURVES.items():
             columns[f"{name} {what}"] = curve(diagram, name, angles)
@@ -195,10 +196,6 @@ def _numbers(segment: Segment) -> list[float]:
 
 def _law_name(segment: Segment) -> str:
     return DWELL if segment.law is None else as_law(segment.law).name
-
-
-def _seconds_per_deg(diagram: TimingDiagram) -> float:
-    return diagram.cycle_time_s / DEG_PER_TURN
 
 
 def _write(path: str | Path, rows: Iterable[Iterable[object]], overwrite: bool) -> Path:

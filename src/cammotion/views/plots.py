@@ -7,6 +7,7 @@ line styles and direct labels say the same. No global Matplotlib setting is touc
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -128,7 +129,7 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     """
     moves, _ = _labelled(moves, None)
     first = moves[0]
-    if any(_all_but_angle(move) != _all_but_angle(first) for move in moves):
+    if any(replace(move, angle_deg=first.angle_deg) != first for move in moves):
         raise InputError(
             "The moves differ in more than their angle: give them one stroke, one machine rate "
             "and one law, or the inverse-square law of the angle cannot be seen."
@@ -219,7 +220,8 @@ def _styled(ax: Axes | None, xlabel: str, ylabel: str) -> Axes:
 def _labelled(
     moves: Move | Iterable[Move], labels: Sequence[str] | None
 ) -> tuple[list[Move], list[str]]:
-    moves = [moves] if isinstance(moves, Move) else list(_iterable(moves))
+    several: Any = [moves] if isinstance(moves, Move) else moves
+    moves = list(several) if isinstance(several, Iterable) else []
     if not moves or not all(isinstance(move, Move) for move in moves):
         raise InputError(
             "There is nothing to draw: give one Move or a list of them, for example "
@@ -234,16 +236,8 @@ def _labelled(
     return moves, list(labels)
 
 
-def _iterable(moves: Any) -> Iterable[Any]:
-    return moves if isinstance(moves, Iterable) else ()
-
-
 def _peak(move: Move, curve: str) -> float:
     return move.stroke_mm if curve == "displacement" else float(getattr(move, f"peak_{curve}"))
-
-
-def _all_but_angle(move: Move) -> tuple[object, ...]:
-    return move.stroke_mm, move.rate_per_hour, move.law
 
 
 def _plain_ticks(ax: Axes) -> None:

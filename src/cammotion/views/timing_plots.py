@@ -1,7 +1,7 @@
 """Pictures of timing diagrams and of clearances, with units at every axis."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
-from cammotion.machine.arcs import Arc
+from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -188,19 +188,14 @@ def _draw_bars(ax: Axes, diagram: TimingDiagram) -> None:
     style_axes(ax, "", "")
     for number, motion in enumerate(diagram.motions):
         for segment in motion.segments:
-            for start, end, is_longest in _parts(segment):
-                _draw_bar(ax, number, (start, end), segment)
-                if is_longest and end - start >= _NARROWEST_LABEL_DEG:
-                    label = f"{segment.angle_deg:.5g}°"
-                    ax.text(
-                        (start + end) / 2,
-                        number,
-                        label,
-                        fontsize=10,
-                        ha="center",
-                        va="center",
-                        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
-                    )
+            parts = arcs([(segment.from_deg, segment.to_deg)])  # two where it runs on over 360
+            for part in parts:
+                _draw_bar(ax, number, part, segment)
+            start, end = max(parts, key=lambda part: part[1] - part[0])
+            if end - start >= _NARROWEST_LABEL_DEG:
+                middle, label = (start + end) / 2, f"{segment.angle_deg:.5g}°"
+                box = {"facecolor": "white", "edgecolor": "none", "pad": 1}
+                ax.text(middle, number, label, fontsize=10, ha="center", va="center", bbox=box)
     ax.set_ylim(len(diagram.motions) - 0.45, -0.55)
     ax.set_yticks(range(len(diagram.motions)), diagram.names)
     ax.tick_params(axis="y", length=0)
@@ -214,24 +209,12 @@ def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> None:
         (start, row - half),
         end - start,
         2 * half,
-        facecolor=mixed(colour(row), "white", 0.75) if not segment.is_dwell else "white",
+        facecolor="white" if segment.is_dwell else mixed(colour(row), "white", 0.75),
         edgecolor=colour(row),
         hatch=HATCHES[segment.kind],
         linewidth=1.2,
     )
     ax.add_patch(bar)
-
-
-def _parts(segment: Segment) -> Iterator[tuple[float, float, bool]]:
-    """Yield start and end of the parts of a segment within 0 to 360 deg; the longest is marked."""
-    start = segment.from_deg % DEG_PER_TURN
-    end = start + segment.angle_deg
-    parts = [(start, min(end, DEG_PER_TURN))]
-    if end > DEG_PER_TURN:
-        parts.append((0.0, end - DEG_PER_TURN))
-    longest = max(parts, key=lambda part: part[1] - part[0])
-    for part in parts:
-        yield *part, part is longest
 
 
 def _draw_row(ax: Axes, diagram: TimingDiagram, row: str) -> None:
@@ -258,17 +241,11 @@ def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -
         ("overlap", overlaps, OVERLAP),
         ("collision", collisions, COLLISION),
     ):
-        for start, end in found:
-            _span(ax, start, end, style)
+        for start, end in arcs(found):
+            ax.axvspan(start, end, **style, linewidth=0, zorder=0.5)
         if found:
             key.append(Patch(**style, label=label))
     ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(key), frameon=False)
-
-
-def _span(ax: Axes, start: float, end: float, style: dict[str, Any]) -> None:
-    for low, high in ((start, min(end, DEG_PER_TURN)), (0.0, end - DEG_PER_TURN)):
-        if low < high:
-            ax.axvspan(low, high, **style, linewidth=0, zorder=0.5)
 
 
 def _share_angle(*axes: Axes) -> None:

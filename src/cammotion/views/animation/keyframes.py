@@ -31,10 +31,6 @@ class Trace:
     angles_deg: Floats
     values: Floats
 
-    def at(self, angle_deg: float) -> float:
-        """Return the value between the key frames."""
-        return float(np.interp(angle_deg, self.angles_deg, self.values))
-
     def scaled(self, factor: float, start: float = 0.0) -> "Trace":
         """Return `start` and `factor` times the values: mm made pixels."""
         return Trace(self.angles_deg, start + factor * self.values)
@@ -44,9 +40,9 @@ def trace_position(motion: Motion) -> Trace:
     """Return the `movement` in mm, which of an indexing motion goes on over the end of its turn.
 
     >>> import cammotion as cm
-    >>> late = cm.EXAMPLE.mill.shifted(300)
-    >>> [round(trace_position(late).at(angle), 3) for angle in (0, 90, 300, 360)]
-    [30.645, 100.0, 100.0, 130.645]
+    >>> late = trace_position(cm.EXAMPLE.mill.shifted(300))
+    >>> np.interp([0, 90, 300, 360], late.angles_deg, late.values).round(3)
+    array([ 30.645, 100.   , 100.   , 130.645])
     """
     angles = np.concatenate([_position_angles(segment) for segment in motion.segments])
     in_turn = np.union1d(np.mod(angles, DEG_PER_TURN), [0.0, DEG_PER_TURN])

@@ -20,19 +20,14 @@ _ROUNDING_PX = 1.0
 
 
 class Drawing(Protocol):
-    """A picture of one mechanism, or of a few that belong together."""
+    """A picture of one mechanism, or of a few that belong together.
 
-    @property
-    def names(self) -> Sequence[str]:
-        """The names of the motions that it shows."""
+    `names` are those of its motions; `width` and `height` are in px, with the room below it.
+    """
 
-    @property
-    def width(self) -> float:
-        """How wide it is, in px."""
-
-    @property
-    def height(self) -> float:
-        """How high it is with the room below it, in px."""
+    names: Sequence[str]
+    width: float
+    height: float
 
     @classmethod
     def find(

@@ -1,7 +1,7 @@
 """The drawing of a slide, a block that goes up and down: for every motion of no other kind."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import drawsvg as draw
@@ -22,11 +22,11 @@ _TOP, _TRACK = 16.0, 64.0
 class Slide:
     """A block on a rail beside a scale in mm."""
 
-    height = SLIDE_PX
+    height: float = SLIDE_PX
 
     def __init__(self, number: int, motion: Motion, width: float) -> None:
         self.number, self.motion, self.width = number, motion, width
-        self.names = [motion.name]
+        self.names: Sequence[str] = [motion.name]
 
     @classmethod
     def find(

@@ -1,7 +1,7 @@
 """The drawing of a turret, an indexing motion, with the dies above its stops."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -30,9 +30,9 @@ class Turret:
 
     def __init__(self, number: int, motion: Motion, dies: list[Die], width: float) -> None:
         self.number, self.motion, self.dies = number, motion, dies
-        self.names = [motion.name, *(die.motion.name for die in dies)]
+        self.names: Sequence[str] = [motion.name, *(die.motion.name for die in dies)]
         self.width, self.panel = width, TURRET_PX if dies else 0.6 * TURRET_PX
-        self.height = self.panel + _BELOW_PX
+        self.height: float = self.panel + _BELOW_PX
         self.stops = motion.stops or 1
         self.step = 360 / self.stops
         self.degs = [(place - (len(dies) - 1) / 2) * self.step for place in range(len(dies))]

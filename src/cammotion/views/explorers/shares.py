@@ -5,10 +5,11 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from cammotion.limits.widest import with_angle
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
+from cammotion.machine.parts import dwell, motion, return_, rise
 from cammotion.quantities import InputError
 from cammotion.views.live import Explorer, LiveFigure, NumberControl
 from cammotion.views.movement import curve_angles, movement
@@ -16,7 +17,7 @@ from cammotion.views.plots import CURVES, style_axes, style_line
 from cammotion.views.scales import as_text, drawn_peak, round_up
 from cammotion.views.timing_plots import TICK_DEG
 
-_LEAST_DEG = 10  # what is left at least for each way of the tool
+_SHARED_DEG = DEG_PER_TURN - 2 * 10  # what is left at least for each way of the tool is 10 deg
 
 
 class ShareExplorer(Explorer):
@@ -30,11 +31,13 @@ class ShareExplorer(Explorer):
         self._mill, self._die = diagram.motions
         (index,), (down, up) = self._mill.moves, self._die.moves
         work = up.from_deg - down.to_deg
-        both = (DEG_PER_TURN - 2 * _LEAST_DEG) / 2
+        most = min(max(_SHARED_DEG / 2, index.angle_deg), _SHARED_DEG - work)
         self.mill_angle = NumberControl(
-            f"{self._mill.name}: angle, deg", index.angle_deg, 20, both, 1
+            f"{self._mill.name}: angle, deg", index.angle_deg, 20, most, 1
         )
-        self.work = NumberControl(f"{self._die.name}: at work, deg", work, 20, both, 1)
+        self.work = NumberControl(
+            f"{self._die.name}: at work, deg", work, 20, _SHARED_DEG - most, 1
+        )
         figure = Figure(figsize=(8.2, 4.8), dpi=100, facecolor="white")
         figure.subplots_adjust(left=0.11, right=0.98, bottom=0.11, top=0.98, hspace=0.14)
         self._axes: list[Axes] = list(figure.subplots(2, 1, sharex=True))
@@ -49,13 +52,8 @@ class ShareExplorer(Explorer):
         index, (down, up) = self._mill.moves[0], self._die.moves
         mill_deg, work_deg = self.mill_angle.value, self.work.value
         die_deg = (DEG_PER_TURN - mill_deg - work_deg) / 2
-        mill = indexing_motion(
-            self._mill.name,
-            rise(index.change_mm, over_deg=mill_deg, law=index.law or "cycloidal"),
-            dwell(DEG_PER_TURN - mill_deg),
-            stops=self._mill.stops or 1,
-            start_deg=index.from_deg,
-        )
+        mill = with_angle(self._mill, mill_deg)
+        mill = mill.shifted(index.from_deg - mill.start_deg)
         die = motion(
             self._die.name,
             rise(down.change_mm, over_deg=die_deg, law=down.law or "cycloidal"),
@@ -122,5 +120,12 @@ def explore_shares(diagram: TimingDiagram) -> ShareExplorer:
         raise InputError(
             "The turn of this diagram cannot be shared out: give a TimingDiagram of an indexing "
             "motion with one rise and a motion with one rise and one return, in this order."
+        )
+    (index,), (down, up) = (moved.moves for moved in motions)
+    taken = index.angle_deg + up.from_deg - down.to_deg
+    if taken > _SHARED_DEG:
+        raise InputError(
+            f"The move of the {motions[0].name} and the work of the {motions[1].name} take "
+            f"{taken:g} deg of the turn: leave 20 deg at least for the two ways of the latter."
         )
     return ShareExplorer(diagram)
