@@ -53,7 +53,7 @@ def run(arguments: list[str]) -> int:
 
 def parse(arguments: list[str]) -> argparse.Namespace:
     """Read the command line; `passed_on` is for pytest or JupyterLab."""
-    asks_help = arguments[-1:] in (["-h"], ["--help"])
+    asks_help = arguments[-1:] in (["-h"], ["--help"]) and "--fresh" not in arguments
     if not arguments or (arguments[0].startswith("-") and not asks_help):
         arguments = ["lab", *arguments]
     end = len(arguments)
@@ -176,7 +176,11 @@ def lock(options: argparse.Namespace) -> int:
 COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], int], str]] = {
     "lab": (open_lab, "set up and open the notebooks; what follows -- goes to JupyterLab"),
     "setup": (set_up, "only set up, to have a computer ready for class"),
-    "test": (test, "run linters and tests; with arguments, only pytest with these"),
+    "test": (
+        test,
+        "run linters and tests; with --fresh, half an hour of machines from fresh seeds; "
+        "with other arguments, only pytest with these",
+    ),
     "refresh": (refresh_notebooks, "execute the workbook's own notebooks and their solutions anew"),
     "fresh": (lay_fresh_copy, "lay a fresh copy of a notebook beside yours"),
     "lock": (lock, "write environment.txt anew from pyproject.toml (needs uv)"),

@@ -6,13 +6,16 @@ from starter import installer, processes
 from starter.errors import WorkbookError
 from starter.paths import ROOT, VENV_PYTHON
 
+FRESH = ROOT / "tests" / "run_fresh.py"
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
 # Two or more files of tests at a time, each file in one process: its fixtures are made once.
 IN_PARALLEL = ("-n", "auto", "--maxprocesses", "4", "--dist", "loadfile")
 
 
 def test(arguments: list[str]) -> int:
-    """Run the linters and pytest; only pytest, if it is given arguments."""
+    """Run the linters and pytest; only pytest with arguments, only machines with --fresh."""
+    if arguments[:1] == ["--fresh"]:
+        return run_python(str(FRESH), *arguments[1:])
     failed = []
     for number, step in enumerate(() if arguments else LINTERS, 1):
         print(f"[{number}/4] {step}")
@@ -27,7 +30,12 @@ def test(arguments: list[str]) -> int:
 
 def run_module(*arguments: str) -> int:
     """Run a module of the environment in the workbook's folder; return its exit code."""
-    command = [str(VENV_PYTHON), "-m", *arguments]
+    return run_python("-m", *arguments)
+
+
+def run_python(*arguments: str) -> int:
+    """Run the environment's Python in the workbook's folder; return its exit code."""
+    command = [str(VENV_PYTHON), *arguments]
     return processes.wait_for(subprocess.Popen(command, cwd=ROOT, text=True))
 
 

@@ -18,6 +18,7 @@ from known_slips import KnownSlip, h_m
 from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.exercise import Exercise, NumberExercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
 
 BY_HAND = [
     import_module(file.stem) for file in sorted(Path(__file__).parent.glob("known_slips*.py"))
@@ -113,23 +114,56 @@ def test_each_slip_gets_its_own_reason(exercise: NumberExercise) -> None:
     assert told == {slip.reason for slip in exercise.slips}
 
 
-@each_number
-def test_the_common_ratios_are_recognised(exercise: NumberExercise) -> None:
-    plain = NumberExercise(
-        number=exercise.number,
-        question=exercise.question,
-        right=exercise.right,
-        hints=exercise.hints,
-        unit=exercise.unit,
-        answer=exercise.answer,
+TELL_TALES: list[tuple[str, float, str]] = [
+    *[("rpm", -1, "not the sign"), ("rpm", 2, "twice as much"), ("rpm", 0.5, "half of what")],
+    *[("rpm", 6.283185307, "2 pi times too large"), ("rpm", 0.159154943, "2 pi times too small")],
+    *[("rpm", 3.141592654, r"is pi times too large"), ("rpm", 0.318309886, "is pi times too sma")],
+    *[("rpm", 4, "four times as much"), ("rpm", 0.25, "a quarter of what")],
+    *[("rpm", 1_000_000, "million times too large"), ("rpm", 0.000001, "million times too small")],
+    *[("rpm", 0.0174532925, "were made radians"), ("rpm", 57.2957795, "multiplied by 180/pi")],
+    *[("", 100, "in percent"), ("", 1000, "thousand times too large. Is one length in mm")],
+    *[("", 0.001, "thousand times too small. Is one length in mm"), ("%", 0.01, "is a share")],
+    *[("deg", 0.00277777778, "a part of a turn"), ("m/s²", 1000, "in mm where metres belong")],
+    *[("m/s²", 0.001, "divided by 1000 twice"), ("m/s²", 100, "in cm where metres belong")],
+    *[("m/s²", 3600, "for pieces per minute"), ("m/s²", 12_960_000, "for pieces per second")],
+    *[("mm", 1000, "taken for metres"), ("mm", 0.001, "in metres"), ("mm", 0.1, "in cm")],
+    *[("ms", 3600, "an hour made seconds twice"), ("ms", 0.000277777778, "the time in hours")],
+    *[("ms", 60, "An hour has 60 minutes"), ("ms", 0.0166666667, "the time in minutes")],
+    *[("ms", 0.001, "is in seconds"), ("s", 1000, "in milliseconds")],
+    *[("s", 3600, "an hour made seconds twice"), ("s", 0.000277777778, "the time in hours")],
+    *[("s", 60, "An hour has 60 minutes"), ("s", 0.0166666667, "the time in minutes")],
+    *[("N", 1000, "in mm where metres belong"), ("N", 0.001, "in kN"), ("N", 100, "in cm where")],
+    *[("N", 3600, "for pieces per minute"), ("N", 12_960_000, "for pieces per second")],
+]
+"""Units, ratios of a wrong number to the right one, and what each betrays."""
+
+
+@pytest.mark.parametrize(("unit", "ratio", "said"), TELL_TALES)
+def test_a_ratio_betrays_what_has_happened(unit: str, ratio: float, said: str) -> None:
+    asked = NumberExercise(
+        number="00.0",
+        question=lambda _: "How much?",
+        right="It is.",
+        hints=("Look.", "Think.", "Count."),
+        unit=unit,
+        answer=lambda _: 0.737,
     )
-    right = plain.solution(EXAMPLE)
-    assert "sign" in say(plain, -right)
-    assert "2 pi times too large" in say(plain, right * 2 * np.pi)
-    assert "2 pi times too small" in say(plain, right / 2 / np.pi)
-    assert "twice as much" in say(plain, 2 * right)
-    assert "half of what" in say(plain, right / 2)
-    assert "made radians" in say(plain, np.radians(right))
+    for off in (0, 0.003, -0.003):  # four digits are enough here too
+        assert said in say(asked, ratio * 0.737 * (1 + off))
+    others = [other for where, other, _ in TELL_TALES if where in {unit, "rpm"}]
+    for beside in (1.02, 0.98):
+        if not any(np.isclose(other, ratio * beside, rtol=0.01) for other in others):
+            assert said not in say(asked, ratio * 0.737 * beside)
+
+
+def test_every_ratio_of_the_tables_is_tried() -> None:
+    held = [("rpm", ratio) for ratio in COMMON_RATIOS]
+    held += [(unit, ratio) for unit, ratios in UNIT_RATIOS.items() for ratio in ratios]
+    tried = [(unit, ratio) for unit, ratio, _ in TELL_TALES]
+    assert sorted(unit for unit, _ in held) == sorted(unit for unit, _ in tried)
+    for (unit, ratio), (other_unit, other) in zip(sorted(held), sorted(tried), strict=True):
+        assert unit == other_unit
+        assert ratio == pytest.approx(other, rel=1e-8)
 
 
 @pytest.mark.parametrize(

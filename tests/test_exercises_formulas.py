@@ -1,6 +1,7 @@
 """Formulas as answers: the right one in any form, and why another one is wrong."""
 
 import functools
+import itertools
 import re
 from typing import Any
 
@@ -116,3 +117,34 @@ def test_each_formula_in_several_forms(exercise: ExpressionExercise) -> None:
             assert is_right(exercise, formula)
     for factor in (1.001, -1):
         assert not is_right(exercise, factor * right)
+
+
+RANGES: dict[str, dict[str, tuple[float, float]]] = {
+    "02.2": {"h_m": (0.1, 3), "t_m": (0.1, 3)},
+    "05.4": {"p": (0, 1)},
+    "06.2": {"r": (0, 1 / 4)},
+}
+"""Between what a quantity can lie: a share is part of a whole, two ramps of r fit into a half."""
+
+
+@each_formula
+def test_formulas_are_compared_where_the_quantities_can_lie(exercise: ExpressionExercise) -> None:
+    seen: list[tuple[float, ...]] = []
+
+    def watch(*place: float) -> float:
+        seen.append(place)
+        return 1.0
+
+    say(exercise, watch)  # it is called at these places, and then at the ends of a move
+    by_name = dict(zip(exercise.variables, np.array(seen[:24]).T, strict=True))
+    for name, (low, high) in RANGES[exercise.number].items():
+        values = by_name[name]
+        assert ((low < values) & (values < high)).all()
+        assert len({*values}) >= 20
+        assert np.ptp(values) > 0.5 * (min(high, 2) - low)
+    if exercise.along:
+        shares = by_name[exercise.along] / by_name[exercise.until]
+        assert ((shares > 0) & (shares < 1)).all()
+        assert np.ptp(shares) > 0.8
+    for one, other in itertools.combinations(by_name.values(), 2):
+        assert abs(np.corrcoef(one, other)[0, 1]) < 0.9, "two quantities always go together"

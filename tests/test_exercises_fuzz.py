@@ -34,26 +34,6 @@ def refuse(*_: Any, **__: Any) -> NoReturn:
     raise RuntimeError("no")
 
 
-def make_hostile(*names: str, base: type = object) -> Any:
-    """Return an object that raises when one of its methods is called."""
-    return type("Hostile", (base,), dict.fromkeys(names, refuse))()
-
-
-class NoClass:
-    """An object that raises when it is asked for its class."""
-
-    @property  # type: ignore[misc]
-    def __class__(self) -> Any:
-        raise RuntimeError("no")
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Held:
-    """Holds an object that hypothesis must not look at."""
-
-    answer: Any
-
-
 @dataclass(frozen=True)
 class Near:
     """An answer that is near to the right one of an exercise, or right."""
@@ -78,30 +58,9 @@ class Frame:
         return np.array(self.values)
 
 
-class Endless:
-    """A collection that never ends."""
-
-    def __iter__(self) -> Iterator[int]:
-        return iter(int, 1)
-
-
-HOSTILE = [
-    *[
-        make_hostile(name)
-        for name in (
-            *("__float__", "__complex__", "__eq__", "__repr__", "__str__", "__len__", "__iter__"),
-            *("__bool__", "__hash__", "__getattr__", "__call__", "__index__", "__array__"),
-            *("_sympy_", "__getattribute__"),
-        )
-    ],
-    make_hostile("__complex__", "__float__", "__repr__", "__hash__", base=float),
-    make_hostile("__float__", "__index__", "__repr__", base=int),
-    make_hostile("strip", "casefold", "__eq__", "__hash__", "__repr__", "__getitem__", base=str),
-    make_hostile("__len__", "__iter__", "__repr__", base=list),
+ODD = [
     sympy.Symbol("q"),
-    NoClass(),
     Frame(),
-    Endless(),
     math,
     int,
     object,
@@ -157,7 +116,7 @@ ANYTHING = st.one_of(
     plain,
     near_right,
     near_right,
-    st.sampled_from([Held(answer) for answer in HOSTILE]),
+    st.sampled_from(ODD),
     st.sampled_from(ARRAYS),
     st.sampled_from(ODD_SYMPY),
     st.lists(plain, max_size=3),
@@ -174,7 +133,7 @@ def read(answer: Any) -> complex:
 
 
 def let_go(answer: Any) -> Any:
-    return answer.answer if type(answer) in {Held, Near} else answer
+    return answer.answer if type(answer) is Near else answer
 
 
 def assert_sound(exercise: Exercise, answer: Any) -> None:
@@ -200,7 +159,7 @@ def test_ten_thousand_answers_of_every_type(answers: list[Any]) -> None:
 
 @pytest.mark.parametrize("exercise", EXERCISES.values(), ids=lambda exercise: exercise.number)
 def test_every_odd_object_is_answered_by_every_exercise(exercise: Exercise) -> None:
-    for answer in (*HOSTILE, *ARRAYS, *ODD_SYMPY):
+    for answer in (*ODD, *ARRAYS, *ODD_SYMPY):
         assert_sound(exercise, answer)
 
 

@@ -1,6 +1,8 @@
 """The house stands as it is drawn: who may import whom, and what an import costs."""
 
 import ast
+import dataclasses
+import importlib
 import json
 import re
 import subprocess
@@ -134,3 +136,16 @@ def test_the_notation_table_names_what_exists() -> None:
         last = name.removeprefix("law.")
         holders = [law] if name.startswith("law.") else [move, cammotion.TimingDiagram, cammotion]
         assert any(hasattr(holder, last) for holder in holders), name
+
+
+def test_records_are_frozen() -> None:
+    """What a solver has found nobody changes; a record that is hashed stays what it is."""
+    records = [
+        item
+        for name in MODULES
+        for item in vars(importlib.import_module(f"cammotion.{name}")).values()
+        if isinstance(item, type) and dataclasses.is_dataclass(item)
+    ]
+    assert len({*records}) >= 20
+    loose = [each.__qualname__ for each in records if each.__setattr__ is object.__setattr__]
+    assert not loose, "these records can be changed"

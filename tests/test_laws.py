@@ -406,3 +406,21 @@ def test_a_law_that_dips_is_below_its_start_and_comes_back() -> None:
     lowest = DIPPING.curve.branches[0].at_high
     assert DIPPING.where_below(lowest) == []
     assert DIPPING.where_above(lowest) == [(0.0, 1.0)]
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_law_begins_at_0_and_ends_at_1_and_nowhere_else(name: str) -> None:
+    law = LAWS[name]
+    just = (np.nextafter(0, -1), -1e-9, np.nextafter(1, 2), 1 + 1e-9, 1.5, 2.0)
+    for derivative in range(4):
+        assert np.isfinite(law(np.array([0.0, 1.0]), derivative)).all()
+        for outside in just:
+            for places in (outside, [0.5, outside], np.array([0.5, outside])):
+                with pytest.raises(cm.InputError, match=r"^The dimensionless time x = t/tm is"):
+                    law(places, derivative)
+    for outside in just:
+        with pytest.raises(cm.InputError, match=r"^The dimensionless displacement S is"):
+            law.inverse(outside)
+    for wrong in (-1, 4, 1.0):
+        with pytest.raises(cm.InputError, match=r"^The derivative is"):
+            law(0.5, wrong)  # type: ignore[arg-type]

@@ -1,6 +1,7 @@
 """The motion of one mechanism: where it is over the turns, and what does not make one."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
@@ -190,6 +191,25 @@ def test_where_it_is_beyond_a_limit_agrees_with_samples(motion: Motion) -> None:
         assert found == arcs(found)
         inside = [(low < angles) & (angles < high) for low, high in [*found, (0, 0)]]
         assert np.count_nonzero(np.any(inside, 0) != (offsets > limit)) <= 2
+
+
+def smaller(motion: Motion, by: float) -> Motion:
+    """Return a motion with every length a part of what it was."""
+    segments = [replace(s, from_mm=s.from_mm * by, to_mm=s.to_mm * by) for s in motion.segments]
+    return replace(motion, segments=segments)
+
+
+@pytest.mark.parametrize("motion", MACHINES, ids=lambda motion: str(motion.moves[0].law))
+@pytest.mark.parametrize("by", [0.015, 1e-4])
+def test_a_tiny_motion_is_beyond_its_limits_where_a_large_one_is(motion: Motion, by: float) -> None:
+    """Strokes below 1 mm are strokes like others."""
+    tiny = smaller(motion, by)
+    assert tiny.range_mm == pytest.approx(tuple(by * end for end in motion.range_mm), abs=1e-12)
+    assert tiny.offset_mm(ANGLES) == pytest.approx(by * motion.offset_mm(ANGLES), abs=1e-12)
+    for limit in (-2, -0.4, 0.001, 0.65, 3, 12.3, 19, 31, 47):
+        found, wanted = tiny.where_beyond(by * limit), motion.where_beyond(limit)
+        assert len(found) == len(wanted)
+        assert np.ravel(found) == pytest.approx(np.ravel(wanted), abs=1e-5)
 
 
 def test_at_the_limit_it_is_not_beyond() -> None:

@@ -578,6 +578,43 @@ def test_a_larger_limit_never_gives_a_narrower_move(
         assert angles == sorted(angles)
 
 
+def smaller(diagram: TimingDiagram, by: float) -> TimingDiagram:
+    """Return a diagram with every length a part of what it was."""
+    motions = [
+        replace(
+            motion,
+            segments=[
+                replace(s, from_mm=s.from_mm * by, to_mm=s.to_mm * by) for s in motion.segments
+            ],
+        )
+        for motion in diagram.motions
+    ]
+    return TimingDiagram(motions, diagram.rate_per_hour)
+
+
+@pytest.mark.parametrize("by", [0.015, 1e-3])
+def test_a_tiny_machine_collides_where_a_large_one_does(by: float) -> None:
+    """Strokes and clearances below 1 mm are like others."""
+    rule = ClearanceRule(beyond("die", 19 * by), only_while=within("mill", 0.65 * by))
+    for angle in (55, 130):
+        large = make_diagram(make_mill(), make_die(angle))
+        tiny = smaller(large, by)
+        found, wanted = cm.find_violations(tiny, rule), cm.find_violations(large, RULE)
+        assert len(found) == len(wanted) == (0 if angle == 55 else 2)
+        for one, other in zip(found, wanted, strict=True):
+            assert one.start_deg == pytest.approx(other.start_deg, abs=1e-6)
+            assert one.end_deg == pytest.approx(other.end_deg, abs=1e-6)
+            assert one.excess_mm == pytest.approx(by * other.excess_mm, rel=1e-5)
+        left, right = (
+            cm.smallest_clearance(diagram, which).clearance_mm
+            for diagram, which in ((tiny, rule), (large, RULE))
+        )
+        assert left == pytest.approx(by * right, rel=1e-6)
+    tiny = smaller(make_diagram(), by)
+    widest = cm.widest_move(tiny, "die", rule).angle_deg
+    assert widest == pytest.approx(cm.widest_move(make_diagram(), "die", RULE).angle_deg)
+
+
 def test_more_rules_never_give_a_wider_move() -> None:
     each = [cm.widest_move(make_diagram(), "die", rule).angle_deg for rule in SEVERAL]
     assert cm.widest_move(make_diagram(), "die", SEVERAL).angle_deg <= min(each)

@@ -51,7 +51,11 @@ def test_the_readme_names_every_command() -> None:
 
 def test_ci_calls_the_test_command_of_the_readme() -> None:
     assert "\npython3 workbook.py test\n" in README
-    assert (ROOT / ".ci" / "run").read_text("utf-8").rstrip().endswith("python3 workbook.py test")
+    run = (ROOT / ".ci" / "run").read_text("utf-8")
+    assert "\npython3 workbook.py test\n" in run
+    assert run.endswith(
+        '\npython3 workbook.py test --fresh --seconds 120 --seed "$(git rev-parse HEAD)"\n'
+    )
 
 
 def test_the_readme_lists_every_notebook() -> None:

@@ -150,6 +150,16 @@ GOOD = [0, 0.3, 0.6, 1]
         (GOOD, [0, 0.3, 0.6, 0.9], r"The s of the points goes from 0 to 0\.9; a motion law goes"),
         (GOOD, [0, 0.3, np.nan, 1], r"s of the points is nan \(at position 2\)"),
         (GOOD, [0, 0.3, 50, 1], r"s of the points is 50 \(at position 2\); .* at most 2: give"),
+        (
+            GOOD,
+            [0, 0.3, 2.001, 1],
+            r"s of the points is 2\.001 \(at position 2\); .* at most 2: giv",
+        ),
+        (
+            GOOD,
+            [0, -1.001, 0.6, 1],
+            r"s of the points is -1\.001 .* number at least -1 and at most",
+        ),
         (GOOD, [0, 0.5, 1], "have 4 numbers in x and 3 numbers in s: give two lists of the same"),
         ([0, 0.5, 1], [0, 0.5, 1], "with at least 4 numbers each"),
         ([GOOD], [GOOD], r"have an array of shape \(1, 4\) in x"),
@@ -163,7 +173,13 @@ def test_points_that_are_no_law_are_refused(x: Any, s: Any, said: str) -> None:
         law_from_points(x, s)
 
 
-@pytest.mark.parametrize("slopes", [(0,), 0, (0, 1e9), (0, None)])
+def test_points_may_lie_far_out_and_slopes_be_steep() -> None:
+    law = law_from_points(GOOD, [0, -1, 2, 1], end_slopes=(-100, 100))
+    assert law([0, 0.3, 0.6, 1]) == pytest.approx([0, -1, 2, 1])
+    assert law([0, 1], 1) == pytest.approx([-100, 100])
+
+
+@pytest.mark.parametrize("slopes", [(0,), 0, (0, 1e9), (0, None), (0, 100.1), (-100.1, 0)])
 def test_other_end_slopes_are_refused(slopes: Any) -> None:
     with pytest.raises(cm.InputError, match=r"end_slopes have to be|velocity V at an end"):
         law_from_points(GOOD, GOOD, end_slopes=slopes)

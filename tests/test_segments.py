@@ -1,6 +1,7 @@
 """Segments: the cycloid in closed form, and what is no segment."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
@@ -47,6 +48,34 @@ def test_a_rise_and_a_return_follow_the_cycloid() -> None:
             assert found == pytest.approx(sign * 0.050 / tm**order * factor, abs=1e-9)
 
 
+@pytest.mark.parametrize("stroke_mm", [50, 1, 0.999, 0.1, 1e-3])
+def test_the_smallest_stroke_is_a_rise_or_a_return(stroke_mm: float) -> None:
+    up = Segment(from_deg=0, to_deg=90, from_mm=0, to_mm=stroke_mm, law="cycloidal")
+    down = Segment(from_deg=0, to_deg=90, from_mm=stroke_mm, to_mm=0, law="cycloidal")
+    assert (up.kind, down.kind) == ("rise", "return")
+    rest = Segment(from_deg=180, to_deg=360, from_mm=0, to_mm=0)
+    die = cm.Motion("die", [up, replace(down, from_deg=90, to_deg=180), rest])
+    assert die.where_beyond(stroke_mm / 2) == [(45, 135)]
+
+
+def test_a_segment_is_said_by_name() -> None:
+    with pytest.raises(TypeError):
+        Segment(0, 90, 0, 50, "cycloidal")  # type: ignore[call-arg]
+    with pytest.raises(TypeError):
+        cm.rise(50, 55)  # type: ignore[call-arg]
+
+
+@pytest.mark.parametrize("angle", [0.001, 359.999, 360])
+def test_a_segment_takes_any_angle_up_to_a_turn(angle: float) -> None:
+    assert Segment(from_deg=0, to_deg=angle, from_mm=0, to_mm=0).angle_deg == angle
+    assert cm.dwell(angle) == Part(angle)
+    assert cm.rise(0.5, over_deg=angle) == Part(angle, 0.5, cm.as_law("cycloidal"))
+    for make in (cm.dwell, lambda wide: cm.return_(50, over_deg=wide)):
+        for wrong in (-angle, 0, 360.001):
+            with pytest.raises(cm.InputError, match=r"^The angle of a segment is"):
+                make(wrong)
+
+
 def test_a_dwell_stands_still() -> None:
     angles = np.array([205.0, 250.0, 305.0])
     assert REST.position_mm(angles).tolist() == [60, 60, 60]
@@ -55,13 +84,15 @@ def test_a_dwell_stands_still() -> None:
 
 
 @pytest.mark.parametrize("law", [*MONOTONE, *TURNING], ids=str)
-@pytest.mark.parametrize("ends_mm", [(10, 60), (60, 10)])
-def test_where_it_is_above_or_below_a_limit(law: MotionLaw, ends_mm: tuple[int, int]) -> None:
+@pytest.mark.parametrize("ends_mm", [(10, 60), (60, 10), (10, 10.5), (0.3, -0.2), (5.26, 5.264)])
+def test_where_it_is_above_or_below_a_limit(law: MotionLaw, ends_mm: tuple[float, float]) -> None:
     start, end = ends_mm
+    low, stroke = min(ends_mm), abs(end - start)
     segment = Segment(from_deg=100, to_deg=200, from_mm=start, to_mm=end, law=law)
     angles = 100 + (np.arange(5000) + 0.5) / 50
     positions = start + (end - start) * CURVES[law.name]((angles - 100) / 100)
-    for limit in (0, 9.8, 10, 23, 35, 59, 60, 61, 80):
+    for share in (-0.2, -0.004, 0, 0.26, 0.5, 0.98, 1, 1.02, 1.4):
+        limit = low + share * stroke
         for parts, is_there in (
             (segment.curve.where(limit, 1), positions > limit),
             (segment.curve.where(limit, -1), positions < limit),

@@ -53,6 +53,7 @@ def test_arguments_are_passed_on() -> None:
     assert commands.parse([]).work == "work"
     with pytest.raises(SystemExit):
         commands.parse(["setup", "--", "--debug"])
+    assert commands.parse(["test", "--fresh", "--help"]).passed_on == ["--fresh", "--help"]
 
 
 ALL_TESTS = " ".join(["pytest", *maintain.IN_PARALLEL])
@@ -80,3 +81,16 @@ def test_linters_run_before_all_tests(
     monkeypatch.setattr(maintain, "run_module", run_module)
     assert maintain.test(arguments) == code
     assert ran == steps
+
+
+def test_fresh_runs_machines_and_nothing_else(monkeypatch: pytest.MonkeyPatch) -> None:
+    ran: list[tuple[str, ...]] = []
+
+    def run_python(*words: str) -> int:
+        ran.append(words)
+        return 1
+
+    monkeypatch.setattr(maintain, "run_python", run_python)
+    assert maintain.test(["--fresh", "--seconds", "120", "--seed", "7f3a"]) == 1
+    assert ran == [(str(maintain.FRESH), "--seconds", "120", "--seed", "7f3a")]
+    assert "--fresh" in commands.COMMANDS["test"][1]

@@ -100,6 +100,74 @@ def test_a_foreign_environment_is_kept_aside(
     assert not (root / ".venv-old-3").exists()
 
 
+def sound(root: Path) -> Environment:
+    """Return what the small workbook asks for, and one package more."""
+    versions = {"no-such-package": "1.0", "own": "1"}
+    return SOUND._replace(package=str(root / "src" / "cammotion"), versions=versions)
+
+
+def test_a_new_environment_is_marked_and_stamped(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The mark lets the starter remove it later, the stamp says what was installed; not more."""
+    monkeypatch.setattr(installer, "find_uv", lambda: "uv")  # so that no pip is laid in
+    seen: list[bool] = []
+
+    def install(step: str) -> None:
+        assert step == "[2/3]"
+        seen.extend([environment.MARKER.is_file(), inspection.STAMP.exists()])
+
+    monkeypatch.setattr(installer, "install_packages", install)
+    monkeypatch.setattr(inspection, "inspect", lambda: sound(root))
+    environment.ensure()
+    assert seen == [True, False]
+    assert "may remove it" in environment.MARKER.read_text()
+    assert environment.MARKER.parent == inspection.STAMP.parent == root / ".venv"
+    assert (root / ".venv" / "pyvenv.cfg").is_file()
+    stamp = inspection.read_stamp()
+    assert stamp == sound(root)._replace(versions={"no-such-package": "1.0"})
+    assert inspection.judge() == ("ready", "")
+    assert capsys.readouterr().out.splitlines()[-1] == "[3/3] Checking the environment"
+    monkeypatch.setattr(installer, "install_packages", raiser(AssertionError("nothing is to do")))
+    environment.ensure()
+    environment.clear_the_way()
+    assert not (root / ".venv").exists()
+    assert not (root / ".venv-old").exists()
+
+
+def test_an_update_is_stamped_anew(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """While it installs there is no stamp: what is killed on the way is not trusted."""
+    (root / ".venv").mkdir()
+    inspection.write_stamp(sound(root)._replace(versions={"no-such-package": "0.9"}))
+    seen = []
+    monkeypatch.setattr(inspection, "inspect", lambda: sound(root))
+    monkeypatch.setattr(
+        installer, "install_packages", lambda step: seen.append((step, inspection.STAMP.exists()))
+    )
+    environment.ensure()
+    assert seen == [("[1/2]", False)]
+    assert inspection.read_stamp() == sound(root)._replace(versions={"no-such-package": "1.0"})
+    said = capsys.readouterr().out.splitlines()
+    assert said[0] == (
+        "The environment in .venv is updated: no-such-package is 1.0 instead of 0.9."
+    )
+    assert said[-1] == "[2/2] Checking the environment"
+
+
+@pytest.mark.parametrize("now", [None, SOUND])
+def test_an_environment_without_the_package_gets_no_stamp(
+    root: Path, monkeypatch: pytest.MonkeyPatch, now: Environment | None
+) -> None:
+    """Its Python does not run, or finds another cammotion."""
+    (root / ".venv").mkdir()
+    monkeypatch.setattr(inspection, "inspect", lambda: now)
+    with pytest.raises(WorkbookError, match="Python does not find cammotion"):
+        environment.record("[3/3]")
+    assert not inspection.STAMP.exists()
+
+
 @pytest.mark.parametrize("error", [OSError(errno.ENOSPC, "full"), KeyboardInterrupt()])
 def test_nothing_half_made_stays(
     root: Path, monkeypatch: pytest.MonkeyPatch, error: BaseException

@@ -43,6 +43,19 @@ def test_a_busy_port_is_avoided_or_refused(
     assert lab.choose_port(port) == port
 
 
+def test_a_port_whose_connections_just_closed_is_free() -> None:
+    """A lab that has just stopped leaves such a port behind; the next one takes it again."""
+    with socket.socket() as server:
+        server.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        server.bind(("127.0.0.1", 0))
+        server.listen()
+        port = server.getsockname()[1]
+        with socket.create_connection(("127.0.0.1", port)):
+            connection, _ = server.accept()
+            connection.close()  # the server's side first, so that it is the one that waits
+    assert lab.is_free(port)
+
+
 def test_the_lab_opens_and_ends(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -202,7 +202,7 @@ class ChoiceExercise(Exercise):
 
     def letter(self, answer: Any) -> str:
         """Return the letter of the option that an answer means, "" if it means none."""
-        if not issubclass(type(answer), str):
+        if not isinstance(answer, str):
             return ""
         letter = unicodedata.normalize("NFKC", answer).strip(_AROUND_A_LETTER).casefold()
         return letter if letter in self.options else ""

@@ -23,8 +23,9 @@ class ExpressionExercise(Exercise):
     """A formula in named `variables`, compared with the right one at many places.
 
     `answer` is an expression in symbols of these names; whatever their assumptions, symbols are
-    known by their names alone. If the formula runs along a move, `along` is the variable that goes
-    from 0 to the value of the variable `until`.
+    known by their names alone. The places lie `between` two values, the same for each variable; if
+    the formula runs along a move, `along` is the variable that goes from 0 to the value of the
+    variable `until`.
     """
 
     variables: tuple[str, ...]
@@ -32,6 +33,7 @@ class ExpressionExercise(Exercise):
     slips: tuple[Slip, ...] = ()
     along: str = ""
     until: str = ""
+    between: tuple[float, float] = (0.2, 2.0)
     tolerance: float = 1e-6
 
     @property
@@ -78,7 +80,8 @@ class ExpressionExercise(Exercise):
         """Return a row of values for each variable, the same ones each time."""
         roots = np.sqrt([2.0, 3.0, 5.0, 7.0, 11.0])[: len(self.variables), None]
         shares = np.mod(np.arange(1, _PLACES + 1) * roots, 1)
-        places = 0.2 + 1.8 * shares
+        low, high = self.between
+        places = low + (high - low) * shares
         if self.along:  # stay within the move
             along, until = self.variables.index(self.along), self.variables.index(self.until)
             places[along] = shares[along] * places[until]

@@ -293,6 +293,7 @@ EXERCISES = (
             "`p`, or a function of it."
         ),
         variables=("p",),
+        between=(0.0, 1.0),
         answer=2 / (1 + _p),
         right="From 2, without a line, it comes down to 1, the velocity of the line alone.",
         slips=(

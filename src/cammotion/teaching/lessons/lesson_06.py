@@ -157,6 +157,7 @@ EXERCISES = (
             "it."
         ),
         variables=("r",),
+        between=(0.0, 0.25),
         answer=4 / (1 - 2 * _r),
         right="With r = 1/8 it is 16/3. This is the price of a limited jerk, in closed form.",
         slips=(

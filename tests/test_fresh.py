@@ -1,0 +1,117 @@
+"""The tests from fresh seeds, for some seconds; and that they find what is broken."""
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from fresh.drawing import build, draw
+from fresh.runner import CHECKS, examine, main, run
+
+import cammotion as cm
+from cammotion import Motion, MotionLaw, TimingDiagram
+
+SEED, SOUND = "cam", range(6)
+Patch = tuple[object, str, Callable[[Any], Any]]
+
+
+@pytest.mark.parametrize("number", SOUND)
+def test_some_machines_are_sound(number: int) -> None:
+    found = examine(SEED, number, tuple(CHECKS))
+    assert not found, "\n".join(map(str, found))
+
+
+def test_a_machine_is_drawn_again_the_same() -> None:
+    first, second = draw(SEED, 1), draw(SEED, 1)
+    assert first.code == second.code != draw(SEED, 2).code != draw("other", 1).code
+    assert first.rng.random() == second.rng.random()
+
+
+def test_its_code_builds_it() -> None:
+    machine = draw(SEED, 3)
+    names = build(machine.code)
+    angles = np.linspace(0, 360, 50)
+    for name in machine.diagram.names:
+        again = names["diagram"].position_mm(name, angles)
+        assert np.array_equal(again, machine.diagram.position_mm(name, angles))
+
+
+def narrower(solve: Any) -> Callable[..., Any]:
+    """Break a solver for the widest move: it leaves a tenth unused."""
+
+    def narrow(diagram: TimingDiagram, name: str, rules: Any, **named: Any) -> Any:
+        found = solve(diagram, name, rules, **named)
+        angles = tuple(0.9 * angle for angle in found.angles_deg)
+        if len(set(angles)) > 1:
+            return replace(found, angles_deg=angles)
+        changed = diagram.with_motion(cm.with_angle(diagram[name], angles[0]))
+        return replace(found, angles_deg=angles, diagram=changed)
+
+    return narrow
+
+
+def bounded(solve: Any) -> Callable[..., Any]:
+    """Break the least acceleration: it promises too much."""
+
+    def promise(*given: Any, **named: Any) -> Any:
+        found = solve(*given, **named)
+        return replace(found, bound=1.05 * found.reached)
+
+    return promise
+
+
+def scaled(factor: float) -> Callable[[Any], Any]:
+    """Break a curve or a peak by a factor."""
+    return lambda right: lambda *given, **named: factor * right(*given, **named)
+
+
+FAULTS: dict[str, Patch] = {
+    "positions": (Motion, "position_mm", scaled(1 + 1e-6)),
+    "ranges": (TimingDiagram, "overlap", lambda _: lambda *_: []),
+    "peaks": (TimingDiagram, "peak_velocity", scaled(1.01)),
+    "violations": (cm, "find_violations", lambda right: lambda *given: right(*given)[1:]),
+    "widenings": (cm, "with_angle", lambda right: lambda one, angle: right(one, angle * 0.999)),
+    "widest": (cm, "widest_move", narrower),
+    "each_way": (cm, "widest_move", narrower),
+    "tables": (cm, "read_segments", lambda right: lambda path, **_: right(path)),
+    "values": (MotionLaw, "__call__", scaled(1 + 1e-6)),
+    "factors": (MotionLaw, "Ca", lambda right: property(lambda law: 1.01 * right.fget(law))),
+    "derived": (MotionLaw, "reversed", lambda _: lambda law: law),
+    "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
+    "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
+    "least": (cm, "least_acceleration", bounded),
+}
+
+
+@pytest.mark.parametrize("check", CHECKS)
+def test_a_planted_fault_is_found(monkeypatch: pytest.MonkeyPatch, check: str) -> None:
+    owner, name, broken = FAULTS[check]
+    monkeypatch.setattr(owner, name, broken(getattr(owner, name)))
+    assert any(examine(SEED, number, (check,)) for number in SOUND)
+
+
+def test_the_seed_of_a_finding_is_printed_and_finds_it_again(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(cm, "find_violations", lambda *_: ())
+    assert run(SEED, 1, names=("violations",), processes=0) == 1
+    printed = capsys.readouterr().out
+    again = re.search(r"FOUND: (--seed cam --machine \d+ --check violations)\n", printed)
+    assert again
+    assert "diagram = cm.TimingDiagram(" in printed
+    assert "AssertionError: missed at" in printed
+    assert re.fullmatch(r"\d+ machines?, [1-9]\d* findings?", printed.splitlines()[-1])
+    assert main(again[1].split()) == 1
+    assert "AssertionError: missed at" in capsys.readouterr().out
+    monkeypatch.undo()
+    assert main(again[1].split()) == 0
+    assert capsys.readouterr().out == "1 machine, 0 findings\n"
+
+
+def test_it_goes_on_by_two_until_the_time_is_up(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--seconds", "2", "--seed", SEED, "--check", "ranges"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "seed cam, 2 s"
+    assert re.fullmatch(r"\d+ machines, 0 findings", lines[-1])
