@@ -58,8 +58,6 @@ def derived(machine: Machine) -> None:
             name = f"{law}, {low} to {high}"
             _same(law.part(low, high)(places), own, 1e-8 / abs(float(way)), name)
                 law.part(low, high)(places), own, 1e-8 / abs(float(way)), f"{law}, {low} to {high}"
-            )
-
 
 def inverses(machine: Machine) -> None:
     """Go the way back: to the first place at which a height is reached."""
