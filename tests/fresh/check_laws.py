@@ -57,7 +57,7 @@ def derived(machine: Machine) -> None:
             own = np.asarray((s(low + (high - low) * places) - first) / way)
             name = f"{law}, {low} to {high}"
             _same(law.part(low, high)(places), own, 1e-8 / abs(float(way)), name)
-                law.part(low, high)(places), own, 1e-8 / abs(float(way)), f"{law}, {low} to {high}"
+
 
 def inverses(machine: Machine) -> None:
     """Go the way back: to the first place at which a height is reached."""
