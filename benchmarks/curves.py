@@ -24,14 +24,10 @@ def measure_factors() -> list[Finding]:
     """Make SCCA laws and laws from points, and ask each for Cv, Ca, Cj and Cq."""
     rng = random.Random(1)  # noqa: S311 - no secret
     parts = [sorted(rng.random() for _ in range(2)) for _ in range(LAWS + 1)]
-    first, *times = [
-        time_factors(lambda b=b, e=e: scca(b, e - b, 1 - e))
-        for b, e in parts  # type: ignore[misc]
-    ]
-    say(
-        f"the first SCCA law of a process {first:.1f} ms, the slowest of the others {max(times):.1f}"
-    )
-    findings = [Finding(f"SCCA law and its four factors, median of {LAWS}", median(times), 3, "ms")]
+    first, *times = [time_factors(partial(scca, b, end - b, 1 - end)) for b, end in parts]
+    say(f"the first SCCA law {first:.1f} ms, the slowest of the others {max(times):.1f} ms")
+    what = f"SCCA law and its four factors, median of {LAWS}"
+    findings = [Finding(what, median(times), 3, "ms")]
     for count, limit in POINTS.items():
         places = np.linspace(0, 1, count)
         ways = places - np.sin(2 * np.pi * places) / (2 * np.pi)

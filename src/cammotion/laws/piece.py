@@ -22,6 +22,7 @@ class Piece(ABC):
 
     low: float
     high: float
+    is_constant = False
 
     @abstractmethod
     def at(self, place: float) -> float:
@@ -121,6 +122,10 @@ class Placed(Piece):
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given."""
+        if self._inner.is_constant:
+            values = np.empty(np.shape(places)) if out is None else out
+            values[...] = self.at(self.low)
+            return values
         turned = self._shift - places if self._width < 0 else places - self._shift
         if abs(self._width) != 1:
             turned /= abs(self._width)

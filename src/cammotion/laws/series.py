@@ -80,6 +80,7 @@ class Series(Piece):
         write: Callable[[], sympy.Expr] | None = None,
     ) -> None:
         self.powers, self.waves, self.low, self.high, self._write = powers, waves, low, high, write
+        self.is_constant = len(powers) == 1 and not waves
 
     @property
     def cost(self) -> int:
@@ -171,8 +172,10 @@ class Series(Piece):
         longer to get than to fill, so that as few are made as can be.
         """
         values = np.empty(np.shape(places)) if out is None else out
-        u = places - self.low if self.low else places
         values[...] = self.powers[-1]
+        if self.is_constant:
+            return values
+        u = places - self.low if self.low else places
         for factor in self.powers[-2::-1]:
             values *= u
             if factor:
