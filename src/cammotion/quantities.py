@@ -61,8 +61,10 @@ class Quantity:
         array = self._as_floats(value)
         if array.size == 0:
             raise InputError(f"The {self.name} is empty: give {self._example}.")
-        if self.low < array.min() and array.max() <= self.high < math.inf:
-            return array  # many at once take no detour; nan is in no order
+        least = array.min()  # many at once take no detour; nan is in no order
+        is_above = least > self.low or (self.low_included and least == self.low)
+        if is_above and array.max() <= self.high < math.inf:
+            return array
         inside = self._inside(array)
         if not inside.all():
             raise InputError(self._out_of_range(array, inside))
