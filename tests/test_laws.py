@@ -300,7 +300,7 @@ def test_shape_and_type_follow_the_argument() -> None:
 
 @pytest.mark.parametrize("derivative", [-1, 4, 1.5, "1", None])
 def test_only_four_derivatives(derivative: object) -> None:
-    with pytest.raises(cm.InputError, match="it has to be 0 for S, 1 for V, 2 for A or 3 for J"):
+    with pytest.raises(cm.InputError, match="it has to be 0, 1, 2 or 3, for S, V, A or J"):
         CYCLOIDAL(0.5, derivative=derivative)  # type: ignore[arg-type]
 
 

@@ -10,7 +10,7 @@ from machines import examples
 from cammotion import LAWS, x
 from cammotion.laws.curve import Curve
 from cammotion.laws.expression import Expression
-from cammotion.laws.reader import read_pieces
+from cammotion.laws.reader import read as read_piece
 from cammotion.laws.series import Series
 
 PI = sympy.pi
@@ -25,7 +25,7 @@ CURVES = [
 
 
 def read(curve: sympy.Expr, low: float = 0.0, high: float = 1.0) -> Series:
-    [series] = read_pieces([(curve, low, high)])
+    series = read_piece(curve, low, high)
     assert isinstance(series, Series)
     return series
 
@@ -61,8 +61,7 @@ def test_a_series_is_the_expression_once_more(curve: sympy.Expr, low: float) -> 
     ids=str,
 )
 def test_any_other_form_is_left_as_it_is(curve: sympy.Expr) -> None:
-    [piece] = read_pieces([(curve, 0.0, 1.0)])
-    assert isinstance(piece, Expression)
+    assert isinstance(read_piece(curve, 0.0, 1.0), Expression)
 
 
 @pytest.mark.parametrize("name", LAWS)

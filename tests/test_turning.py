@@ -9,7 +9,7 @@ from machines import DIPPING, MONOTONE, WAVY, Array, examples
 
 import cammotion as cm
 from cammotion import MotionLaw, x
-from cammotion.laws.reader import read_pieces
+from cammotion.laws.reader import read as read_piece
 from cammotion.laws.turning import bisect
 
 PI = sympy.pi
@@ -25,8 +25,7 @@ MANY_TURNS = [
 
 def turning_points(curve: sympy.Expr, low: float, high: float) -> list[float]:
     """Return the turns of the piece as which a curve is read."""
-    [piece] = read_pieces([(curve, low, high)])
-    return piece.turns
+    return read_piece(curve, low, high).turns
 
 
 def sampled_turns(curve: sympy.Expr, samples: int) -> Array:

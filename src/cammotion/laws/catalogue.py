@@ -11,7 +11,7 @@ from typing import Any
 import sympy
 
 from cammotion.laws.motion_law import MotionLaw, mirrored
-from cammotion.laws.reader import read_pieces
+from cammotion.laws.reader import read
 from cammotion.laws.scca_family import scca
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Quantity, one_of, shorten
@@ -77,7 +77,7 @@ def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
     if part:
         zones.append((_half + velocity * (x - _half), float(joint), 0.5))
     title = name or f"fifth degree + linear, {float(part):.4g} constant velocity"
-    return MotionLaw(title, mirrored(read_pieces(zones)))
+    return MotionLaw(title, mirrored([read(*zone) for zone in zones]))
 
 
 def _sines(*amplitudes: float | sympy.Rational) -> sympy.Expr:

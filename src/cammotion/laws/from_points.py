@@ -58,8 +58,8 @@ def _checked(x: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:
     places, ways = _PLACE.array(x).copy(), _WAY.array(s).copy()
     if places.ndim != 1 or places.shape != ways.shape or places.size < _FEWEST:
         raise InputError(
-            f"The points have {_size(places)} in x and {_size(ways)} in s: give two lists of the "
-            f"same length, with at least {_FEWEST} numbers each."
+            f"The points are an array of shape {places.shape} in x and {ways.shape} in s: give two "
+            f"lists of the same length, with at least {_FEWEST} numbers each."
         )
     for what, values in (("x", places), ("s", ways)):
         if max(abs(values[0]), abs(values[-1] - 1)) > _ROUNDING:
@@ -78,7 +78,3 @@ def _checked(x: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:
             "give each x once."
         )
     return places, ways
-
-
-def _size(values: Floats) -> str:
-    return f"{values.size} numbers" if values.ndim == 1 else f"an array of shape {values.shape}"

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from cammotion.laws.curve import Curve
 from cammotion.laws.piece import Piece, Placed
-from cammotion.laws.reader import Zone, cut, read_pieces, write
+from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain
@@ -27,7 +27,6 @@ from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
-
 _ROUNDING = 1e-12  # by so much the ends of a law may miss 0 and 1
 _JUMP = 1e-9  # what is smaller at a joint is rounding
 _SOLVED = 1e-9  # by so much S may miss what was solved for
@@ -63,7 +62,7 @@ class MotionLaw:
         sampled_at: tuple[float, ...] = (),
     ) -> None:
         is_curve = isinstance(s, Curve)
-        curve = s if is_curve else Curve(read_pieces(cut(name, s)))
+        curve = s if is_curve else Curve(read(*zone) for zone in cut(name, s))
         known = {"name": name, "curve": curve, "also_called": also_called, "sampled_at": sampled_at}
         self.__dict__.update(known if is_curve else known | {"s": s})
 
@@ -106,8 +105,7 @@ class MotionLaw:
         """
         if not (isinstance(derivative, int) and 0 <= derivative <= _JERK):
             raise InputError(
-                f"The derivative is {derivative!r}; it has to be 0 for S, 1 for V, 2 for A "
-                "or 3 for J."
+                f"The derivative is {derivative!r}; it has to be 0, 1, 2 or 3, for S, V, A or J."
             )
         return plain(self.curve.derived(derivative)(_TIME.array(x)))
 
@@ -120,8 +118,8 @@ class MotionLaw:
     def Ca(self) -> float:  # noqa: N802
         """The acceleration factor: the largest abs(A); infinite where V jumps.
 
-        >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).Ca:.3f}")
-        6.000
+        >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).Ca
+        6.0
         """
         return self._peak(2)
 
@@ -284,9 +282,8 @@ class MotionLaw:
 
     def _jumps(self, derivative: int) -> tuple[tuple[float, float], ...]:
         """Return where a curve jumps and by how much; outside of the move it stands still."""
-        curve = self.curve.derived(derivative)
-        start, end = curve.ends
-        steps = ((0.0, start), *curve.steps, (1.0, (derivative == 0) - end))
+        curve, after = self.curve.derived(derivative), float(derivative == 0)
+        steps = ((0.0, curve.ends[0]), *curve.steps, (1.0, after - curve.ends[1]))
         return tuple((place, size) for place, size in steps if abs(size) > _JUMP)
 
     def _first(self, s: float) -> float:

@@ -25,15 +25,6 @@ class Zone(NamedTuple):
     high: float
 
 
-def read_pieces(zones: Iterable[tuple[sympy.Expr, float, float]]) -> list[Piece]:
-    """Return a piece for each zone: a series wherever it can be one.
-
-    >>> [piece.at(1.0) for piece in read_pieces([(x**2, 0.0, 0.5), (sympy.cos(x), 0.5, 1.0)])]
-    [1.0, 0.5403023058681398]
-    """
-    return [_read(*zone) for zone in zones]
-
-
 def cut(name: str, law: object) -> tuple[Zone, ...]:
     """Cut the expression of a law at its joints.
 
@@ -79,7 +70,12 @@ def write(zones: Iterable[tuple[sympy.Expr, float, float]]) -> sympy.Expr:
     return sympy.Piecewise(*cases, (last[0], True), evaluate=False)
 
 
-def _read(expression: sympy.Expr, low: float, high: float) -> Piece:
+def read(expression: sympy.Expr, low: float, high: float) -> Piece:
+    """Return an expression as a piece: a series wherever it can be one.
+
+    >>> read(sympy.cos(x), 0.5, 1.0).at(1.0)
+    0.5403023058681398
+    """
     series = _series(expression, low)
     if series is None:
         piece = Expression(expression, low, high)

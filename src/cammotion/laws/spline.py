@@ -74,9 +74,8 @@ class Spline(Piece):
     def extremes(self) -> tuple[float, float]:
         """The least and the largest value, on both sides of every knot."""
         every = np.arange(self.rows.shape[1])
-        values = np.concatenate(
-            [self.rows[-1], self._inside(every, np.diff(self.knots)), self.over(self._peaks)]
-        )
+        ends = self.rows[-1], self._inside(every, np.diff(self.knots))
+        values = np.concatenate([*ends, self.over(self.derivative._zeros)])
         return float(values.min()), float(values.max())
 
     @cached_property
@@ -95,11 +94,6 @@ class Spline(Piece):
         for row in self.rows[1:]:
             values = values * u + row[which]
         return values
-
-    @property
-    def _peaks(self) -> Floats:
-        """Where a polynomial turns, between its knots."""
-        return self.derivative._zeros
 
     @cached_property
     def _zeros(self) -> Floats:

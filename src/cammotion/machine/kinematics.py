@@ -193,13 +193,7 @@ def over_time(derivative: int, value: Numbers, cycle_time_s: float) -> Numbers:
     return value / MM_PER_M * (DEG_PER_TURN / cycle_time_s) ** derivative
 
 
-def _peak(
-    derivative: int,
-    factor: float,
-    stroke_mm: ArrayLike,
-    angle_deg: ArrayLike,
-    rate_per_hour: ArrayLike,
-) -> Numbers:
-    stroke, time = STROKE.array(stroke_mm), np.asarray(indexing_time(angle_deg, rate_per_hour))
+def _peak(derivative: int, factor: float, stroke_mm: ArrayLike, *time_of: ArrayLike) -> Numbers:
+    stroke, time = STROKE.array(stroke_mm), np.asarray(indexing_time(*time_of))
     broadcast(stroke_mm=stroke, time_s=time)
     return plain(dimensional(derivative, factor, stroke, time))
