@@ -160,12 +160,12 @@ GOOD = [0, 0.3, 0.6, 1]
             [0, -1.001, 0.6, 1],
             r"s of the points is -1\.001 .* number at least -1 and at most",
         ),
-        (GOOD, [0, 0.5, 1], "have 4 numbers in x and 3 numbers in s: give two lists of the same"),
+        (GOOD, [0, 0.5, 1], r"shape \(4,\) in x and \(3,\) in s: give two lists of the same"),
         ([0, 0.5, 1], [0, 0.5, 1], "with at least 4 numbers each"),
-        ([GOOD], [GOOD], r"have an array of shape \(1, 4\) in x"),
+        ([GOOD], [GOOD], r"are an array of shape \(1, 4\) in x"),
         (GOOD, ["a"] * 4, "s of the points has to be a number"),
         ([], [], "x of the points is empty"),
-        (0.5, 0.5, r"have an array of shape \(\) in x"),
+        (0.5, 0.5, r"are an array of shape \(\) in x"),
     ],
 )
 def test_points_that_are_no_law_are_refused(x: Any, s: Any, said: str) -> None:

@@ -9,8 +9,6 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-_ROUNDING = 1e-12  # 150 + 210.00000000000003 deg is a full turn
-
 Floats = NDArray[np.float64]
 
 Numbers: TypeAlias = Any
@@ -119,7 +117,7 @@ class Quantity:
 
     def _inside(self, array: Floats) -> NDArray[np.bool_]:
         above = array >= self.low if self.low_included else array > self.low
-        return above & (array <= self.high * (1 + _ROUNDING)) & np.isfinite(array)
+        return above & (array <= self.high) & np.isfinite(array)
 
     def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:
         position = tuple(int(i) for i in np.argwhere(~inside)[0])

@@ -16,7 +16,8 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import Numbers, Quantity, broadcast, plain
 
 STROKE = Quantity("stroke", "mm", example=50)
-ANGLE = Quantity("indexing angle", "deg", example=55, high=360)
+FULL_TURN_DEG = 360 * (1 + 1e-12)  # as 150 + 210.00000000000003 deg is
+ANGLE = Quantity("indexing angle", "deg", example=55, high=FULL_TURN_DEG)
 RATE = Quantity("machine rate", "pieces/h", example=2000)
 
 SECONDS_PER_HOUR = 3600

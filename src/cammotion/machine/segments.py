@@ -11,12 +11,12 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import FULL_TURN_DEG
 from cammotion.quantities import Floats, InputError, Quantity
 
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
-PART_ANGLE = Quantity("angle of a segment", "deg", example=55, high=DEG_PER_TURN)
+PART_ANGLE = Quantity("angle of a segment", "deg", example=55, high=FULL_TURN_DEG)
 
 
 @dataclass(frozen=True, kw_only=True)
