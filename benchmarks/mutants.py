@@ -32,7 +32,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parent.parent
 TESTS = ROOT / "tests"
 LEFT_OUT = ("teaching/lessons/", "__init__.py", "__init__.pyi")
-SLOW = ("browser", "nbgrader", "notebook", "solutions", "conftest", "house", "readme")
+SLOW = ("browser", "nbgrader", "notebook", "solutions", "conftest")
 _PASSED, _NOT_RUN = 0, (4, 5)  # exit codes of pytest
 FEW, NEAREST = 3, 6  # test files: with fewer, those of the importers count too; at most so many
 SOLVING = {"laws", "machine", "limits", "exchange"}  # the rooms that random machines try
@@ -201,8 +201,10 @@ def near_tests(path: Path) -> tuple[str, ...]:
                 scores += _scores(tests, _defined(importer))
     nearest = tests if of_starter else [test for test, _ in scores.most_common(NEAREST)]
     doctests = [] if of_starter else [path]
-    solves = [TESTS / "test_fresh.py"] if SOLVING & {*path.parts} else []
-    return _relative(dict.fromkeys([*doctests, *own, *nearest, *solves]))
+    general = [] if of_starter else [TESTS / "test_house.py"]
+    general += [TESTS / "test_fresh.py"] if SOLVING & {*path.parts} else []
+    general += [TESTS / "test_readme.py"] if "views" in path.parts else []
+    return _relative(dict.fromkeys([*doctests, *own, *nearest, *general]))
 
 
 def _relative(paths: Iterable[Path]) -> tuple[str, ...]:

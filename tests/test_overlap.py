@@ -29,6 +29,7 @@ from machines import (
 
 import cammotion as cm
 from cammotion import ClearanceRule, MotionLaw, TimingDiagram, beyond, within
+from cammotion.limits import widest
 from cammotion.limits.widest import WidestMove, with_angle
 from cammotion.machine.clearance import Condition
 
@@ -700,3 +701,87 @@ def test_a_rule_is_about_two_motions() -> None:
     match = r"^Both halves of the clearance rule are about 'die': name two motions\.$"
     with pytest.raises(cm.InputError, match=match):
         ClearanceRule(beyond("die", 19), only_while=within("die", 0.65))
+
+
+def press(*names: str, **changes: float) -> cm.Motion:
+    """Return a die with a rise and a return over angles of their own."""
+    rise, back = changes.get("rise", 60.0), changes.get("back", 70.0)
+    return cm.motion(
+        names[0] if names else "die",
+        cm.rise(50, over_deg=rise),
+        cm.dwell(100),
+        cm.return_(50, over_deg=back),
+        cm.dwell(260 - rise - back),
+        start_deg=205 - rise,
+    )
+
+
+def test_rise_and_return_of_two_angles_keep_two() -> None:
+    """One angle for both made of 60 and 70 deg a rise and a return over 60, and pushed harder."""
+    mill, rule = cm.EXAMPLE.mill.shifted(-30), cm.EXAMPLE.rule
+    diagram = cm.TimingDiagram([mill, press()], 2000)
+    own, one = (
+        cm.widest_move(diagram, "die", rule, each_way=each_way) for each_way in (None, False)
+    )
+    rise, back = own.angles_deg
+    assert back < rise
+    assert one.angles_deg == pytest.approx((back, back))
+    assert own.angle_deg == back
+    assert not cm.find_violations(own.diagram, rule)
+    for wider in ((rise + 0.001, back), (rise, back + 0.001)):
+        die = press(rise=wider[0], back=wider[1])
+        assert cm.find_violations(cm.TimingDiagram([mill, die], 2000), rule)
+
+
+def test_each_way_is_never_worse_than_one_angle_for_both() -> None:
+    rng = np.random.default_rng(11)
+    better = 0
+    for _ in range(25):
+        mill = cm.EXAMPLE.mill.shifted(rng.uniform(-40, 40))
+        diagram = cm.TimingDiagram([mill, press(rise=40, back=40)], 2000)
+        try:
+            one = cm.widest_move(diagram, "die", cm.EXAMPLE.rule)
+        except cm.InputError:
+            continue
+        own = cm.widest_move(diagram, "die", cm.EXAMPLE.rule, each_way=True)
+        assert not cm.find_violations(own.diagram, cm.EXAMPLE.rule)
+        assert own.peak_acceleration <= one.peak_acceleration * (1 + 1e-9)
+        better += max(own.angles_deg) > one.angle_deg + 1
+    assert better > 5
+
+
+def test_a_rule_between_two_others_is_reported_and_not_obeyed() -> None:
+    broken = cm.ClearanceRule(cm.beyond("ram", 1), only_while=cm.within("mill", 0.1))
+    diagram = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die, press("ram", rise=100)], 2000)
+    found = cm.widest_move(diagram, "die", [broken, cm.EXAMPLE.rule])
+    assert found.angle_deg == pytest.approx(124.8369, abs=1e-4)
+    assert found.elsewhere == cm.find_violations(diagram, broken)
+    assert len(found.elsewhere) > 0
+    assert cm.widest_move(diagram, "die", cm.EXAMPLE.rule).elsewhere == ()
+
+
+def test_a_wrong_answer_is_an_error_that_asks_to_be_reported(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A solver that misses the widest candidates, and one that takes a broken rule for kept."""
+    module = "cammotion.limits.widest"
+    few = widest._Frame.candidates
+    with monkeypatch.context() as broken:
+        broken.setattr(widest._Frame, "candidates", lambda *given: [(90.0, 90.0), *few(*given)])
+        with pytest.raises(cm.WrongAnswerError, match=r"could take more than 90\.0 deg.*report it"):
+            cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
+    monkeypatch.setattr(f"{module}._keeps", lambda *_: True)
+    with pytest.raises(cm.WrongAnswerError, match="breaks a rule"):
+        cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
+
+
+def test_a_full_turn_is_a_turn_whatever_its_last_digit() -> None:
+    for angle in np.random.default_rng(3).uniform(1, 359, 300):
+        table = cm.indexing_motion(
+            "table", cm.rise(100, over_deg=angle), cm.dwell(360 - angle), stops=8, start_deg=angle
+        )
+        assert cm.widest_move(
+            cm.TimingDiagram([table, cm.EXAMPLE.die], 2000),
+            "table",
+            cm.ClearanceRule(cm.beyond("die", 99), only_while=cm.within("table", 0.65)),
+        ).angle_deg == pytest.approx(360)

@@ -55,9 +55,8 @@ def derived(machine: Machine) -> None:
         first, way = s(np.array(low)), s(np.array(high)) - s(np.array(low))
         if abs(way) > 1e-3 and high - low > 1e-3:
             own = np.asarray((s(low + (high - low) * places) - first) / way)
-            _same(
-                law.part(low, high)(places), own, 1e-8 / abs(float(way)), f"{law}, {low} to {high}"
-            )
+            name = f"{law}, {low} to {high}"
+            _same(law.part(low, high)(places), own, 1e-8 / abs(float(way)), name)
 
 
 def inverses(machine: Machine) -> None:

@@ -6,12 +6,13 @@ it does within the corridor is its own choice. `limits` looks for the best.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cammotion.limits.bands import ROUNDING_MM, Band, check_agree, make_band
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, intersect, unwrap
 from cammotion.machine.arcs import arcs as as_set
 from cammotion.machine.clearance import ClearanceRule, Condition, as_rules
@@ -22,7 +23,6 @@ from cammotion.machine.segments import CAM_ANGLE, POSITION
 from cammotion.quantities import Floats, InputError, shorten
 
 _ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
-_ROUNDING_MM = 1e-9
 _SLACK_DEG = 10 * ROUNDING_DEG  # ends of arcs that are nearer to each other are one node
 
 Flags = NDArray[np.bool_]
@@ -34,7 +34,8 @@ class Corridor:
 
     `angle_deg` are the cam angles of the nodes in order, at most a turn apart; `low_mm` and
     `high_mm` the least and the largest position at each, infinite where it is free; `still` tells
-    where the motion has to stand. After the turn it is `pitch_mm` further.
+    where the motion has to stand. After the turn it is `pitch_mm` further. `bands` are the arcs
+    over which it has to be about a stop besides, whichever it is; `about` chooses the stops.
     """
 
     angle_deg: Floats
@@ -42,6 +43,16 @@ class Corridor:
     high_mm: Floats
     still: Flags
     pitch_mm: float
+    bands: tuple[Band, ...] = ()
+
+    def about(self, stops: Iterable[float]) -> "Corridor":
+        """Return the corridor with the bands about these stops, given by their numbers."""
+        low, high = self.low_mm.copy(), self.high_mm.copy()
+        for band, stop in zip(self.bands, stops, strict=True):
+            least, most = band.limits_mm(stop)
+            low[band.nodes] = np.maximum(low[band.nodes], least)
+            high[band.nodes] = np.minimum(high[band.nodes], most)
+        return replace(self, low_mm=low, high_mm=high, bands=())
 
     @property
     def cells_deg(self) -> Floats:
@@ -55,9 +66,7 @@ class Corridor:
     @property
     def still_cells(self) -> Flags:
         """Over which cells it has to stand: those with both ends in one still arc."""
-        at_one_height = np.isclose(
-            self.low_mm, self.next_of(self.low_mm), rtol=0, atol=_ROUNDING_MM
-        )
+        at_one_height = np.isclose(self.low_mm, self.next_of(self.low_mm), rtol=0, atol=ROUNDING_MM)
         return self.still & np.roll(self.still, -1) & at_one_height
 
     @property
@@ -67,7 +76,7 @@ class Corridor:
         Empty for a motion that need not stand anywhere.
         """
         size = len(self.still)
-        ends = [n for n in range(size) if self.still[n] and not self.still_cells[n]]
+        ends = [int(n) for n in np.flatnonzero(self.still & ~self.still_cells)]
         return [(n, next(m for m in range(n + 1, 2 * size) if self.still[m % size])) for n in ends]
 
 
@@ -87,58 +96,68 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
     """
     moved = diagram[motion]
     duties = list(_duties(diagram, motion, rules))
-    arcs = _still_arcs(moved, still)
+    arcs = still_arcs(moved, still)
     _check_stands(moved, arcs)
     ends = [end for arc in (*arcs, *(arc for _, arc in duties)) for end in arc]
     nodes = _nodes(moved.start_deg, ends, cells)
     places = np.asarray(moved.position_mm(nodes))
-    low, high = (np.full(len(nodes), limit) for limit in _travel(travel_mm))
-    for condition, arc in duties:
-        least, most = _band(moved, condition, places)
-        here = _is_in(nodes, arc)
-        low[here], high[here] = np.maximum(low, least)[here], np.minimum(high, most)[here]
     is_still = np.any([_is_in(nodes, arc) for arc in arcs], axis=0)
-    too_far = is_still & ((places < low - _ROUNDING_MM) | (places > high + _ROUNDING_MM))
+    low, high = (np.full(len(nodes), limit) for limit in travel_ends(travel_mm))
+    bands = []
+    for condition, arc in duties:
+        here = _is_in(nodes, arc)
+        if moved.is_indexing:
+            ahead = moved.pitch_mm * _turns(nodes, arc)[here]
+            bands.append(make_band(moved, condition, arc, np.flatnonzero(here), ahead))
+        elif condition.is_beyond:
+            low[here] = np.maximum(low[here], condition.limit_mm)
+        else:
+            high[here] = np.minimum(high[here], condition.limit_mm)
+    limited = Corridor(nodes, low, high, is_still, moved.pitch_mm)
+    return _standing(motion, limited, [band for band in bands if band], places)
+
+
+def _standing(name: str, limited: Corridor, bands: list[Band], places: Floats) -> Corridor:
+    """Return the corridor of a motion that stands where it has to, at its places.
+
+    A band in which it stands is about the stop that it is at there. The others remain.
+    """
+    still = limited.still
+    known = [band for band in bands if still[band.nodes].any()]
+    stops = [band.stops_at(places[band.nodes])[still[band.nodes]][0] for band in known]
+    room = replace(limited, bands=tuple(known)).about(stops)
+    too_far = still & ((places < room.low_mm - ROUNDING_MM) | (places > room.high_mm + ROUNDING_MM))
     if np.any(too_far):
-        place, angle = places[too_far][0], nodes[too_far][0] % DEG_PER_TURN
+        place, angle = places[too_far][0], room.angle_deg[too_far][0] % DEG_PER_TURN
         raise InputError(
-            f"At {angle:g} deg the {motion} has to stand at {place:g} mm, where the rules or the "
+            f"At {angle:g} deg the {name} has to stand at {place:g} mm, where the rules or the "
             "travel do not let it be: change them, or the still arc."
         )
-    low[is_still] = high[is_still] = places[is_still]
-    return Corridor(nodes, low, high, is_still, moved.pitch_mm)
+    check_agree(name, bands, room.angle_deg)
+    room.low_mm[still] = room.high_mm[still] = places[still]
+    return replace(room, bands=tuple(band for band in bands if not still[band.nodes].any()))
 
 
 def _duties(
     diagram: TimingDiagram, motion: str, rules: ClearanceRule | Iterable[ClearanceRule]
 ) -> Iterator[tuple[Condition, Arc]]:
-    """Yield what the motion has to keep, and over which arc, so that no rule is broken."""
+    """Yield what the motion has to keep, and over which arcs in one piece: that no rule breaks."""
     for rule in as_rules(diagram, rules):
         for own, other in (
             (rule.when.opposite, rule.only_while.opposite),
             (rule.only_while, rule.when),
         ):
             if own.motion == motion:
-                for arc in other.arcs(diagram):
+                for arc in unwrap(other.arcs(diagram)):
                     yield own, arc
 
 
-def _band(motion: Motion, condition: Condition, places: Floats) -> tuple[Floats, Floats]:
-    """Return between which positions a condition holds; for a turret, about the stop it is at."""
-    limit, free = condition.limit_mm, np.full(len(places), np.inf)
-    if not motion.is_indexing:
-        at = np.full(len(places), limit)
-        return (at, free) if condition.is_beyond else (-free, at)
-    pitch = abs(motion.pitch_mm)
-    passed = (places - motion.start_mm) / pitch
-    if condition.is_beyond:
-        stop = motion.start_mm + np.floor(passed) * pitch
-        return stop + limit, stop + pitch - limit
-    stop = motion.start_mm + np.round(passed) * pitch
-    return stop - limit, stop + limit
+def still_arcs(motion: Motion, still: Any) -> list[Arc]:
+    """Return the still arcs as pairs of floats in deg.
 
-
-def _still_arcs(motion: Motion, still: Any) -> list[Arc]:
+    Raises InputError for what is no list of them, and for one that is not longer than nothing and
+    shorter than a turn.
+    """
     given = list(still) if isinstance(still, Iterable) else []
     if not given:
         raise InputError(
@@ -175,7 +194,11 @@ def _pair(given: Any, what: str, fix: str) -> tuple[float, float]:
     return first, second
 
 
-def _travel(travel_mm: Any) -> tuple[float, float]:
+def travel_ends(travel_mm: Any) -> tuple[float, float]:
+    """Return the lower and the upper end of a travel in mm, infinite for None.
+
+    Raises InputError for what is no pair of positions, and for the upper end given first.
+    """
     if travel_mm is None:
         return -np.inf, np.inf
     ends = _pair(travel_mm, "The travel", "its lower and its upper end in mm, for example (0, 50)")
@@ -203,5 +226,19 @@ def _nodes(start: float, ends: Sequence[float], cells: int) -> Floats:
 
 def _is_in(nodes: Floats, arc: Arc) -> Flags:
     start, end = arc
-    since = np.mod(nodes - start + 3 * _SLACK_DEG, DEG_PER_TURN)
-    return np.asarray(since <= end - start + 6 * _SLACK_DEG)
+    inside: Flags = _since(nodes, start) <= end - start + 3 * _SLACK_DEG
+    return inside
+
+
+def _turns(nodes: Floats, arc: Arc) -> Floats:
+    """Return for each node how many turns it is further in the arc: 1 past the grid's end."""
+    begins = nodes[0] + _since(arc[0], nodes[0])
+    turns: Floats = np.round((begins + _since(nodes, arc[0]) - nodes) / DEG_PER_TURN)
+    return turns
+
+
+def _since(angles: Any, start: float) -> Floats:
+    """Return how far angles are after another one, within a turn; what is just before it is 0."""
+    slack = 3 * _SLACK_DEG
+    since: Floats = np.mod(np.asarray(angles) - start + slack, DEG_PER_TURN) - slack
+    return since

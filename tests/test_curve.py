@@ -1,0 +1,202 @@
+"""Curves in pieces: what laws and motions are asked alike, and what no law may be."""
+
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import examples
+
+import cammotion as cm
+from cammotion import LAWS, MotionLaw, x
+from cammotion.laws.curve import Curve
+from cammotion.laws.expression import Expression
+from cammotion.laws.series import Series, Wave
+
+PARABOLA = Series((0.0, 4.0, -4.0))
+BENT = Curve([Series((0.0, 1.0), (), 0.0, 0.4), Series((0.4, -2.0), (), 0.4, 1.0)])
+
+
+def test_a_curve_of_two_pieces() -> None:
+    assert BENT.ends == pytest.approx((0, -0.8))
+    assert BENT.extremes == pytest.approx((-0.8, 0.4))
+    assert BENT.largest == pytest.approx(0.8)
+    assert BENT.steps == ((0.4, 0.0),)
+    assert BENT.derivative.steps == ((0.4, -3.0),)
+    assert BENT.derived(0) is BENT
+    assert BENT.derived(2).largest == 0
+
+
+def test_at_a_joint_it_is_the_piece_that_was_asked_for() -> None:
+    slope = BENT.derivative
+    for places in (np.array([0.4]), np.array([0.9, 0.4]), np.array([0.1, 0.4, 0.9])):
+        at = list(places).index(0.4)
+        assert (slope(places)[at], slope(places, "right")[at]) == (1, -2)
+    assert slope(np.full((2, 3), 0.9)).shape == (2, 3)
+    assert slope(np.array(0.4)) == 1
+
+
+def test_where_it_is_above_and_below_a_height() -> None:
+    [(low, high)] = BENT.where(0.2, 1)
+    assert (low, high) == pytest.approx((0.2, 0.5))
+    assert BENT.where(0.2, -1) == [(0.0, low), (high, 1.0)]
+    assert BENT.where(0.4, 1) == []
+    assert BENT.where(0.4 - 1e-10, 1, 1e-9) == []  # what is so near is at the height
+    [(low, high)] = BENT.where(-1e-10, 1, 1e-9)
+    assert (low, high) == pytest.approx((0.0, 0.6))
+
+
+def test_a_curve_drawn_elsewhere_keeps_what_it_is() -> None:
+    """Twice as long, turned round, upside down and three times as high, from 5 on."""
+    placed = Curve([PARABOLA]).placed(7.0, -2.0, 1.0, -3.0)
+    assert (placed.low, placed.high) == (5, 7)
+    assert placed.extremes == (-2, 1)
+    [turn] = placed.pieces[0].turns
+    assert turn == pytest.approx(6)
+    places = np.linspace(5, 7, 11)
+    inner = (7 - places) / 2
+    assert placed(places) == pytest.approx(1 - 3 * 4 * inner * (1 - inner))
+    assert placed.derivative(places) == pytest.approx(3 / 2 * (4 - 8 * inner))
+    solve = placed.pieces[0].solve
+    ends = [end for arc in placed.where(0.25, 1) for end in arc]
+    assert ends == pytest.approx([5, solve(0.25, 5, 6), solve(0.25, 6, 7), 7])
+    as_written = placed.pieces[0].expression
+    assert float(as_written.subs(x, 5.5)) == pytest.approx(float(placed(np.array([5.5]))[0]))
+
+
+@examples(40)
+@given(st.floats(0.01, 0.49), st.floats(0.51, 0.99), st.sampled_from(list(LAWS)))
+def test_a_part_of_a_law_is_that_part_stretched(low: float, high: float, name: str) -> None:
+    law, part = LAWS[name], LAWS[name].part(low, high)
+    places = np.linspace(0, 1, 41)
+    way, span = law(high) - law(low), high - low
+    for order in range(4):
+        wanted = law(np.clip(low + span * places, low, high), order) * span**order / way
+        if order == 0:
+            wanted = wanted - law(low) / way
+        inner = slice(1, -1)  # at a joint the two may look to different sides
+        assert np.count_nonzero(np.abs(part(places, order) - wanted)[inner] > 1e-6 * 50**order) <= 1
+    samples = part(np.linspace(0, 1, 20_001), 2)
+    assert part.curve.derived(2).largest == pytest.approx(np.max(np.abs(samples)), rel=1e-3)
+
+
+def test_a_law_run_backwards() -> None:
+    late = MotionLaw("late", x**3)
+    back = late.reversed()
+    assert sympy.expand(back.s - (1 - (1 - x) ** 3)) == 0
+    assert back(0.25) == 1 - late(0.75)
+    assert (back(0.0, 1), back(1.0, 1)) == (3, 0)
+    assert back.Ca == late.Ca
+    points = cm.law_from_points([0, 0.2, 0.6, 1], [0, 0.1, 0.7, 1]).reversed().sampled_at
+    assert points == pytest.approx((0, 0.4, 0.8, 1))
+
+
+def test_the_double_harmonic_comes_down_as_it_went_up() -> None:
+    """Its peaks over a rise and a return, of which the source lists both: 5.552 and -9.8696."""
+    pi = sympy.pi
+    up = MotionLaw(
+        "double harmonic", ((1 - sympy.cos(pi * x)) - (1 - sympy.cos(2 * pi * x)) / 4) / 2
+    )
+    assert (up.Cv, up.Ca) == pytest.approx((2.0405, 9.8696), abs=1e-4)
+    assert max(up(np.linspace(0, 1, 10_001), 2)) == pytest.approx(5.552, abs=1e-3)
+    lobe = cm.motion(
+        "follower",
+        cm.rise(20, over_deg=120, law=up),
+        cm.return_(20, over_deg=120, law=up.reversed()),
+        cm.dwell(120),
+    )
+    diagram = cm.TimingDiagram([lobe], 2000)
+    assert np.isfinite(diagram.peak_jerk("follower"))
+    assert diagram.peak_acceleration("follower") == pytest.approx(9.8696 * 0.020 / 0.6**2, rel=1e-5)
+
+
+NOT_SMOOTH = {
+    "nan": sympy.Piecewise((x, x < 0.5), (sympy.nan, True)),
+    "zoo": x + sympy.zoo,
+    "imaginary": x * sympy.I,
+    "an infinite slope": sympy.sqrt(x),
+    "an infinite jerk": x ** sympy.Rational(5, 2),
+    "a root of what is below zero": (x - 1) ** sympy.Rational(1, 3) + 1,
+    "a pole": 1 / (x - sympy.Rational(1, 3)),
+    "a logarithm of zero": sympy.log(x),
+}
+
+
+@pytest.mark.parametrize("curve", NOT_SMOOTH.values(), ids=NOT_SMOOTH)
+def test_what_is_not_real_and_finite_is_no_law(curve: sympy.Expr) -> None:
+    with pytest.raises(cm.InputError, match=r"not real and finite|real and finite: a position"):
+        MotionLaw("no law", curve)
+
+
+def test_what_is_not_defined_everywhere_is_no_law() -> None:
+    with pytest.raises(cm.InputError, match="has no value at some x between 0 and 1"):
+        MotionLaw("half a law", sympy.Piecewise((x, x < 0.5), (x**2, x > 0.7)))
+
+
+def cycloid(y: Any) -> Any:
+    return y - sympy.sin(2 * sympy.pi * y) / (2 * sympy.pi)
+
+
+def test_no_law_runs_for_minutes() -> None:
+    """Some of these ran from half a minute to endlessly; what cannot be proved soon is refused."""
+    half = sympy.Rational(1, 2)
+    logistic = 1 / (1 + sympy.exp(-12 * (x - half)))
+    start, end = logistic.subs(x, 0), logistic.subs(x, 1)
+    waves = sum(sympy.sin(2 * sympy.pi * n * x) / (100 * n**2) for n in range(1, 100))
+    for curve in (
+        cycloid(cycloid(x)),
+        x + sympy.sin(2 * sympy.pi * 10**5 * x) / 10**6,
+        x + waves,
+        (logistic - start) / (end - start),
+        sympy.chebyshevt(30, 2 * x - 1) ** 2,
+    ):
+        began, law = time.process_time(), MotionLaw("slow", curve)
+        try:
+            assert np.isfinite([law.Cv, law.Ca, law.Cq, law.Cj_inside]).all()
+        except cm.InputError as refusal:
+            assert "cannot be proved in a reasonable time" in str(refusal)  # noqa: PT017
+        assert time.process_time() - began < 20
+
+
+def test_a_long_table_is_quick_and_exact() -> None:
+    """The peaks of 30,001 points, of which today's two minutes were the reason for a spline."""
+    places = np.linspace(0, 1, 30_001)
+    law = cm.law_from_points(places, places - np.sin(2 * np.pi * places) / (2 * np.pi))
+    began = time.process_time()
+    assert (law.Cv, law.Ca, law.Cq) == pytest.approx((2, 2 * np.pi, 8.1621), rel=1e-4)
+    assert time.process_time() - began < 2
+
+
+@examples(40)
+@given(
+    st.lists(st.floats(-3, 3), min_size=1, max_size=5),
+    st.floats(-2, 2),
+    st.floats(0.1, 60),
+    st.floats(-7, 7),
+    st.integers(-5, 9),
+)
+def test_extremes_are_those_of_dense_samples(
+    powers: list[float], amplitude: float, frequency: float, phase: float, quarters: int
+) -> None:
+    curve = Series(tuple(powers), (Wave(amplitude, frequency, phase, quarters),), 0.2, 0.9)
+    values = curve.over(np.linspace(0.2, 0.9, 200_001))
+    assert curve.extremes == pytest.approx((values.min(), values.max()), abs=1e-6)
+    assert curve.extremes[0] <= values.min() + 1e-12
+    assert curve.extremes[1] >= values.max() - 1e-12
+    written = Expression(curve.expression, 0.2, 0.9)
+    assert curve.at(0.55) == pytest.approx(written.at(0.55), abs=1e-12)
+
+
+def test_a_velocity_of_zero_in_the_middle_takes_no_line() -> None:
+    waits = MotionLaw("waits", (1 + (2 * x - 1) ** 3) / 2)
+    with pytest.raises(cm.InputError, match="stands in its middle"):
+        waits.with_constant_velocity(0.5)
+
+
+def test_a_law_cannot_be_changed() -> None:
+    for field in ("name", "s", "curve", "also_called"):
+        with pytest.raises(AttributeError, match="A motion law cannot be changed"):
+            setattr(LAWS["cubic"], field, None)

@@ -1,0 +1,120 @@
+"""Peaks of whole motions, with their joints; held to finite differences over the turn."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import examples
+
+import cammotion as cm
+
+RATE = 2000
+TURN_S = 1.8
+HARMONIC = cm.LAWS["simple harmonic"]
+LAWS = [*cm.LAWS.values(), cm.MotionLaw("late", cm.x**3), cm.polynomial((0, 0.4, 0), (1, 0, 0))]
+
+
+def peaks(motion: cm.Motion) -> tuple[float, float, float]:
+    diagram = cm.TimingDiagram([motion], RATE)
+    name = motion.name
+    return diagram.peak_velocity(name), diagram.peak_acceleration(name), diagram.peak_jerk(name)
+
+
+def test_up_and_down_by_a_half_cosine_each_is_a_pure_cosine() -> None:
+    """Each move alone has an infinite jerk, since it would start from rest."""
+    wave = cm.motion(
+        "wave", cm.rise(50, over_deg=180, law=HARMONIC), cm.return_(50, over_deg=180, law=HARMONIC)
+    )
+    omega = 2 * np.pi / TURN_S
+    assert peaks(wave) == pytest.approx([0.025 * omega**n for n in (1, 2, 3)], rel=1e-12)
+    assert wave.steps(2) == wave.steps(3) == []
+    waits = cm.motion(
+        "waits",
+        *(cm.rise(50, over_deg=90, law=HARMONIC), cm.dwell(100)),
+        cm.return_(50, over_deg=170, law=HARMONIC),
+    )
+    assert peaks(waits)[2] == np.inf
+    assert [at for at, _ in waits.steps(2)] == [0, 90, 190]
+
+
+def test_a_shear_that_comes_up_to_speed_has_a_finite_peak() -> None:
+    """The velocity of the middle part is that of the web; its neighbours are matched to it."""
+    shear = cm.motion(
+        "shear",
+        cm.rise(20, over_deg=60, law=cm.MATCHED),
+        cm.rise(60, over_deg=90, law=cm.CONSTANT_VELOCITY),
+        cm.rise(20, over_deg=60, law=cm.MATCHED),
+        cm.return_(100, over_deg=150),
+        start_deg=400,
+    )
+    web = 0.060 / (90 / 360 * TURN_S)
+    assert shear.derivative(1, [460, 505, 549.999], RATE) == pytest.approx(web)
+    velocity, acceleration, jerk = peaks(shear)
+    assert velocity == pytest.approx(2 * 0.100 / (150 / 360 * TURN_S))
+    assert np.isfinite(acceleration)
+    assert np.isfinite(jerk)  # matched to the cycloid, whose acceleration begins at 0
+    assert shear.steps(1) == shear.steps(2) == []
+    with pytest.raises(cm.InputError, match="both to be matched"):
+        cm.motion("a", *[cm.rise(1, over_deg=180, law=cm.MATCHED)] * 2)
+
+
+def test_an_axis_at_constant_speed_is_not_accelerated() -> None:
+    belt = cm.indexing_motion("belt", cm.rise(100, over_deg=360, law=cm.CONSTANT_VELOCITY), stops=1)
+    assert peaks(belt) == pytest.approx((0.1 / TURN_S, 0, 0), abs=1e-15)
+    assert peaks(cm.motion("table", cm.dwell(360))) == (0, 0, 0)
+
+
+def test_a_real_jump_stays_infinite() -> None:
+    there = cm.rise(50, over_deg=100, law=cm.CONSTANT_VELOCITY)
+    hits = cm.motion("hits", there, cm.return_(50, over_deg=100), cm.dwell(160), start_deg=-30)
+    assert peaks(hits) == pytest.approx((2 * 0.05 / 0.5, np.inf, np.inf))
+    assert [at for at, _ in hits.steps(1)] == [70, 330]
+    assert hits.steps(1)[0][1] == pytest.approx(-0.5)  # mm/deg, from the line into a cycloid
+
+
+def test_what_stands_a_last_digit_off_its_stop_stands_at_it() -> None:
+    rng = np.random.default_rng(5)
+    for pitch, start in rng.uniform((1, -50), (200, 50), (3000, 2)).round(2):
+        table = cm.indexing_motion(
+            "table", cm.rise(pitch, over_deg=150), cm.dwell(210), stops=24, start_mm=start
+        )
+        assert table.where_beyond(0) == [(0, 150)]
+    assert table.position_mm(-5e-324) == table.position_mm(0.0) == start
+
+
+def differences(motion: cm.Motion) -> Any:
+    """Return velocity, acceleration and jerk by finite differences over a turn that closes."""
+    angles = motion.start_deg + np.linspace(0, 360, 36_001)
+    places = np.asarray(motion.curve(np.minimum(angles, motion.curve.high)))
+    step = 360 / 36_000
+    turned = np.concatenate(
+        [places[-4:-1] - motion.pitch_mm, places, places[1:4] + motion.pitch_mm]
+    )
+    return [np.diff(turned, n) / step**n for n in (1, 2, 3)]
+
+
+@examples(60)
+@given(st.data())
+def test_peaks_are_those_of_finite_differences(data: st.DataObject) -> None:
+    """Where the differences grow as the step shrinks, the peak is infinite."""
+    cuts = sorted(data.draw(st.sets(st.integers(20, 340), min_size=3, max_size=3)))
+    widths = np.diff([0, *cuts, 360])
+    laws = [data.draw(st.sampled_from(LAWS)) for _ in range(2)]
+    laws[1] = laws[1].reversed() if data.draw(st.booleans()) else laws[1]
+    parts = [
+        cm.rise(40, over_deg=widths[0], law=laws[0]),
+        cm.dwell(widths[1]),
+        cm.return_(40, over_deg=widths[2], law=laws[1]),
+        cm.dwell(widths[3]),
+    ]
+    start = data.draw(st.floats(-400, 800))
+    motion = cm.motion("die", *parts, start_deg=start)
+    for order, values in enumerate(differences(motion), 1):
+        peak, seen = motion.peak(order), np.max(np.abs(values))
+        if np.isinf(peak):
+            assert any(motion.steps(lower) for lower in range(1, order))
+        else:
+            assert seen <= peak * (1 + 1e-6) + 1e-4 * (order == 3)
+            assert seen >= 0.97 * peak - 1e-4

@@ -1,0 +1,208 @@
+"""Random turrets and dies, and a way to their least acceleration that is written from scratch.
+
+A turret has to be near to a stop, or away from its stops, while dies are deep. Here every whole
+number of stops is tried, on an even grid of its own, by second differences. What is asked there
+is less than is asked of a motion, so that the result lies below the least peak of all.
+"""
+
+import math
+from dataclasses import dataclass
+from itertools import groupby, pairwise, product
+
+import numpy as np
+from machines import Array
+from scipy.optimize import linprog
+
+import cammotion as cm
+from cammotion.machine.clearance import ClearanceRule
+
+ANGLES = np.linspace(0, 360, 1441)[:-1]
+"""From the beginning of the first still arc."""
+
+
+@dataclass(frozen=True)
+class Duty:
+    """A die that is deep from one angle to another, and how the turret has to be meanwhile."""
+
+    start_deg: float
+    end_deg: float
+    limit_mm: float
+    is_beyond: bool
+    move_deg: float = 2
+
+
+@dataclass(frozen=True)
+class Turret:
+    """A turret that stands over some arcs, given with its positions there; one turn is 1.8 s.
+
+    It stands at a stop over the first of them.
+    """
+
+    pitch_mm: float
+    still: tuple[tuple[float, float, float], ...]
+    duties: tuple[Duty, ...]
+
+    def diagram(self) -> cm.TimingDiagram:
+        """Return the machine; the turret goes from one still arc to the next, somehow."""
+        start, _, first = self.still[0]
+        parts = []
+        for (begin, end, place), (later, _, there) in pairwise(
+            [*self.still, (start + 360, start + 360, first + self.pitch_mm)]
+        ):
+            way, gap = round(there - place, 9), later - end
+            move = cm.rise if way > 0 else cm.return_
+            parts.append(cm.dwell(end - begin))
+            parts.append(move(abs(way), over_deg=gap) if way else cm.dwell(gap))
+        mill = cm.indexing_motion("mill", *parts, stops=24, start_deg=start, start_mm=first)
+        return cm.TimingDiagram([mill, *map(self._die, range(len(self.duties)))], 2000)
+
+    def _die(self, number: int) -> cm.Motion:
+        duty = self.duties[number]
+        work, move = duty.end_deg - duty.start_deg, duty.move_deg
+        parts = cm.rise(10, over_deg=move), cm.dwell(work - move), cm.return_(10, over_deg=move)
+        rest = cm.dwell(360 - work - move)
+        return cm.motion(f"die {number}", *parts, rest, start_deg=duty.start_deg - move / 2)
+
+    def rules(self) -> list[ClearanceRule]:
+        """Return the rules: a die may be deeper than half-way only while the turret is right."""
+        return [
+            ClearanceRule(
+                cm.beyond(f"die {number}", 5),
+                only_while=(cm.beyond if duty.is_beyond else cm.within)("mill", duty.limit_mm),
+            )
+            for number, duty in enumerate(self.duties)
+        ]
+
+    def strays_mm(self, places: Array, angles: Array) -> float:
+        """Return how far positions are from what the duties ask at their angles, at most."""
+        passed = np.mod(places - self.still[0][2], abs(self.pitch_mm))
+        off = np.minimum(passed, abs(self.pitch_mm) - passed)
+        worst = 0.0
+        for duty in self.duties:
+            here = np.mod(angles - duty.start_deg, 360) < duty.end_deg - duty.start_deg
+            wrong = (duty.limit_mm - off) if duty.is_beyond else (off - duty.limit_mm)
+            worst = max(worst, *wrong[here], 0.0)
+        return worst
+
+
+def least_by_trying(turret: Turret, nodes: int = 200) -> float:
+    """Return what no motion of the turret is below, in m/s2; infinite where there is none."""
+    begin = sum(turret.still[0][:2]) / 2  # an arc that goes on over it stands there on both sides
+    angles = begin + 360 / nodes * (np.arange(nodes) + 0.37)
+    pitch, stands = abs(turret.pitch_mm), np.full(nodes, math.nan)
+    for (start, end, place), turn in product(turret.still, (0, 1)):
+        here = (angles >= start + 360 * turn) & (angles <= end + 360 * turn)
+        stands[here] = place + turn * turret.pitch_mm
+    arcs, choices = [], []
+    for duty in turret.duties:
+        low = duty.limit_mm if duty.is_beyond else -duty.limit_mm
+        high = pitch - duty.limit_mm if duty.is_beyond else duty.limit_mm
+        if high - low >= pitch:
+            continue
+        if low >= high:
+            return math.inf
+        inside = np.mod(angles - duty.start_deg, 360) < duty.end_deg - duty.start_deg
+        for run in runs(inside):
+            here = np.array(run)
+            arcs.append(here)
+            bands = [
+                (turret.still[0][2] + k * pitch + low, turret.still[0][2] + k * pitch + high)
+                for k in range(-3, 5)
+            ]
+            known = stands[here][~np.isnan(stands[here])]
+            choices.append([(a, b) for a, b in bands if np.all((known >= a) & (known <= b))])
+    best = math.inf
+    for chosen in product(*choices):
+        low_mm, high_mm = np.full(nodes, -math.inf), np.full(nodes, math.inf)
+        for here, (a, b) in zip(arcs, chosen, strict=True):
+            low_mm[here] = np.maximum(low_mm[here], a)
+            high_mm[here] = np.minimum(high_mm[here], b)
+        if np.all(low_mm <= high_mm):
+            fixed = ~np.isnan(stands)
+            low_mm[fixed] = high_mm[fixed] = stands[fixed]
+            best = min(best, _least_difference(low_mm, high_mm, turret.pitch_mm, best))
+    return best
+
+
+def runs(inside: Array) -> list[list[int]]:
+    """Return the runs of nodes that are inside."""
+    grouped = groupby(range(len(inside)), key=lambda n: bool(inside[n]))
+    return [list(group) for flag, group in grouped if flag]
+
+
+def _least_difference(low: Array, high: Array, pitch: float, most: float) -> float:
+    """Return the least peak of the second differences over a turn, in m/s2, if below `most`."""
+    nodes = len(low)
+    rows, further = np.zeros((nodes, nodes + 1)), np.zeros(nodes)
+    for n, (side, weight) in product(range(nodes), ((-1, 1), (0, -2), (1, 1))):
+        turn, node = divmod(n + side, nodes)
+        rows[n, node] += weight
+        further[n] += weight * turn * pitch
+    peak = np.eye(1, nodes + 1, nodes)[0] * 1000 * (1.8 / nodes) ** 2
+    found = linprog(
+        np.eye(1, nodes + 1, nodes)[0],
+        A_ub=np.vstack([rows - peak, -rows - peak]),
+        b_ub=np.concatenate([-further, further]),
+        bounds=[*zip(low, high, strict=True), (0, most if math.isfinite(most) else None)],
+        method="highs",
+    )
+    return float(found.fun) if found.status == 0 else math.inf
+
+
+def draw(rng: np.random.Generator) -> Turret:
+    """Return a turret with one or two still arcs and one to three dies."""
+    pitch = round(float(rng.choice([-1, 1]) * rng.uniform(10, 150)), 2)
+    first, start = (
+        round(float(rng.uniform(-300, 300)), 2),
+        float(np.round(rng.uniform(-400, 400), 3)),
+    )
+    still = [(start, start + float(rng.uniform(8, 60)), first)]
+    if rng.random() < 0.3:
+        begin = start + float(rng.uniform(100, 250))
+        place = round(first + float(rng.choice([0, 0.5, 1, 0.3])) * pitch, 2)
+        still.append((begin, begin + float(rng.uniform(5, 50)), place))
+    duties = []
+    for _ in range(rng.integers(1, 4)):
+        begin, length = start + float(rng.uniform(0, 360)), float(rng.choice([15, 40, 90, 150]))
+        share = float(rng.choice([0.005, 0.02, 0.1, 0.3, 0.45, 0.6]))
+        is_beyond = bool(rng.random() < 0.3)
+        length *= float(rng.uniform(0.6, 1.2))
+        move = float(rng.choice([2, 2, 10]))
+        duties.append(
+            Duty(begin, begin + length, share * abs(pitch), is_beyond, min(move, length / 2))
+        )
+    return Turret(pitch, tuple(still), tuple(duties))
+
+
+def draw_motion(
+    turret: Turret, rng: np.random.Generator, jerky: bool
+) -> tuple[Array, float, float]:
+    """Return the positions of some motion at `ANGLES`, its peak acceleration and its peak jerk.
+
+    It stands where it has to, and goes from one still arc to the next in one to three moves; these
+    are parabolas, or else polynomials of fifth order, whose jerk is finite.
+    """
+    start, _, first = turret.still[0]
+    places, pushes, jerks = np.full(len(ANGLES), first), [0.0], [0.0]
+    angles = start + ANGLES
+    last = start + 360, start + 360, first + turret.pitch_mm
+    for (_, end, place), (begin, _, there) in pairwise([*turret.still, last]):
+        moves = int(rng.choice([1, 1, 2, 3]))
+        cuts = np.sort(rng.uniform(end, begin, 2 * moves))
+        cuts[[0, -1]] = np.where(rng.random(2) < 0.4, [end, begin], cuts[[0, -1]])
+        stops = first + turret.pitch_mm * rng.integers(-1, 3, moves - 1)
+        offs = abs(turret.pitch_mm) * rng.choice([0.002, 0.1, 0.5], moves - 1)
+        heights = [place, *(stops + offs * rng.uniform(-1, 1, moves - 1)), there]
+        for (low, high), (a, b) in zip(pairwise(heights), cuts.reshape(-1, 2), strict=True):
+            u, seconds, way = (
+                np.clip((angles - a) / (b - a), 0, 1),
+                (b - a) / 200,
+                (high - low) / 1000,
+            )
+            square = np.where(u < 0.5, 2 * u**2, 1 - 2 * (1 - u) ** 2)
+            curve = square if jerky else u**3 * (10 - 15 * u + 6 * u**2)
+            places += (high - low) * curve
+            pushes.append(abs(way) / seconds**2 * (4 if jerky else 10 / math.sqrt(3)))
+            jerks.append(abs(way) / seconds**3 * (math.inf if jerky else 60))
+        places[angles >= begin] = there
+    return places, max(pushes), max(jerks)
