@@ -367,7 +367,9 @@ def _try(mutants: list[Mutant], bench: Bench, pool: ThreadPoolExecutor) -> Count
         if fate == "lives":
             print(mutant.diff, flush=True)
         if is_whole.done() and not is_whole.result():
-            sys.exit("The quick tests fail, or take too long, with nothing broken.")
+            break
+    if not is_whole.result():
+        sys.exit("The quick tests fail, or take too long, with nothing broken.")
     return fates
 
 
