@@ -36,11 +36,7 @@ SLOW = ("browser", "nbgrader", "notebook", "solutions", "conftest")
 _PASSED, _NOT_RUN = 0, (4, 5)  # exit codes of pytest
 FEW, NEAREST = 3, 6  # test files: with fewer, those of the importers count too; at most so many
 SOLVING = {"laws", "machine", "limits", "exchange"}  # the rooms that random machines try
-COPIED = (
-    *("src", "tests", "starter", "benchmarks", "notebooks", "docs", ".binder", ".ci"),
-    *("workbook.py", "conftest.py", "pyproject.toml", "environment.txt", "README.md"),
-    *(".gitignore", "LICENSE"),
-)
+NOT_COPIED = (".git", ".venv*", "work", "work-*", "__pycache__", ".*_cache", ".hypothesis")
 
 OPERATORS: dict[type, tuple[type, ...]] = {
     ast.Lt: (ast.LtE, ast.Gt),
@@ -243,15 +239,7 @@ class Bench:
         self.running: set[subprocess.Popen[bytes]] = set()
         for number in range(processes):
             copy = folder / str(number)
-            copy.mkdir()
-            for name in COPIED:
-                source = ROOT / name
-                if source.is_dir():
-                    shutil.copytree(
-                        source, copy / name, ignore=shutil.ignore_patterns("__pycache__")
-                    )
-                elif source.exists():
-                    shutil.copy(source, copy / name)
+            shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*NOT_COPIED))
             self.free.put(copy)
 
     def is_whole(self) -> bool:
