@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from animation import measure_animation
 from browser import measure_redraws
+from curves import measure_factors, measure_lines
 from exercises import measure_exercises
 from findings import Finding
 from kernel import measure_explorers, measure_ticks
@@ -27,8 +28,10 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "import": measure_import,
     "law": measure_laws,
     "law-rival": measure_rival,
+    "factors": measure_factors,
     "first-use": measure_first_use,
     "lesson": measure_lesson,
+    "lines": measure_lines,
     "limits": measure_limits,
     "overlap": measure_overlap,
     "setup": measure_setup,

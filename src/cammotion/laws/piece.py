@@ -121,9 +121,12 @@ class Placed(Piece):
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given."""
-        inside = (places - self._shift) / self._width
-        np.clip(inside, *self._span, out=inside)
-        values = self._inner.over(inside, out)
+        turned = self._shift - places if self._width < 0 else places - self._shift
+        if abs(self._width) != 1:
+            turned /= abs(self._width)
+        values = self._inner.over(turned, out)
+        if self._factor == -1:
+            return np.subtract(self._offset, values, out=values)
         values *= self._factor
         if self._offset:
             values += self._offset
