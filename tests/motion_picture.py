@@ -1,8 +1,15 @@
-"""The moving picture of the README and of notebook 04; run this file to draw it anew."""
+"""The moving picture of the README and of notebook 04; run this file to draw it anew.
 
+With it go the fingerprints of other machines in motion, so that no change of a picture is an
+accident: look at the pictures before you run this file.
+"""
+
+import hashlib
+import json
 from pathlib import Path
 
 from machines import RULE, make_diagram
+from test_animation import MACHINES
 
 import cammotion as cm
 from cammotion.views.animation import Animation
@@ -17,5 +24,18 @@ def animation() -> Animation:
     return cm.animate({"no overlap": before, "with overlap": after}, rules=RULE)
 
 
+FINGERPRINTS = Path(__file__).parent / "data" / "pictures.json"
+
+
+def fingerprints() -> dict[str, str]:
+    """Return what each picture can be told by, for the machines on which the animation is tried."""
+    pictures = {
+        str(machine.id): cm.animate(machine.values[0], rules=machine.values[1]).svg
+        for machine in MACHINES
+    }
+    return {name: hashlib.sha256(svg.encode()).hexdigest()[:16] for name, svg in pictures.items()}
+
+
 if __name__ == "__main__":
+    FINGERPRINTS.write_text(json.dumps(fingerprints(), indent=1) + "\n", "utf-8")
     animation().save(PICTURE, overwrite=True)

@@ -105,3 +105,5 @@ def test_the_moving_picture_is_what_the_package_draws() -> None:
     """If not, tests/motion_picture.py draws it anew."""
     assert motion_picture.PICTURE.read_text("utf-8") == motion_picture.animation().svg
     assert "(notebooks/images/motion.svg)" in README
+    kept = json.loads(motion_picture.FINGERPRINTS.read_text("utf-8"))
+    assert kept == motion_picture.fingerprints(), "look at these pictures; then draw them anew"

@@ -184,6 +184,17 @@ def test_the_table_ends_once(tmp_path: Path, parts: int) -> None:
     assert angles == pytest.approx(np.linspace(0, 360, parts + 1))
 
 
+@pytest.mark.parametrize("step", [0.00099, 360.001, 0, -1])
+def test_a_step_is_at_least_a_thousandth_of_a_degree_and_at_most_a_turn(
+    tmp_path: Path, step: float
+) -> None:
+    with pytest.raises(
+        cm.InputError, match=r"^The step of the table is .* at least 0\.001 and at m"
+    ):
+        write_curves_of(DIAGRAM, tmp_path / "m.csv", step_deg=step)
+    assert not [*tmp_path.iterdir()]
+
+
 def changed(**cells: str) -> list[str]:
     """Return the line of a dwell over the whole turn with other cells in it."""
     columns = [column.split(" in ")[0].replace(" ", "_") for column in HEADING]

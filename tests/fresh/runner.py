@@ -105,11 +105,11 @@ def _in_turn(
 ) -> Iterator[list[Finding]]:
     """Yield what is found in each machine, as they are done, until the time is up."""
     if not processes:
-        yield from _examined(seed, count(), end, names)
+        yield from _examined(seed, 0, 1, end, names)
         return
     results: Queue[list[Finding] | None] = Queue()
     workers = [
-        Process(target=_work, args=(results, seed, count(n, processes), end, names), daemon=True)
+        Process(target=_work, args=(results, seed, n, processes, end, names), daemon=True)
         for n in range(processes)
     ]
     for worker in workers:
@@ -140,10 +140,12 @@ def _work(results: "Queue[list[Finding] | None]", *given: Any) -> None:
 
 
 def _examined(
-    seed: str, numbers: Iterator[int], end: float, names: tuple[str, ...]
+    seed: str, first: int, step: int, end: float, names: tuple[str, ...]
 ) -> Iterator[list[Finding]]:
-    while time.time() < end:
-        yield examine(seed, next(numbers), names)
+    for number in count(first, step):
+        if time.time() >= end:
+            return
+        yield examine(seed, number, names)
 
 
 class _TooLong(BaseException):
