@@ -69,18 +69,40 @@ def test_the_second_half_of_a_rule_binds_as_well() -> None:
     assert room.pitch_mm == 100
 
 
-def test_a_turret_that_has_to_be_away_from_its_stops_is_between_two() -> None:
+def test_a_turret_that_has_to_be_away_from_its_stops_is_between_two_whichever() -> None:
     parts = cm.rise(10, over_deg=10), cm.dwell(10), cm.return_(10, over_deg=10), cm.dwell(330)
     gate = cm.motion("gate", *parts, start_deg=60)
     rule = ClearanceRule(beyond("gate", 5), only_while=beyond("mill", 20))
     room = corridor(make_diagram(make_mill(), gate), "mill", rule, still=[(200, 300)])
-    assert limits_at(room, 75) == (20, 80)
+    assert limits_at(room, 75) == (-INFINITE, INFINITE)
+    assert limits_at(room.about([0]), 75) == (20, 80)
+    assert limits_at(room.about([1]), 75) == (120, 180)
     backwards = cm.indexing_motion(
         "mill", cm.return_(100, over_deg=150), cm.dwell(210), stops=24, start_mm=7
     )
     room = corridor(make_diagram(backwards, gate), "mill", rule, still=[(200, 300)])
-    assert limits_at(room, 75) == (-73, -13)
+    assert limits_at(room.about([-1]), 75) == (-73, -13)
     assert (room.pitch_mm, limits_at(room, 250)) == (-100, (-93, -93))
+
+
+def test_where_a_turret_stands_it_is_known_at_which_stop() -> None:
+    """Also over an arc that goes on over the end of the grid, where it is a pitch further."""
+    mill = cm.indexing_motion(
+        "mill", cm.dwell(60), cm.rise(100, over_deg=200), cm.dwell(100), stops=24, start_mm=5.26
+    )
+    die = make_die(10, down_deg=(330, 400))
+    near = ClearanceRule(beyond("die", 25), only_while=within("mill", 2))
+    room = corridor(make_diagram(mill, die), "mill", near, still=[(340, 360)])
+    assert room.bands == ()
+    assert limits_at(room, 20) == pytest.approx((3.26, 7.26))
+    assert limits_at(room, 330) == pytest.approx((103.26, 107.26))
+    assert limits_at(room, 350) == pytest.approx((105.26, 105.26))
+    [band] = corridor(make_diagram(mill, die), "mill", near, still=[(280, 290)]).bands
+    assert set(band.ahead_mm) == {0, 100}
+    free = ClearanceRule(beyond("die", 25), only_while=within("mill", 50))
+    room = corridor(make_diagram(mill, die), "mill", free, still=[(280, 290)])
+    assert room.bands == ()
+    assert limits_at(room, 350) == (-INFINITE, INFINITE)
 
 
 @pytest.mark.parametrize("cells", [12, 100, 720])

@@ -399,7 +399,8 @@ def test_a_mill_that_has_to_go_away_from_its_stop_and_come_back() -> None:
     diagram = make_diagram(mill, gate)
     found = least_acceleration(diagram, "mill", rule, still=[(60, 90), (250, 300)], cells=180)
     assert cm.find_violations(found.design, rule) == ()
-    assert [move.kind for move in found.motion.moves] == ["rise", "rise", "return"]
+    first, *others = [move.kind for move in found.motion.moves]
+    assert (first, sorted(others)) == ("rise", ["return", "rise"])  # before the stop or after it
     assert found.bound <= found.reached <= 1.01 * found.bound
 
 

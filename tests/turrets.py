@@ -73,15 +73,19 @@ class Turret:
             for number, duty in enumerate(self.duties)
         ]
 
-    def strays_mm(self, places: Array, angles: Array) -> float:
-        """Return how far positions are from what the duties ask at their angles, at most."""
+    def strays_mm(self, places: Array, angles: Array, beside_deg: float = 0) -> float:
+        """Return how far positions are from what the duties ask at their angles, at most.
+
+        With `beside_deg` they ask it for so much longer, at either end.
+        """
         passed = np.mod(places - self.still[0][2], abs(self.pitch_mm))
         off = np.minimum(passed, abs(self.pitch_mm) - passed)
         worst = 0.0
         for duty in self.duties:
-            here = np.mod(angles - duty.start_deg, 360) < duty.end_deg - duty.start_deg
+            length = duty.end_deg - duty.start_deg + 2 * beside_deg
+            here = np.mod(angles - duty.start_deg + beside_deg, 360) < length
             wrong = (duty.limit_mm - off) if duty.is_beyond else (off - duty.limit_mm)
-            worst = max(worst, *wrong[here], 0.0)
+            worst = max(worst, *wrong[here])
         return worst
 
 
@@ -203,6 +207,6 @@ def draw_motion(
             curve = square if jerky else u**3 * (10 - 15 * u + 6 * u**2)
             places += (high - low) * curve
             pushes.append(abs(way) / seconds**2 * (4 if jerky else 10 / math.sqrt(3)))
-            jerks.append(abs(way) / seconds**3 * (math.inf if jerky else 60))
+            jerks.append(math.inf if jerky else 60 * abs(way) / seconds**3)
         places[angles >= begin] = there
     return places, max(pushes), max(jerks)

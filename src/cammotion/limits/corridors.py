@@ -79,6 +79,21 @@ class Corridor:
         ends = [int(n) for n in np.flatnonzero(self.still & ~self.still_cells)]
         return [(n, next(m for m in range(n + 1, 2 * size) if self.still[m % size])) for n in ends]
 
+    @property
+    def steps_to_bands(self) -> Floats:
+        """Which steps, from band to band, add up to the stop of each: a row of 0 and 1 for each.
+
+        The first band after a still arc is a step from stop number 0, one that follows a step from
+        the band before. What the motion can do in between decides on this step, and not at which
+        stop it is.
+        """
+        first = np.array([band.nodes[np.argmax(band.ahead_mm == 0)] for band in self.bands], int)
+        since = np.mod(first[:, None] - np.flatnonzero(self.still), len(self.still)).min(axis=1)
+        begin = np.mod(first - since, len(self.still))
+        order = np.argsort(np.argsort(since, kind="stable"))
+        steps = (begin[:, None] == begin) & (order[:, None] >= order)
+        return np.asarray(steps, dtype=np.float64)
+
 
 def corridor(  # noqa: PLR0913 - all but three are given by name
     diagram: TimingDiagram,
@@ -103,6 +118,8 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
     places = np.asarray(moved.position_mm(nodes))
     is_still = np.any([_is_in(nodes, arc) for arc in arcs], axis=0)
     low, high = (np.full(len(nodes), limit) for limit in travel_ends(travel_mm))
+    # a pitch further, at the end of the turn, it is within its travel too
+    low[0], high[0] = low[0] - min(moved.pitch_mm, 0), high[0] - max(moved.pitch_mm, 0)
     bands = []
     for condition, arc in duties:
         here = _is_in(nodes, arc)

@@ -23,13 +23,13 @@ _STAYS_MM = 1e-6  # the solver's rounding of a motion that stays
 
 @dataclass(frozen=True)
 class GridMotion:
-    """Position (mm) and velocity (mm/s) at the nodes of a grid, acceleration (mm/s2) by cells.
+    """Position in mm and velocity at the nodes of a grid, acceleration by cells.
 
-    `seconds` are the times of the cells; `starting` and `ending` the accelerations at the
+    `times` are those of the cells; `starting` and `ending` the accelerations at the
     beginning and at the end of each, with a straight line in between.
     """
 
-    seconds: Floats
+    times: Floats
     position: Floats
     velocity: Floats
     starting: Floats
@@ -41,7 +41,7 @@ class GridMotion:
             choose(limit, room.next_of(limit))
             for limit, choose in ((room.high_mm, np.maximum), (room.low_mm, np.minimum))
         )
-        strays = np.zeros(len(self.seconds))
+        strays = np.zeros(len(self.times))
         for cell in map(int, np.flatnonzero(~room.still_cells)):
             for time in self._turns(cell):
                 place = self._place(cell, time)
@@ -78,12 +78,12 @@ class GridMotion:
         if abs(end - start) < _ROUNDING_MM:
             cell, time = self._far_end(room, first, last)
             far = self._piece(cell)
-            seconds = sum(piece.seconds for piece in pieces[: cell - first]) + time
+            time_to = sum(piece.seconds for piece in pieces[: cell - first]) + time
             parts = [
                 [*pieces[: cell - first], far.before(time)],
                 [far.after(time), *pieces[cell - first + 1 :]],
             ]
-            angles.append(angles[0] + seconds * DEG_PER_TURN / float(self.seconds.sum()))
+            angles.append(angles[0] + time_to * DEG_PER_TURN / float(self.times.sum()))
             heights.append(self._height(room, cell, time))
         angles.append(_angle(room, last))
         heights.append(end)
@@ -102,14 +102,12 @@ class GridMotion:
         return all(abs(self._height(room, n, 0) - start) < _STAYS_MM for n in range(first, last))
 
     def _piece(self, number: int) -> Piece:
-        cell = number % len(self.seconds)
-        return Piece(
-            *(float(values[cell]) for values in (self.seconds, self.starting, self.ending))
-        )
+        cell = number % len(self.times)
+        return Piece(*(float(values[cell]) for values in (self.times, self.starting, self.ending)))
 
     def _far_end(self, room: Corridor, first: int, last: int) -> tuple[int, float]:
         """Return where a motion that comes back is farthest away: the cell and the time in it."""
-        nodes, start = len(self.seconds), _height(room, first)
+        nodes, start = len(self.times), _height(room, first)
         turns = [(n, time) for n in range(first, last) for time in self._turns(n % nodes)]
         return max(turns, key=lambda turn: abs(self._height(room, *turn) - start))
 
@@ -124,7 +122,7 @@ class GridMotion:
 
     def _height(self, room: Corridor, number: int, time: float) -> float:
         """Return the position within a cell, counted on into the next turns."""
-        turns, cell = divmod(number, len(self.seconds))
+        turns, cell = divmod(number, len(self.times))
         return self._place(cell, time) + turns * room.pitch_mm
 
     def _place(self, cell: int, time: float) -> float:

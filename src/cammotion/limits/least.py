@@ -13,7 +13,7 @@ least peak of all; the finer the grid, the nearer the two come.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -32,6 +32,7 @@ from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
 _JERK_LIMIT = Quantity("jerk limit", "m/s³", example=20)
 _CELLS = Quantity("number of cells", "", example=720, low=12, high=2880, low_included=True)
 _ROUNDING = 1e-6  # of the bound, or in m/s2
+_PARTS = 20  # of a turn, the unit of time
 _ROUNDS = 6  # of mending a motion that strays between two nodes
 _KEPT_MM = 1e-6  # the solver's rounding stays within the corridor
 _DIGITS = 4
@@ -83,12 +84,21 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
 ) -> LeastAcceleration:
     """Return the least peak acceleration of one motion, whatever its law, and a motion that has it.
 
-    The motion is free but for this: it keeps every rule, the other motions of the diagram being as
-    they are; over the arcs `still`, pairs of cam angles in deg, it stands where it stands in the
-    diagram; with `travel_mm` it stays between two positions; with `jerk_limit`, in m/s3, its jerk
-    is nowhere larger. The grid has `cells` cells to the turn, 12 to 2880. Raises InputError for
-    what is out of range, for an arc over which the motion does not stand, and where no motion
-    keeps all of this.
+    The motion is free but for this: it keeps every rule that it has a part in, the other motions of
+    the diagram being as they are; over the arcs `still`, pairs of cam angles in deg, it stands
+    where it stands in the diagram; with `travel_mm` it stays between two positions in the turn with
+    which it begins there; with `jerk_limit`, in m/s3, its jerk is nowhere larger. The grid has
+    `cells` cells to the turn, 12 to 2880.
+
+    An indexing motion has to be near to a stop over some arcs, or away from its stops. At which
+    stop it is over an arc in which it need not stand is found with it, and takes longer: three to
+    seven linear programs more for each such arc.
+
+    The answer is checked before it is returned, by the curves of its diagram: the rules, the still
+    arcs, the travel, the jerk, and the order of `bound` and `reached`. Raises WrongAnswerError if
+    it fails. Raises InputError for what is out of range, for an arc over which the motion does not
+    stand, where it is proved that no motion keeps all of this, and where none was found on a grid
+    of so many cells.
 
     >>> import cammotion as cm
     >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
@@ -112,13 +122,15 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     room = corridor(
         diagram, motion, asked.rules, still=asked.still, travel_mm=travel_mm, cells=grid
     )
-    seconds = room.cells_deg * (diagram.cycle_time_s / DEG_PER_TURN)
-    lowest = from_below(room, seconds, most_jerk * MM_PER_M).bound
-    room, curve = _reach(room, seconds, most_jerk * MM_PER_M)
+    # in parts of a turn all numbers are of one size, and the solver rounds least
+    times, part = room.cells_deg * (_PARTS / DEG_PER_TURN), diagram.cycle_time_s / _PARTS
+    limit = most_jerk * MM_PER_M * part**3
+    lowest = from_below(room, times, limit).bound / part**2
+    room, curve = _reach(room, times, limit)
     best = curve.build(diagram[motion], room)
     found = LeastAcceleration(diagram, lowest / MM_PER_M, best, most_jerk)
     _check(found, asked)
-    return found
+    return replace(found, bound=min(found.bound, found.reached))  # but for rounding it is so
 
 
 def _check(found: LeastAcceleration, asked: Asked) -> None:
@@ -139,23 +151,23 @@ def _whole(cells: float) -> int:
     return round(cells)
 
 
-def _reach(room: Corridor, seconds: Floats, most_jerk: float) -> tuple[Corridor, GridMotion]:
+def _reach(room: Corridor, times: Floats, most_jerk: float) -> tuple[Corridor, GridMotion]:
     """Return a motion with the least peak that a grid can have, and its corridor about its stops.
 
     What strays from the corridor between two nodes is held off a little further at both, and the
     program is solved once more.
     """
     if room.bands:
-        room = room.about(from_above(room, seconds, most_jerk, np.zeros(len(seconds)))[1])
+        room = room.about(from_above(room, times, most_jerk, np.zeros(len(times)))[1])
     inner = ~(room.still | np.roll(room.still, 1) | np.roll(room.still, -1))
     held_off = np.where(inner, _KEPT_MM, 0.0)
     for _ in range(_ROUNDS):
-        curve, _ = from_above(room, seconds, most_jerk, held_off)
+        curve, _ = from_above(room, times, most_jerk, held_off)
         strays = curve.strays(room)
         if not strays.any():
             return room, curve
         held_off += np.where(inner, 1.5 * np.maximum(strays, np.roll(strays, 1)), 0.0)
     raise InputError(
-        f"On a grid of {len(seconds)} cells the motion cannot be kept in its corridor between two "
+        f"On a grid of {len(times)} cells the motion cannot be kept in its corridor between two "
         "nodes: take more cells."
     )

@@ -102,6 +102,6 @@ def _solve_one(program: Program, bounds: Floats) -> Solution | None:
             break
     if result.status == _INFEASIBLE:
         return None
-    if result.x is None:
+    if result.status != _SOLVED:
         raise InputError(f"The linear program was not solved ({result.message}): change the grid.")
     return Solution(np.asarray(result.x), float(result.fun))

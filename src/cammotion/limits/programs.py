@@ -1,7 +1,7 @@
 """The two programs: what no motion can be below, and the best motion on a grid.
 
-The unknowns are positions at the nodes of a corridor (in mm; times in s), and for each of its bands
-the whole number of the stop that the motion is about. Both close over the turn.
+The unknowns are positions in mm at the nodes of a corridor, times being in any unit, and for each
+of its bands the whole number of the stop that the motion is about. Both close over the turn.
 """
 
 from itertools import pairwise
@@ -14,19 +14,19 @@ from cammotion.limits.linear import Matrix, Program, Solution, System, solve
 from cammotion.quantities import Floats
 
 _STEADY = 1e-6  # the price of a change of acceleration, for a motion without needless ones
-_SCALE = 100.0  # of the objective, so that this price is more than the solver's rounding
+_SCALE = 1e4  # of the objective, so that this price is more than the solver's rounding
 _ACCELERATION, _JERK = 2, 3  # the orders of these derivatives
 
 
-def from_below(room: Corridor, seconds: Floats, most_jerk: float) -> Solution:
-    """Return what the peak acceleration cannot be below, in mm/s2, as the bound of a program.
+def from_below(room: Corridor, times: Floats, most_jerk: float) -> Solution:
+    """Return what the peak acceleration cannot be below, as the bound of a program.
 
     The unknowns are the positions, their differences of each order, reckoned from those of the
     order before, and the peak. (As rows of the positions alone, those of third order are so steep
     that the solver can take minutes.)
     """
-    steps = _differences(room, seconds, _JERK if np.isfinite(most_jerk) else _ACCELERATION)
-    sizes = [len(seconds), *(matrix.shape[0] for matrix, _ in steps), 1, len(room.bands)]
+    steps = _differences(room, times, _JERK if np.isfinite(most_jerk) else _ACCELERATION)
+    sizes = [len(times), *(matrix.shape[0] for matrix, _ in steps), 1, len(room.bands)]
     parts, ends = _split(sizes), np.cumsum(sizes)
     equal = [matrix @ parts[n] - parts[n + 1] for n, (matrix, _) in enumerate(steps)]
     beyond = [-added for _, added in steps]
@@ -52,17 +52,23 @@ def from_below(room: Corridor, seconds: Floats, most_jerk: float) -> Solution:
     )
 
 
-def _about_stops(room: Corridor, position: Matrix, stop: Matrix) -> System:
-    """Return the rows that keep positions in the bands, each about a stop that is an unknown."""
-    rows, limits = [], []
+def _about_stops(room: Corridor, position: Matrix, step: Matrix) -> System:
+    """Return the rows that keep positions in the bands, each about a stop.
+
+    `step` are the whole numbers that make up the stops.
+    """
+    from scipy import sparse
+
+    rows, limits, steps_to = [], [], room.steps_to_bands
     for number, band in enumerate(room.bands):
-        above = position[band.nodes] - band.spacing_mm * stop[[number] * len(band.nodes)]
+        stop = sparse.csr_matrix(steps_to[[number] * len(band.nodes)]) @ step
+        above = position[band.nodes] - band.spacing_mm * stop
         rows += [above, -above]
         limits += [band.high_mm - band.ahead_mm, band.ahead_mm - band.low_mm]
     return rows, limits
 
 
-def _differences(room: Corridor, seconds: Floats, orders: int) -> list[tuple[Matrix, Floats]]:
+def _differences(room: Corridor, times: Floats, orders: int) -> list[tuple[Matrix, Floats]]:
     """Return how the divided differences of each order, times order!, follow from those before.
 
     Each is a matrix, for those of the first order upon the positions, and what the pitch adds. A
@@ -71,8 +77,8 @@ def _differences(room: Corridor, seconds: Floats, orders: int) -> list[tuple[Mat
     """
     from scipy import sparse
 
-    nodes, turn = len(seconds), seconds.sum()
-    starts = np.cumsum(seconds) - seconds
+    nodes, turn = len(times), times.sum()
+    starts = np.cumsum(times) - times
     found: list[list[tuple[Matrix, Floats]]] = [[] for _ in range(orders)]
     for first, last in room.stretches:
         repeated = orders - 1
@@ -97,7 +103,7 @@ def _differences(room: Corridor, seconds: Floats, orders: int) -> list[tuple[Mat
 
 
 def from_above(
-    room: Corridor, seconds: Floats, most_jerk: float, held_off: Floats
+    room: Corridor, times: Floats, most_jerk: float, held_off: Floats
 ) -> tuple[GridMotion, Floats]:
     """Return the best motion on the grid, `held_off` in mm from its limits, and its stops.
 
@@ -106,18 +112,18 @@ def from_above(
     """
     from scipy import sparse
 
-    nodes, has_limit = len(seconds), bool(np.isfinite(most_jerk))
-    position, velocity, push, change, peak, stop = _split([nodes] * 4 + [1, len(room.bands)])
+    nodes, has_limit = len(times), bool(np.isfinite(most_jerk))
+    position, velocity, push, change, peak, step = _split([nodes] * 4 + [1, len(room.bands)])
     following = np.roll(np.arange(nodes), -1)
     late = push[following] if has_limit else push  # the acceleration at the end of each cell
-    h, peaks = sparse.diags(seconds), peak[[0] * nodes]
+    h, peaks = sparse.diags(times), peak[[0] * nodes]
     equal = [
         position[following] - position - h @ velocity - h @ h @ (push / 3 + late / 6),
         velocity[following] - velocity - h @ (push + late) / 2,
     ]
     closing = [np.append(np.zeros(nodes - 1), -room.pitch_mm), np.zeros(nodes)]
-    jerk = sparse.diags(1 / seconds) @ (late - push)
-    rate = jerk * (seconds.sum() / 100) if has_limit else push
+    jerk = sparse.diags(1 / times) @ (late - push)
+    rate = jerk * (times.sum() / 100) if has_limit else push
     steady = rate[following] - rate
     rows = [side * push - peaks for side in (1, -1)]
     rows += [side * steady - change for side in (1, -1)]
@@ -125,12 +131,13 @@ def from_above(
     if has_limit:
         rows += [jerk, -jerk]
         limits.append(np.full(2 * nodes, most_jerk))
-    about, about_limits = _about_stops(room, position, stop)
+    about, about_limits = _about_stops(room, position, step)
     rest = np.where(room.still, 0.0, np.inf)
     no_force = rest if has_limit else np.where(room.still_cells, 0.0, np.inf)
     free = np.full(len(room.bands), np.inf)
-    high = [room.high_mm - held_off, rest, no_force, np.full(nodes + 1, np.inf), free]
-    low = [room.low_mm + held_off, -rest, -no_force, np.zeros(nodes + 1), -free]
+    off = np.minimum(held_off, np.maximum(room.high_mm - room.low_mm, 0) / 4)
+    high = [room.high_mm - off, rest, no_force, np.full(nodes + 1, np.inf), free]
+    low = [room.low_mm + off, -rest, -no_force, np.zeros(nodes + 1), -free]
     cost = [np.zeros(3 * nodes), np.full(nodes, _STEADY), np.ones(1), np.zeros(len(free))]
     program = Program(
         _SCALE * np.concatenate(cost),
@@ -144,7 +151,8 @@ def from_above(
     found = solve(program).unknowns
     y, v, a = found[: 3 * nodes].reshape(3, nodes)
     ending = a[following] if has_limit else a
-    return GridMotion(seconds, y, v, a, ending), np.round(found[len(found) - len(free) :])
+    stops = room.steps_to_bands @ np.round(found[len(found) - len(free) :])
+    return GridMotion(times, y, v, a, ending), stops
 
 
 def _split(sizes: list[int]) -> list[Matrix]:
