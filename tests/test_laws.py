@@ -412,7 +412,7 @@ def test_a_law_that_dips_is_below_its_start_and_comes_back() -> None:
 @pytest.mark.parametrize("name", LAWS)
 def test_a_law_begins_at_0_and_ends_at_1_and_nowhere_else(name: str) -> None:
     law = LAWS[name]
-    just = (np.nextafter(0, -1), -1e-9, 1 + 1e-9, 1.5, 2.0)
+    just = (np.nextafter(0, -1), -1e-9, np.nextafter(1, 2), 1 + 1e-9, 1.5, 2.0)
     for derivative in range(4):
         assert np.isfinite(law(np.array([0.0, 1.0]), derivative)).all()
         for outside in just:

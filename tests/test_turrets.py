@@ -5,13 +5,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import make_die
-from turrets import ANGLES, Duty, Turret, draw, draw_motion, least_by_trying
+from turrets import ANGLES, Turret, draw, draw_motion, least_by_trying
 
 import cammotion as cm
 from cammotion import ClearanceRule, beyond, within
 from cammotion.limits.least import LeastAcceleration, least_acceleration
-from cammotion.limits.linear import Program, solve
 
 
 def make_case(*die: Any, start_deg: float, move_deg: float = 150) -> cm.TimingDiagram:
@@ -79,7 +77,7 @@ def test_every_choice_of_stops_tried_is_as_good(seed: int) -> None:
     try:
         found = solve_turret(turret, cells=90)
     except cm.InputError as refusal:
-        assert math.isinf(least) or str(refusal).startswith("On a grid of 9")
+        assert math.isinf(least) or str(refusal).startswith("On a grid of 9")  # noqa: PT017
         return
     assert least <= found.reached * (1 + 1e-6)
     assert found.bound <= found.reached
@@ -115,6 +113,6 @@ def test_no_motion_made_by_hand_is_below_the_bound(seed: int) -> None:
     try:
         found = solve_turret(turret, cells=90, jerk_limit=jerk * (1 + 1e-9), **more)
     except cm.InputError as refusal:
-        assert str(refusal).startswith("On a grid of 9")
+        assert str(refusal).startswith("On a grid of 9")  # noqa: PT017
         return
     assert found.bound <= peak * (1 + 1e-6)
