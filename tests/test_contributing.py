@@ -34,7 +34,7 @@ def test_new_files_go_where_their_kind_is() -> None:
 @pytest.mark.parametrize(
     ("file", "words"),
     [
-        ("src/cammotion/laws/catalogue.py", ["LAWS"]),
+        ("src/cammotion/laws/catalogue.py", ["_KNOWN"]),
         ("tests/test_laws.py", ["FACTORS", "TORQUE", "test_the_ranking_of_the_example"]),
         ("src/cammotion/views/animation/scene.py", ["KINDS", "class Drawing", "Slide"]),
         ("tests/known_slips.py", ["RIGHT", "SLIPS", "SOURCE"]),
