@@ -177,12 +177,12 @@ class MotionLaw:
         s_low, way = self(low), self(high) - self(low)
         if not low < high or abs(way) <= _SOLVED:
             raise InputError(
-                f"The part of the law {self.name!r} goes from x = {low:g} to {high:g} and from S = "
-                f"{s_low:g} on by {way:g}: give two places, the first one first, between which it "
-                "moves."
+                f"The part of the law {self.name!r} goes from x = {low:g} to {high:g}, and S changes "
+                f"by {way:g}: give two places, the first one first, between which it moves."
             )
         part, span = Curve(self.curve.between(low, high)), high - low
         curve = part.placed(-low / span, 1 / span, -s_low / way, 1 / way)
+        curve.pieces[0].low, curve.pieces[-1].high = 0.0, 1.0  # without the rounding
         return MotionLaw(f"{self.name}, {low:g} to {high:g}", curve)
 
     def with_constant_velocity(self, share: float) -> "MotionLaw":
@@ -234,10 +234,10 @@ class MotionLaw:
         self.check_way()
         if not self.is_monotone:
             raise InputError(
-                f"The law {self.name!r} turns back on its way, so that it passes some places more "
-                "than once: use where_above, which returns every interval."
+                f"The law {self.name!r} turns back on its way, and so passes some places more than "
+                "once: use where_above, which returns every interval."
             )
-        roots = np.reshape([self._first(place) for place in places.flat], places.shape)
+        roots = np.clip([self._first(s) for s in places.flat], 0.0, 1.0).reshape(places.shape)
         off = np.abs(self(roots) - places) > _SOLVED
         if np.any(off & ~np.isin(roots, [place for place, _ in self._jumps(0)])):
             raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
