@@ -178,7 +178,7 @@ class MotionLaw:
         if not low < high or abs(way) <= _SOLVED:
             raise InputError(
                 f"The part of the law {self.name!r} goes from x = {low:g} to {high:g}, and S changes "
-                f"by {way:g}: give two places, the first one first, between which it moves."
+                f"by {way:g}: give two places in order, between which it moves."
             )
         part, span = Curve(self.curve.between(low, high)), high - low
         curve = part.placed(-low / span, 1 / span, -s_low / way, 1 / way)
