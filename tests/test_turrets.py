@@ -7,16 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-<<<<<<< HEAD
-from turrets import ANGLES, Turret, draw, draw_motion, least_by_trying
-=======
 from scipy import sparse
 from turrets import ANGLES, Duty, Turret, draw, draw_motion, least_by_trying
->>>>>>> limits
 
 import cammotion as cm
 from cammotion import ClearanceRule, beyond, within
 from cammotion.limits.least import LeastAcceleration, least_acceleration
+from cammotion.limits.linear import Program, solve
 
 
 def make_case(*die: Any, start_deg: float, move_deg: float = 150) -> cm.TimingDiagram:
@@ -91,15 +88,8 @@ def solve_unless_coarse(turret: Turret, least: float, **more: Any) -> LeastAccel
 def test_every_choice_of_stops_tried_is_as_good(seed: int) -> None:
     turret = draw(np.random.default_rng(seed))
     least = least_by_trying(turret)
-<<<<<<< HEAD
-    try:
-        found = solve_turret(turret, cells=90)
-    except cm.InputError as refusal:
-        assert math.isinf(least) or str(refusal).startswith("On a grid of 9")  # noqa: PT017
-=======
     found = solve_unless_coarse(turret, least)
     if not found:
->>>>>>> limits
         return
     assert least <= found.reached * (1 + 1e-6)
     assert found.bound <= found.reached
@@ -132,12 +122,6 @@ def test_no_motion_made_by_hand_is_below_the_bound(seed: int) -> None:
         return
     places, peak, jerk = min(good, key=lambda motion: motion[1])
     more = {"travel_mm": (places.min() - 0.01, places.max() + 0.01)} if seed % 3 == 0 else {}
-<<<<<<< HEAD
-    try:
-        found = solve_turret(turret, cells=90, jerk_limit=jerk * (1 + 1e-9), **more)
-    except cm.InputError as refusal:
-        assert str(refusal).startswith("On a grid of 9")  # noqa: PT017
-=======
     found = solve_unless_coarse(turret, peak, jerk_limit=jerk * (1 + 1e-9), **more)
     assert not found or found.bound <= peak * (1 + 1e-6)
 
@@ -243,7 +227,6 @@ def test_a_program_with_whole_numbers_is_as_good_as_the_best_of_all(seed: int) -
     if math.isinf(best):
         with pytest.raises(cm.InputError, match=r"^Nothing\.$"):
             solve(program)
->>>>>>> limits
         return
     found = solve(program)
     assert found.bound == pytest.approx(best, abs=1e-7)

@@ -177,7 +177,7 @@ class MotionLaw:
         s_low, way = self(low), self(high) - self(low)
         if not low < high or abs(way) <= _SOLVED:
             raise InputError(
-                f"The part of the law {self.name!r} goes from x = {low:g} to {high:g} and changes S "
+                f"The part of the law {self.name!r} is from x = {low:g} to {high:g} and changes S "
                 f"by {way:g}: give two places in order, between which it moves."
             )
         part, span = Curve(self.curve.between(low, high)), high - low
