@@ -106,8 +106,17 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
 ) -> Corridor:
     """Return the corridor that the rules and the other motions of a diagram leave to a motion.
 
-    The grid has `cells` cells to the turn; the ends of all arcs are nodes of it. Parameters and
-    errors are those of `limits.least_acceleration`.
+    Over the arcs `still`, pairs of cam angles in deg, the motion stands where it does in the
+    diagram; `travel_mm` are the ends of its travel, in the turn with which it begins. The grid has
+    `cells` cells to the turn, and the ends of all arcs are nodes of it. Raises InputError for what
+    is no rule, no still arc or no travel, for an arc over which the motion does not stand, and
+    where rules and travel do not let it.
+
+    >>> import cammotion as cm
+    >>> given = cm.EXAMPLE
+    >>> room = corridor(given.diagram, "die", given.rule, still=[(205, 305)], cells=36)
+    >>> [float(limit) for limit in room.high_mm[room.still]][:2]
+    [50.0, 50.0]
     """
     moved = diagram[motion]
     duties = list(_duties(diagram, motion, rules))

@@ -10,6 +10,10 @@ peak asks less than is asked of a motion, and no motion has a smaller peak than 
 above: the acceleration is a constant over each cell, or with a limit to the jerk a straight line.
 That is a motion, which can be built, so the best of all has no larger peak. In between lies the
 least peak of all; the finer the grid, the nearer the two come.
+
+Both ask of an indexing motion that it is near to a stop, or away from its stops, while another one
+is where it may meet it. Which stop that is, is a whole number for each such arc, found by both
+programs for themselves.
 """
 
 from collections.abc import Iterable
@@ -91,8 +95,8 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     `cells` cells to the turn, 12 to 2880.
 
     An indexing motion has to be near to a stop over some arcs, or away from its stops. At which
-    stop it is over an arc in which it need not stand is found with it, and takes longer: three to
-    seven linear programs more for each such arc.
+    stop it is over an arc in which it need not stand is found with it, and takes longer: 1 to 5 s
+    instead of 0.3 s with 720 cells and up to three such arcs.
 
     The answer is checked before it is returned, by the curves of its diagram: the rules, the still
     arcs, the travel, the jerk, and the order of `bound` and `reached`. Raises WrongAnswerError if
