@@ -11,8 +11,8 @@ from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
 from cammotion.limits import least
-from cammotion.limits.checks import Asked, find_faults
 from cammotion.limits.corridors import corridor
+from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.linear import Solution
 from cammotion.limits.programs import from_below
 

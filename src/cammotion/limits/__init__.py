@@ -1,1 +1,4 @@
-"""How good any motion could get: its corridor, the programs, and the motion that is found."""
+"""How good any motion could get: the widest move, and the least acceleration.
+
+An answer is checked before it is given: a motion is found on a grid, and then looked at like any.
+"""

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cammotion.limits.corridors import Corridor
-from cammotion.limits.ramps import Piece, law_of
+from cammotion.limits.ramps import Ramp, law_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
@@ -73,15 +73,15 @@ class GridMotion:
         start, end = _height(room, first), _height(room, last)
         if abs(end - start) < _ROUNDING_MM and self._stays(room, first, last):
             return
-        pieces = [self._piece(n) for n in range(first, last)]
-        angles, heights, parts = [_angle(room, first)], [start], [pieces]
+        ramps = [self._ramp(n) for n in range(first, last)]
+        angles, heights, parts = [_angle(room, first)], [start], [ramps]
         if abs(end - start) < _ROUNDING_MM:
             cell, time = self._far_end(room, first, last)
-            far = self._piece(cell)
-            time_to = sum(piece.seconds for piece in pieces[: cell - first]) + time
+            far = self._ramp(cell)
+            time_to = sum(ramp.seconds for ramp in ramps[: cell - first]) + time
             parts = [
-                [*pieces[: cell - first], far.before(time)],
-                [far.after(time), *pieces[cell - first + 1 :]],
+                [*ramps[: cell - first], far.before(time)],
+                [far.after(time), *ramps[cell - first + 1 :]],
             ]
             angles.append(angles[0] + time_to * DEG_PER_TURN / float(self.times.sum()))
             heights.append(self._height(room, cell, time))
@@ -101,9 +101,9 @@ class GridMotion:
         start = _height(room, first)
         return all(abs(self._height(room, n, 0) - start) < _STAYS_MM for n in range(first, last))
 
-    def _piece(self, number: int) -> Piece:
+    def _ramp(self, number: int) -> Ramp:
         cell = number % len(self.times)
-        return Piece(*(float(values[cell]) for values in (self.times, self.starting, self.ending)))
+        return Ramp(*(float(values[cell]) for values in (self.times, self.starting, self.ending)))
 
     def _far_end(self, room: Corridor, first: int, last: int) -> tuple[int, float]:
         """Return where a motion that comes back is farthest away: the cell and the time in it."""
@@ -113,12 +113,12 @@ class GridMotion:
 
     def _turns(self, cell: int) -> list[float]:
         """Return the times within a cell at which the velocity is zero."""
-        piece = self._piece(cell)
-        roots = np.roots([piece.slope / 2, piece.starting, self.velocity[cell]])
+        ramp = self._ramp(cell)
+        roots = np.roots([ramp.slope / 2, ramp.starting, self.velocity[cell]])
         real = roots[np.isreal(roots)].real
-        slack = _ROUNDING_TIME * piece.seconds  # a turn at a node may lie in neither of its cells
-        here = real[(real >= -slack) & (real <= piece.seconds + slack)]
-        return [float(time) for time in np.clip(here, 0.0, piece.seconds)]
+        slack = _ROUNDING_TIME * ramp.seconds  # a turn at a node may lie in neither of its cells
+        here = real[(real >= -slack) & (real <= ramp.seconds + slack)]
+        return [float(time) for time in np.clip(here, 0.0, ramp.seconds)]
 
     def _height(self, room: Corridor, number: int, time: float) -> float:
         """Return the position within a cell, counted on into the next turns."""
@@ -126,8 +126,8 @@ class GridMotion:
         return self._place(cell, time) + turns * room.pitch_mm
 
     def _place(self, cell: int, time: float) -> float:
-        piece = self._piece(cell)
-        moved = self.velocity[cell] * time + piece.before(time).moved
+        ramp = self._ramp(cell)
+        moved = self.velocity[cell] * time + ramp.before(time).moved
         return float(self.position[cell] + moved)
 
 

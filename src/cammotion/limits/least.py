@@ -22,8 +22,8 @@ from functools import cached_property
 
 import numpy as np
 
-from cammotion.limits.checks import Asked, find_faults
 from cammotion.limits.corridors import Corridor, corridor, still_arcs, travel_ends
+from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import GridMotion
 from cammotion.limits.programs import from_above, from_below
 from cammotion.machine.arcs import Arc
@@ -105,14 +105,9 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     of so many cells.
 
     >>> import cammotion as cm
-    >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
-    >>> die = cm.motion(
-    ...     "die", cm.rise(50, over_deg=55), cm.dwell(100),
-    ...     cm.return_(50, over_deg=55), cm.dwell(150), start_deg=150)
-    >>> machine = cm.TimingDiagram([mill, die], rate_per_hour=2000)
-    >>> rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
-    >>> least_acceleration(machine, "die", rule, still=[(205, 305)], travel_mm=(0, 50))
-    The least peak acceleration of the die lies between 0.5189 and 0.5190 m/s².
+    >>> least_acceleration(
+    ...     cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule, still=[(205, 305)], travel_mm=(0, 50))
+    The least peak acceleration of the die lies between 0.5195 and 0.5196 m/s².
     """
     is_free = isinstance(jerk_limit, float) and jerk_limit == np.inf
     most_jerk = np.inf if is_free else _JERK_LIMIT.number(jerk_limit)
