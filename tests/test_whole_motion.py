@@ -118,3 +118,14 @@ def test_peaks_are_those_of_finite_differences(data: st.DataObject) -> None:
         else:
             assert seen <= peak * (1 + 1e-6) + 1e-4 * (order == 3)
             assert seen >= 0.97 * peak - 1e-4
+
+
+def test_a_start_with_many_digits_is_a_start_like_any_other() -> None:
+    die = cm.motion(
+        "die",
+        cm.dwell(180),
+        cm.rise(1, over_deg=90),
+        cm.return_(1, over_deg=90),
+        start_mm=-213.50412345678912,
+    )
+    assert die.start_mm == -213.504123457

@@ -207,8 +207,8 @@ class MotionLaw:
         velocity = 1 / (part + (1 - part) / steepest)
         scale = velocity * (1 - part) / steepest
         first = Curve(self.curve.between(0.0, 0.5)).placed(0, 1 - part, 0, scale)
-        start = float(_HALF - velocity * part / 2), float(velocity)
-        line = Series(start, (), first.high, 0.5, write=lambda: _HALF + velocity * (x - _HALF))
+        line = Series((float(_HALF - velocity * part / 2), float(velocity)), (), first.high, 0.5)
+        line.expression = _HALF + velocity * (x - _HALF)
         title, rest = f"{self.name}, {float(part):.4g} constant velocity", float(1 - part)
         early = [place * rest for place in self.sampled_at if place <= 1 / 2]
         late = [1 - (1 - place) * rest for place in self.sampled_at if place >= 1 / 2]

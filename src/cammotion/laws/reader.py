@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable
-from functools import lru_cache, reduce
+from functools import lru_cache, partial, reduce
 from typing import NamedTuple
 
 import sympy
@@ -84,7 +84,7 @@ def read(expression: sympy.Expr, low: float, high: float) -> Piece:
     powers = series.powers
     while len(powers) > 1 and not powers[-1]:
         powers = powers[:-1]
-    return Series(powers, series.waves, low, high, write=lambda: expression)
+    return Series(powers, series.waves, low, high, write=partial(sympy.sympify, expression))
 
 
 @lru_cache(maxsize=10_000)

@@ -1,6 +1,7 @@
 """The SCCA family: sine - constant - cosine acceleration, five of the named laws among it."""
 
 import math
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -63,10 +64,9 @@ def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
     return plain(np.asarray(_peak(*parts, pi=np.pi)))
 
 
-def scca_parts(b: float, c: float, d: float) -> tuple[float, float, float]:
-    """Return b, c and d cleared of rounding; raise InputError like `scca`."""
-    b_, c_, d_ = map(float, _exact_parts(b, c, d))
-    return b_, c_, d_
+def scca_parts(b: float, c: float, d: float) -> tuple[float, ...]:
+    """Return b, c and d cleared of rounding; raise InputError unless they add up to 1."""
+    return tuple(map(float, _exact_parts(b, c, d)))
 
 
 def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
@@ -117,14 +117,14 @@ def _zone(number: int, parts: tuple[Any, ...], pi: Any) -> _Zone:
 
 def _piece(number: int, parts: tuple[sympy.Rational, ...]) -> Series:
     """Return a zone in floats; its expression is exact, and made when it is asked for."""
-    powers, amplitude, frequency, is_cosine, low, high = _zone(
-        number, tuple(map(float, parts)), math.pi
-    )
+    in_floats = tuple(map(float, parts))
+    powers, amplitude, frequency, is_cosine, low, high = _zone(number, in_floats, math.pi)
     waves = (Wave(amplitude, frequency, 0.0, int(is_cosine)),) if amplitude else ()
-    return Series(powers, waves, low, high, write=lambda: _expression(_zone(number, parts, _pi)))
+    return Series(powers, waves, low, high, write=partial(_expression, number, parts))
 
 
-def _expression(zone: _Zone) -> sympy.Expr:
+def _expression(number: int, parts: tuple[sympy.Rational, ...]) -> sympy.Expr:
+    zone = _zone(number, parts, _pi)
     u = x - zone.low
     wave = (sympy.cos if zone.is_cosine else sympy.sin)(zone.frequency * u)
     return sum(power * u**n for n, power in enumerate(zone.powers)) + zone.amplitude * wave

@@ -90,7 +90,7 @@ def indexing_motion(
 
 def _place(name: str, parts: Iterable[Any], start_deg: float, start_mm: float) -> list[Segment]:
     """Lay the parts one after the other."""
-    angle, height = CAM_ANGLE.number(start_deg), POSITION.number(start_mm)
+    angle, height = CAM_ANGLE.number(start_deg), round(POSITION.number(start_mm), 9)
     placed: list[dict[str, Any]] = []
     for part in parts:
         if not isinstance(part, Part):

@@ -48,7 +48,7 @@ class SccaExplorer(Explorer):
         super().__init__([self.b, self.c], [buttons], live)
 
     @property
-    def parts(self) -> tuple[float, float, float]:
+    def parts(self) -> tuple[float, ...]:
         """b, c and d of the law that the controls show."""
         b, c = self.b.value, self.c.value
         return scca_parts(b, c, max(1 - b - c, 0))
@@ -152,7 +152,7 @@ def explore_scca() -> SccaExplorer:
     return SccaExplorer()
 
 
-def describe(parts: tuple[float, float, float], law: MotionLaw) -> str:
+def describe(parts: tuple[float, ...], law: MotionLaw) -> str:
     """Return three lines: the parts and the name of a law, its factors, and Ca against the least.
 
     >>> print(describe((0, 1, 0), LAWS["constant acceleration"]))
@@ -207,7 +207,7 @@ def _sample(law: MotionLaw) -> Floats:
     return np.array(zones)
 
 
-def _name_of(parts: tuple[float, float, float]) -> str:
+def _name_of(parts: tuple[float, ...]) -> str:
     """Return the name of a law, or nothing for one that has none."""
     same = (name for name, named in NAMED_PARTS.items() if np.allclose(parts, named, 0, _ROUNDING))
     return next(same, "")
