@@ -85,6 +85,18 @@ def test_a_motion_that_comes_back_is_cut_at_its_far_end() -> None:
         assert found.segments[0].to_mm == pytest.approx(46)
 
 
+def test_a_motion_that_is_twice_as_far_away_is_cut_at_the_first_place() -> None:
+    """Down by 4 mm, up by 1, down by 1 and back; the solver rounds either place by a little."""
+    seconds = np.array([0.25, 0.25, 0.125, 0.25, 0.125, 0.25, 0.25, 0.5])
+    for shift in (0.0, 1e-9, -1e-9):
+        curve = integrate([-64, 64, 32, -32, 32, 64, -64, 0], seconds, 50)
+        curve.position[5] += shift
+        angles = [0.0, *(np.cumsum(seconds)[:-1] * 180)]
+        found = curve.build(DIE, make_room(angles, [0, 7], [50, 50]))
+        assert [s.kind for s in found.segments] == ["return", "rise", "dwell"]
+        assert found.segments[0].to_deg == pytest.approx(90)
+
+
 def test_a_motion_that_stays_where_it_is_has_no_moves() -> None:
     curve = integrate([0] * 8, EVEN, 50)
     room = make_room(ANGLES, [0, 1, 4], [50] * 3)

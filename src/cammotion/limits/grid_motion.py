@@ -106,10 +106,15 @@ class GridMotion:
         return Ramp(*(float(values[cell]) for values in (self.times, self.starting, self.ending)))
 
     def _far_end(self, room: Corridor, first: int, last: int) -> tuple[int, float]:
-        """Return where a motion that comes back is farthest away: the cell and the time in it."""
+        """Return where a motion that comes back is first farthest away: the cell, the time in it.
+
+        Places that differ by the solver's rounding are equally far.
+        """
         nodes, start = len(self.times), _height(room, first)
         turns = [(n, time) for n in range(first, last) for time in self._turns(n % nodes)]
-        return max(turns, key=lambda turn: abs(self._height(room, *turn) - start))
+        ways = [abs(self._height(room, *turn) - start) for turn in turns]
+        far = max(ways) - _STAYS_MM
+        return next(turn for turn, way in zip(turns, ways, strict=True) if way > far)
 
     def _turns(self, cell: int) -> list[float]:
         """Return the times within a cell at which the velocity is zero."""

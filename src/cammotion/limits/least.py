@@ -95,8 +95,8 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     `cells` cells to the turn, 12 to 2880.
 
     An indexing motion has to be near to a stop over some arcs, or away from its stops. At which
-    stop it is over an arc in which it need not stand is found with it, and takes longer: 1 to 5 s
-    instead of 0.3 s with 720 cells and up to three such arcs.
+    stop it is over an arc in which it need not stand is found with it, and takes longer: with 720
+    cells about 0.7 s for each such arc, at most some seconds.
 
     The answer is checked before it is returned, by the curves of its diagram: the rules, the still
     arcs, the travel, the jerk, and the order of `bound` and `reached`. Raises WrongAnswerError if
