@@ -200,3 +200,20 @@ def test_a_law_cannot_be_changed() -> None:
     for field in ("name", "s", "curve", "also_called"):
         with pytest.raises(AttributeError, match="A motion law cannot be changed"):
             setattr(LAWS["cubic"], field, None)
+
+
+@pytest.mark.parametrize("powers", [(4, 6), (7, 8), (2, 8), (8, 2)])
+def test_a_rise_return_law_is_cut_at_its_top(powers: tuple[int, int]) -> None:
+    """Also where the expanded polynomial misses 0 by rounding."""
+    a, b = powers
+    top = sympy.Rational(a, a + b)
+    lobe = MotionLaw("lobe", x**a * (1 - x) ** b / (top**a * (1 - top) ** b))
+    parts = [lobe.part(0, float(top)), lobe.part(float(top), 1)]
+    motion = cm.motion(
+        "lobe",
+        cm.rise(30, over_deg=180 * float(top), law=parts[0]),
+        cm.return_(30, over_deg=180 - 180 * float(top), law=parts[1]),
+        cm.dwell(180),
+    )
+    assert motion.steps(1) == []
+    assert motion.position_mm(90) == pytest.approx(30 * lobe(0.5), abs=1e-6)

@@ -115,9 +115,33 @@ def test_a_law_of_ones_own_is_read_with_its_name(tmp_path: Path) -> None:
 
 def test_a_law_of_ones_own_goes_before_the_catalogue(tmp_path: Path) -> None:
     own = MotionLaw("cycloidal", cm.x)
-    diagram = make_diagram(make_die(law=own))
-    found = read_segments(write(diagram, tmp_path / "m.csv"), laws=[own])
-    assert found["die"].moves[0].law is own
+    path = write(make_diagram(make_die()), tmp_path / "m.csv")
+    assert read_segments(path, laws=[own])["die"].moves[0].law is own
+
+
+@pytest.mark.parametrize(
+    "laws", [("cubic", MotionLaw("cubic", cm.x)), (MotionLaw("my", cm.x), MotionLaw("my", cm.x**2))]
+)
+def test_two_laws_of_one_name_are_not_written(tmp_path: Path, laws: tuple[Any, Any]) -> None:
+    """The file would give back another machine, and say nothing."""
+    parts = [cm.rise(50, over_deg=90, law=laws[0]), cm.return_(50, over_deg=90, law=laws[1])]
+    diagram = cm.TimingDiagram([cm.motion("die", *parts, cm.dwell(180))], 2000)
+    with pytest.raises(cm.InputError, match=r"Two laws are called .*: give each its own"):
+        write(diagram, tmp_path / "m.csv")
+    assert not (tmp_path / "m.csv").exists()
+
+
+def test_a_shear_that_is_matched_to_the_web_comes_back(tmp_path: Path) -> None:
+    shear = cm.motion(
+        "shear",
+        cm.rise(20, over_deg=70, law=cm.MATCHED),
+        cm.rise(60, over_deg=80, law=cm.CONSTANT_VELOCITY),
+        cm.rise(20, over_deg=50, law=cm.MATCHED),
+        cm.return_(100, over_deg=160),
+    )
+    diagram = cm.TimingDiagram([shear], 2000)
+    path = write(diagram, tmp_path / "m.csv")
+    assert read_segments(path, laws=[cm.as_law(move.law) for move in shear.moves]) == diagram
 
 
 def test_a_law_of_the_catalogue_is_written_by_its_name(tmp_path: Path) -> None:

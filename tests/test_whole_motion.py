@@ -129,3 +129,15 @@ def test_a_start_with_many_digits_is_a_start_like_any_other() -> None:
         start_mm=-213.50412345678912,
     )
     assert die.start_mm == -213.504123457
+
+
+def test_a_matched_return_may_overshoot() -> None:
+    """The simplest flying shear: with the web, and back; it has to swing beyond both ends."""
+    shear = cm.motion(
+        "shear",
+        cm.rise(100, over_deg=100, law=cm.CONSTANT_VELOCITY),
+        cm.return_(100, over_deg=260, law=cm.MATCHED),
+    )
+    assert shear.steps(1) == shear.steps(2) == []
+    assert shear.range_mm == pytest.approx((-31.2, 131.2), abs=0.1)
+    assert np.isfinite(peaks(shear)).all()

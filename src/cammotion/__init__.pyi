@@ -5,7 +5,7 @@ from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
-from .limits.widest import widest_move, with_angle
+from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.clearance import (
     ClearanceRule,
     beyond,
@@ -59,6 +59,7 @@ __all__ = [
     "NumberControl",
     "Segment",
     "TimingDiagram",
+    "WidestMove",
     "WrongAnswerError",
     "animate",
     "as_law",

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from cammotion.files import write_new
-from cammotion.laws.catalogue import as_law
+from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -28,6 +28,9 @@ STEP = Quantity(
 DWELL = "dwell"
 
 _ROUNDING = 1e-9  # the part of a step by which the last one may miss the full turn
+
+_KNOWN = {CONSTANT_VELOCITY.name: CONSTANT_VELOCITY}  # beside those of the catalogue
+_PLACES = np.linspace(0.0, 1.0, 41)  # at which two laws are compared
 
 _NUMBERS = {
     "from_deg": "from in deg",
@@ -48,7 +51,8 @@ _CURVES: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool = False) -> Path:
     """Write every segment of every motion as a line of a CSV file; return its path.
 
-    The heading names the units; `read_segments` reads the file back to the same diagram. A file
+    The heading names the units; `read_segments` reads the file back to the same diagram, if it is
+    given the laws that are not in the catalogue. Raises InputError for two laws of one name. A file
     that is there already is left as it is, with an InputError, unless `overwrite` is True.
 
     >>> from tempfile import TemporaryDirectory
@@ -59,6 +63,7 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
     machine.csv True
     """
     rate = as_diagram(diagram).rate_per_hour
+    _check_names(diagram)
     lines = (
         [motion.name, motion.stops or "", *_numbers(segment), _law_name(segment), rate]
         for motion in diagram.motions
@@ -110,7 +115,7 @@ def read_segments(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Timing
             f"The file {Path(path).name} lacks the column '{missing[0]}': its first line has to "
             f"be {', '.join(_HEADING)}."
         )
-    known = {law.name.strip(): law for law in laws}
+    known = _KNOWN | {law.name.strip(): law for law in laws}
     records = [
         _Record(Path(path).name, number, heading, line, decimal)
         for number, line in enumerate(lines[1:], 2)
@@ -192,6 +197,21 @@ def _the_same(records: list[_Record], column: str) -> float:
 
 def _numbers(segment: Segment) -> list[float]:
     return [getattr(segment, field) for field in _NUMBERS]
+
+
+def _check_names(diagram: TimingDiagram) -> None:
+    """Raise InputError for two laws of one name, of which the file could say only one."""
+    known = {DWELL: CONSTANT_VELOCITY, **_KNOWN}
+    for motion in diagram.motions:
+        for move in motion.moves:
+            law = as_law(move.law)
+            name = law.name.strip()
+            other = LAWS[name] if name in LAWS else known.setdefault(name, law)
+            if other is not law and not np.array_equal(other(_PLACES), law(_PLACES)):
+                raise InputError(
+                    f"Two laws are called {law.name!r}, one of them that of the {motion.name}; a "
+                    "table tells them apart by their names: give each its own."
+                )
 
 
 def _law_name(segment: Segment) -> str:

@@ -16,9 +16,7 @@ from cammotion.laws.scca_family import scca
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Quantity, one_of, shorten
 
-_half, _pi = sympy.Rational(1, 2), sympy.pi
-_ROUNDING = 1e-9
-_BOUNDARY_COUNTS = (3, 4)
+_half, _pi, _ROUNDING = sympy.Rational(1, 2), sympy.pi, 1e-9
 _BOUNDARY = Quantity("boundary value", "", example=0, low=-1e9)
 
 
@@ -28,13 +26,13 @@ def polynomial(
     *,
     name: str = "",
     also_called: tuple[str, ...] = (),
+    may_leave: bool = False,
 ) -> MotionLaw:
     """Return the polynomial law with given values at both ends, solved exactly.
 
     `start` and `end` hold s, v, a and, if wanted, j, all dimensionless, at x = 0 and x = 1. A law
     begins at s = 0 and ends at s = 1; its degree is the number of values less one. Raises
-    InputError for other values, and for a curve that leaves [0, 1] on its way, as it easily does
-    with a velocity at an end.
+    InputError for other values, and for a curve that leaves [0, 1], unless it `may_leave` it.
 
     >>> polynomial((0, 0, 0), (1, 0, 0)).s
     6*x**5 - 15*x**4 + 10*x**3
@@ -46,10 +44,10 @@ def polynomial(
             "motion law goes from 0 to 1: scale the values."
         )
     curve = _through(values[0], values[1], sympy.Integer(1))
-    degree = len(values[0]) + len(values[1]) - 1
-    law = MotionLaw(name or f"polynomial of degree {degree}", curve, also_called)
-    worst = max(law.curve.extremes, key=lambda s: max(-s, s - 1))
-    if max(-worst, worst - 1) > _ROUNDING:
+    title = name or f"polynomial of degree {len(values[0]) + len(values[1]) - 1}"
+    law = MotionLaw(title, curve, also_called)
+    worst = max(law.curve.extremes, key=lambda s: abs(s - 0.5))
+    if abs(worst - 0.5) > 0.5 + _ROUNDING and not may_leave:
         side = "dips below 0" if worst < 0 else "rises above 1"
         raise InputError(
             f"The polynomial {side}, to S = {worst:.4g}: choose end velocities nearer to 1, or "
@@ -146,7 +144,7 @@ def as_law(law: Any) -> MotionLaw:
 
 def _boundary(given: Any, which: str) -> tuple[sympy.Rational, ...]:
     values = _BOUNDARY.array(given)
-    if values.ndim != 1 or len(values) not in _BOUNDARY_COUNTS:
+    if values.ndim != 1 or len(values) not in (3, 4):
         raise InputError(
             f"The values at the {which} are {shorten(given)}: give s, v and a there, and j if you "
             "like, for example (0, 0, 0)."

@@ -29,11 +29,11 @@ def law_from_points(
     first point to 1 at the last; `x` rises from point to point. `end_slopes` are the velocities V
     at both ends, dimensionless.
 
-    S, V and A are continuous inside. At the ends A jumps from and to the rest, so that Cj is
-    infinite and `jerk_impulses` lists both jumps. A spline through coarse points may swing over
-    them, even below 0 or above 1; the law is then as good as any other that turns back: its
-    `is_monotone` is False, and `where_above` takes the place of `inverse`. Raises InputError for
-    points that are no table of a law.
+    S, V and A are continuous inside. Where A is not 0 at an end it jumps there, from or to the
+    rest: then Cj is infinite, and `jerk_impulses` lists it. A spline through coarse points may
+    swing over them, even below 0 or above 1; the law is then as good as any other that turns back:
+    its `is_monotone` is False, and `where_above` takes the place of `inverse`. Raises InputError
+    for points that are no table of a law.
 
     >>> places = np.linspace(0, 1, 19)
     >>> law = law_from_points(places, places**2 * (3 - 2 * places), name="follower")

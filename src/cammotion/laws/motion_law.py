@@ -27,9 +27,9 @@ from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
-_ROUNDING = 1e-12  # by so much the ends of a law may miss 0 and 1
-_JUMP = 1e-9  # what is smaller at a joint is rounding
-_SOLVED = 1e-9  # by so much S may miss what was solved for
+_ROUNDING = 1e-12  # of S
+_MISSED = 1e-9  # by so much S may miss 0 and 1 at its ends, and what was solved for
+_JUMP = 1e-6  # what is smaller at a joint, as a share of the largest value, is rounding
 _JERK = 3  # the highest derivative a law is asked for
 _HALF = sympy.Rational(1, 2)
 
@@ -175,7 +175,7 @@ class MotionLaw:
         """
         low, high = _TIME.number(start), _TIME.number(end)
         s_low, way = self(low), self(high) - self(low)
-        if not low < high or abs(way) <= _SOLVED:
+        if not low < high or abs(way) <= _MISSED:
             raise InputError(
                 f"The part of the law {self.name!r} is from x = {low:g} to {high:g} and changes S "
                 f"by {way:g}: give two places in order, between which it moves."
@@ -195,7 +195,7 @@ class MotionLaw:
         1.200
         """
         part = exact(_SHARE.number(share))
-        if not self.is_symmetric or abs(self(0.5, 1)) < _JUMP:
+        if not self.is_symmetric or abs(self(0.5, 1)) < _MISSED:
             lack = "stands in its middle" if self.is_symmetric else "is not symmetric"
             raise InputError(
                 f"The law {self.name!r} {lack}, so that no constant velocity can be put in there: "
@@ -238,7 +238,7 @@ class MotionLaw:
                 "once: use where_above, which returns every interval."
             )
         roots = np.clip([self._first(s) for s in places.flat], 0.0, 1.0).reshape(places.shape)
-        off = np.abs(self(roots) - places) > _SOLVED
+        off = np.abs(self(roots) - places) > _MISSED
         if np.any(off & ~np.isin(roots, [place for place, _ in self._jumps(0)])):
             raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
         return plain(roots)
@@ -258,7 +258,7 @@ class MotionLaw:
     def check_way(self) -> None:
         """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
         start, end = self.curve.ends
-        if max(abs(start), abs(end - 1)) > _ROUNDING:
+        if max(abs(start), abs(end - 1)) > _MISSED:
             raise InputError(
                 f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
                 "from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
@@ -284,7 +284,7 @@ class MotionLaw:
         """Return where a curve jumps and by how much; outside of the move it stands still."""
         curve, after = self.curve.derived(derivative), float(derivative == 0)
         steps = ((0.0, curve.ends[0]), *curve.steps, (1.0, after - curve.ends[1]))
-        return tuple((place, size) for place, size in steps if abs(size) > _JUMP)
+        return tuple((at, by) for at, by in steps if abs(by) > _JUMP * curve.largest)
 
     def _first(self, s: float) -> float:
         branches = self.curve.branches

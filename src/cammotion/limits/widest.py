@@ -84,11 +84,12 @@ def widest_move(
 
     A motion with one rise and one return keeps the dwell between them where it is, an indexing
     motion with one move the middle of it; all other motions stay. Rise and return get one angle if
-    they have one now. With `each_way` (or if they have two now) each gets its own: of all pairs
-    the one with the smallest peak acceleration. The answer is checked before it is returned: no
-    rule is broken, what stood still stands where it did, and no move that is a thousandth of a
-    degree wider is free. Raises InputError if no move is free of collision, for a motion of
-    another build, and for what are no rules of this diagram.
+    they have one now. With `each_way` (or if they have two now) each gets its own: of all pairs the
+    one with the smallest peak acceleration; with `each_way=False` both get one, even if that is
+    harder. What is broken `elsewhere`, by others alone, is listed in the answer. The answer is
+    checked before it is returned: no rule is broken, what stood still stands where it did, and no
+    move that is a thousandth of a degree wider is free. Raises InputError if no move is free of
+    collision, for a motion of another build, and for what are no rules of this diagram.
 
     >>> import cammotion as cm
     >>> found = widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)

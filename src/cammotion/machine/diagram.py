@@ -115,7 +115,7 @@ class TimingDiagram:
         return self._derivative(3, name, angle_deg, time_s)
 
     def moves(self, name: str) -> tuple[Move, ...]:
-        """Return the rises and returns of a motion as moves, with their times and their peaks."""
+        """Return the rises and returns of a motion as moves, each as if from rest to rest."""
         return tuple(
             Move(
                 stroke_mm=abs(segment.change_mm),

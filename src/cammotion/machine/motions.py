@@ -84,7 +84,7 @@ class Motion:
         return Curve(piece for segment in self.segments for piece in segment.curve.pieces)
 
     def steps(self, order: int) -> list[Arc]:
-        """Return where a derivative of order 1, 2, 3 jumps: cam angle in deg, step in mm/deg^order.
+        """Return where a derivative of order 1 or 2 jumps: cam angle in deg, step in mm/deg^order.
 
         Also where a turn meets the next. A millionth of the largest value is rounding.
         """

@@ -77,8 +77,9 @@ def indexing_motion(
 ) -> Motion:
     """Return a motion that goes on part by part from stop to stop, one pitch each turn.
 
-    The parts, made by `rise`, `return_` and `dwell`, fill 360 deg; `stops` pitches close the
-    turret. Raises InputError if they do not fill the turn, or come back to where they began.
+    The parts, made by `rise`, `return_` and `dwell`, fill 360 deg, and its stops are where a turn
+    begins: a dwell between two moves of one turn is none. `stops` pitches close the turret. Raises
+    InputError unless the parts do so.
 
     >>> import cammotion as cm
     >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
@@ -125,5 +126,6 @@ def _matched(
         [segment.curve.derived(n).ends[which] * angle**n / way for n in (1, 2)]
         for segment, which in ((before, 1), (after, 0))
     ]
-    law = polynomial((0, *slopes[0]), (1, *slopes[1]), name="matched")
+    title = "matched, {:.6g} {:.6g} to {:.6g} {:.6g}".format(*slopes[0], *slopes[1])
+    law = polynomial((0, *slopes[0]), (1, *slopes[1]), name=title, may_leave=True)
     return Segment(**part | {"law": law})

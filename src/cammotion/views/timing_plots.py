@@ -109,7 +109,11 @@ def plot_clearance(
     style_axes(ax, describe_offset(across, named), describe_offset(up, named))
     highest = max(diagram[up.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
     widest = max(diagram[across.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
-    ax.set_xlim(0, span_mm or min(widest, max(8 * across.limit_mm, 0.05 * widest)))
+    near = min(widest, max(8 * across.limit_mm, 0.05 * widest))
+    broken = [
+        violation for diagram in named.values() for violation in find_violations(diagram, rule)
+    ]
+    ax.set_xlim(0, span_mm or (widest if broken else near))  # no collision outside the picture
     ax.set_ylim(0, 1.1 * highest)
     region = forbidden_region(rule, ax)
     ax.add_patch(region)
@@ -163,7 +167,7 @@ def _draw_movements(ax: Axes, diagram: TimingDiagram) -> None:
             low, high = heights.min(), heights.max()
             lane = len(diagram.motions) - 1 - number
             heights = lane + LANE * (heights - low) / ((high - low) or 1)
-            ticks[lane + LANE / 2] = f"{low:g} to {high:g}"
+            ticks[lane + LANE / 2] = "{:g} to {:g}".format(*np.round([low, high], 6) + 0.0)
         style_line(ax.plot(angles, heights)[0], number)
         middle = _highest_stay(motion)
         top = float(np.interp(middle, angles, heights))
