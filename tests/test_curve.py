@@ -132,7 +132,7 @@ def test_what_is_not_real_and_finite_is_no_law(curve: sympy.Expr) -> None:
 
 
 def test_what_is_not_defined_everywhere_is_no_law() -> None:
-    with pytest.raises(cm.InputError, match="has no value at some x between 0 and 1"):
+    with pytest.raises(cm.InputError, match="do not follow each other from x = 0 to 1"):
         MotionLaw("half a law", sympy.Piecewise((x, x < 0.5), (x**2, x > 0.7)))
 
 
@@ -217,3 +217,53 @@ def test_a_rise_return_law_is_cut_at_its_top(powers: tuple[int, int]) -> None:
     )
     assert motion.steps(1) == []
     assert motion.position_mm(90) == pytest.approx(30 * lobe(0.5), abs=1e-6)
+
+
+def test_a_power_of_a_sum_is_reckoned_as_it_is_written() -> None:
+    """Multiplied out, its terms are as large as 3^29 and cancel each other."""
+    y = 2 * x - 1
+    law = MotionLaw("steep", (y**29 + 1) / 2)
+    places = np.linspace(0, 1, 2001)
+    assert law(places) == pytest.approx(((2 * places - 1) ** 29 + 1) / 2, abs=1e-12)
+    assert law(law.inverse(0.9)) == pytest.approx(0.9, abs=1e-9)
+    assert (law.Cv, law.curve.derived(2).largest) == pytest.approx((29, 1624))
+
+
+def test_turns_that_rounding_hides_are_not_passed_over_in_silence() -> None:
+    """Expanded, this one is its rounding; today's answer was a law that stands."""
+    wave = sympy.expand((sympy.chebyshevt(21, 2 * x - 1) + 1) / 2)
+    with pytest.raises(cm.InputError, match="cannot be proved in a reasonable time"):
+        MotionLaw("hidden", wave).curve.extremes  # noqa: B018
+
+
+def test_a_part_of_a_sampled_law_has_the_jerk_of_that_part() -> None:
+    rng = np.random.default_rng(8)
+    knots = np.linspace(0, 1, 11)
+    for _ in range(40):
+        noise = 0.02 * rng.uniform(-1, 1, 11) * (knots > 0) * (knots < 1)
+        law = cm.law_from_points(knots, knots**2 * (3 - 2 * knots) + noise)
+        start, end = sorted(rng.choice(10, 2, replace=False))
+        low, high = knots[start], knots[end + 1]
+        for part in (law.part(low, high), law.part(low, high).reversed()):
+            dense = part(np.linspace(1e-9, 1 - 1e-9, 20_001), 3)
+            assert part.Cj_inside == pytest.approx(np.abs(dense).max(), rel=1e-9)
+
+
+def test_a_law_that_jumps_moves_nothing() -> None:
+    half = sympy.Rational(1, 2)
+    jump = MotionLaw("jump", sympy.Piecewise((x / 2, x <= half), (x / 2 + half, True)))
+    assert np.isinf([jump.Cv, jump.Ca, jump.Cj]).all()
+    for use in (lambda: jump.inverse(0.3), lambda: cm.EXAMPLE.die.with_law(jump)):
+        with pytest.raises(cm.InputError, match=r"jumps at x = 0\.5"):
+            use()
+    back = MotionLaw("b", sympy.Piecewise((8 * x / 5, x <= half), (0.2 + 0.8 * x, True)))
+    assert not back.is_monotone
+
+
+@pytest.mark.parametrize("count", [5, 12, 37, 119])
+def test_the_rounding_of_a_table_is_no_turn(count: int) -> None:
+    places = np.linspace(0, 1, count)
+    for ways in (places**2 * (3 - 2 * places), (1 - np.cos(np.pi * places)) / 2):
+        for law in (cm.law_from_points(places, ways), cm.law_from_points(places, ways).reversed()):
+            assert law.is_monotone
+            assert law(law.inverse(0.3)) == pytest.approx(0.3)

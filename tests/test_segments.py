@@ -42,7 +42,7 @@ def test_a_rise_and_a_return_follow_the_cycloid() -> None:
     tm = 0.275  # 55 deg at 2000 pieces/h
     for segment, sign in ((RISE, 1), (FALL, -1)):
         angles = segment.from_deg + 55 * part
-        assert segment.position_mm(angles) == pytest.approx(segment.from_mm + sign * 50 * s)
+        assert segment.curve(angles) == pytest.approx(segment.from_mm + sign * 50 * s)
         for order, factor in enumerate((v, a, j), 1):
             found = over_time(order, segment.curve.derived(order)(angles), 1.8)
             assert found == pytest.approx(sign * 0.050 / tm**order * factor, abs=1e-9)
@@ -78,7 +78,7 @@ def test_a_segment_takes_any_angle_up_to_a_turn(angle: float) -> None:
 
 def test_a_dwell_stands_still() -> None:
     angles = np.array([205.0, 250.0, 305.0])
-    assert REST.position_mm(angles).tolist() == [60, 60, 60]
+    assert REST.curve(angles).tolist() == [60, 60, 60]
     for order in (1, 2, 3):
         assert REST.curve.derived(order)(angles).tolist() == [0, 0, 0]
 

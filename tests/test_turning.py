@@ -9,8 +9,8 @@ from machines import DIPPING, MONOTONE, WAVY, Array, examples
 
 import cammotion as cm
 from cammotion import MotionLaw, x
+from cammotion.laws.piece import bisect
 from cammotion.laws.reader import read as read_piece
-from cammotion.laws.turning import bisect
 
 PI = sympy.pi
 MANY_TURNS = [

@@ -56,7 +56,7 @@ def test_a_shear_that_comes_up_to_speed_has_a_finite_peak() -> None:
     assert np.isfinite(acceleration)
     assert np.isfinite(jerk)  # matched to the cycloid, whose acceleration begins at 0
     assert shear.steps(1) == shear.steps(2) == []
-    with pytest.raises(cm.InputError, match="both to be matched"):
+    with pytest.raises(cm.InputError, match="is to be matched too"):
         cm.motion("a", *[cm.rise(1, over_deg=180, law=cm.MATCHED)] * 2)
 
 
@@ -141,3 +141,23 @@ def test_a_matched_return_may_overshoot() -> None:
     assert shear.steps(1) == shear.steps(2) == []
     assert shear.range_mm == pytest.approx((-31.2, 131.2), abs=0.1)
     assert np.isfinite(peaks(shear)).all()
+
+
+def test_a_small_move_beside_a_large_one_keeps_its_jumps() -> None:
+    both = cm.motion(
+        "both",
+        cm.rise(100, over_deg=10),
+        cm.dwell(50),
+        cm.rise(0.001, over_deg=100, law="constant acceleration"),
+        cm.return_(100.001, over_deg=100),
+        cm.dwell(100),
+    )
+    assert [at for at, _ in both.steps(2)] == [60, 110, 160]
+    assert peaks(both)[2] == np.inf
+
+
+def test_what_cannot_be_matched_is_refused_in_words() -> None:
+    with pytest.raises(cm.InputError, match="begins and ends at"):
+        cm.motion("a", cm.rise(1e-10, over_deg=10, law=cm.MATCHED), cm.dwell(350))
+    with pytest.raises(cm.InputError, match="is to be matched too"):
+        cm.indexing_motion("a", cm.rise(10, over_deg=360, law=cm.MATCHED), stops=4)

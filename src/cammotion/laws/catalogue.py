@@ -10,7 +10,8 @@ from typing import Any
 
 import sympy
 
-from cammotion.laws.motion_law import MotionLaw, mirrored
+from cammotion.laws.curve import mirrored
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.reader import read
 from cammotion.laws.scca_family import scca
 from cammotion.laws.symbols import exact, x

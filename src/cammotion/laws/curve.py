@@ -4,12 +4,13 @@ A motion law is a curve over the time from 0 to 1, a motion one over the cam ang
 is asked of them is asked here, of both alike.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
 import numpy as np
+import sympy
 
 from cammotion.laws.piece import Number, Piece, Placed
 from cammotion.quantities import Floats
@@ -32,13 +33,7 @@ class Branch(NamedTuple):
 
 
 class Curve:
-    """Smooth pieces one after the other, without a gap between them.
-
-    >>> from cammotion.laws.series import Series
-    >>> up_and_down = Curve([Series((0.0, 4.0, -4.0))])
-    >>> up_and_down.largest, up_and_down.derivative.steps
-    (1.0, ())
-    """
+    """Smooth pieces one after the other, without a gap between them."""
 
     def __init__(self, pieces: Iterable[Piece]) -> None:
         self.pieces = tuple(pieces)
@@ -148,3 +143,9 @@ class Curve:
     @cached_property
     def _joints(self) -> Floats:
         return np.array([piece.low for piece in self.pieces[1:]])
+
+
+def mirrored(half: Sequence[Piece]) -> Curve:
+    """Return the curve whose second half is the first one turned about (1/2, 1/2)."""
+    one = sympy.Integer(1)
+    return Curve([*half, *(Placed(piece, one, -1, one, -1) for piece in reversed(half))])

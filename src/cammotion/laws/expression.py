@@ -9,8 +9,8 @@ import numpy as np
 import sympy
 from mpmath import iv
 
-from cammotion.laws.piece import Piece
 from cammotion.laws.symbols import x
+from cammotion.laws.turning import Proved
 from cammotion.quantities import Floats, InputError
 
 _KNOWN = ("sin", "cos", "tan", "exp", "log", "sqrt")
@@ -21,7 +21,7 @@ _SMOOTH = 4  # S and so many less one of its derivatives have to be finite
 _PARTS = 200  # into which a zone may be cut to see that
 
 
-class Expression(Piece):
+class Expression(Proved):
     """An expression in `x`, evaluated as it is written, and bounded by interval arithmetic."""
 
     def __init__(self, expression: sympy.Expr, low: float, high: float) -> None:
@@ -72,6 +72,10 @@ class Expression(Piece):
         """The derivative, made once."""
         return Expression(sympy.diff(self._expression, x), self.low, self.high)
 
+    def restricted(self, low: float, high: float) -> "Expression":
+        """Return the part of it between two of its places."""
+        return Expression(self._expression, low, high)
+
     def torque(self) -> "Expression":
         """Return the product of the first and the second derivative."""
         v = self.derivative
@@ -107,7 +111,8 @@ class Expression(Piece):
         except (ArithmeticError, ValueError, TypeError, iv.ComplexResult):
             return -inf, inf
         least, most = float(found.a), float(found.b)
-        return (least, most) if least <= most else (-inf, inf)
+        slack = 1e-15 * max(abs(least), abs(most))  # numbers like 1/3 are floats in the formula
+        return (least - slack, most + slack) if least <= most else (-inf, inf)
 
     @cached_property
     def _over_intervals(self) -> Callable[[Any], Any] | None:

@@ -10,15 +10,13 @@ Cv, Ca and Cj.
 """
 
 import math
-from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from cammotion.laws.curve import Curve
-from cammotion.laws.piece import Piece, Placed
+from cammotion.laws.curve import Curve, mirrored
 from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
@@ -103,7 +101,7 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3)([0, 0.5, 1], derivative=1)
         array([0. , 1.5, 0. ])
         """
-        if not (isinstance(derivative, int) and 0 <= derivative <= _JERK):
+        if not (isinstance(derivative, int | np.integer) and 0 <= derivative <= _JERK):
             raise InputError(
                 f"The derivative is {derivative!r}; it has to be 0, 1, 2 or 3, for S, V, A or J."
             )
@@ -177,8 +175,8 @@ class MotionLaw:
         s_low, way = self(low), self(high) - self(low)
         if not low < high or abs(way) <= _MISSED:
             raise InputError(
-                f"The part of the law {self.name!r} is from x = {low:g} to {high:g} and changes S "
-                f"by {way:g}: give two places in order, between which it moves."
+                f"From x = {low:g} to {high:g} the law {self.name!r} changes S by {way:g}: give "
+                "two places in order, between which it moves."
             )
         part, span = Curve(self.curve.between(low, high)), high - low
         curve = part.placed(-low / span, 1 / span, -s_low / way, 1 / way)
@@ -198,8 +196,7 @@ class MotionLaw:
         if not self.is_symmetric or abs(self(0.5, 1)) < _MISSED:
             lack = "stands in its middle" if self.is_symmetric else "is not symmetric"
             raise InputError(
-                f"The law {self.name!r} {lack}, so that no constant velocity can be put in there: "
-                "give a law whose second half mirrors the first, and that moves in between."
+                f"The law {self.name!r} {lack}, so that no constant velocity can be put in there."
             )
         if not part:
             return self
@@ -212,13 +209,13 @@ class MotionLaw:
         title, rest = f"{self.name}, {float(part):.4g} constant velocity", float(1 - part)
         early = [place * rest for place in self.sampled_at if place <= 1 / 2]
         late = [1 - (1 - place) * rest for place in self.sampled_at if place >= 1 / 2]
-        curve = mirrored([*first.pieces, line])
-        return MotionLaw(title, curve, sampled_at=(*early, *late))
+        return MotionLaw(title, mirrored([*first.pieces, line]), (), (*early, *late))
 
     @property
     def is_monotone(self) -> bool:
         """Whether S rises from the start to the end and never falls."""
-        return all(branch.at_high >= branch.at_low for branch in self.curve.branches)
+        ways = [branch.at_high - branch.at_low for branch in self.curve.branches]
+        return min([*ways, *(by for _, by in self.curve.steps)]) >= -_ROUNDING
 
     def inverse(self, s: ArrayLike) -> Numbers:
         """Return the first x at which the law has come to S = s.
@@ -239,7 +236,7 @@ class MotionLaw:
             )
         roots = np.clip([self._first(s) for s in places.flat], 0.0, 1.0).reshape(places.shape)
         off = np.abs(self(roots) - places) > _MISSED
-        if np.any(off & ~np.isin(roots, [place for place, _ in self._jumps(0)])):
+        if np.any(off):
             raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
         return plain(roots)
 
@@ -256,12 +253,16 @@ class MotionLaw:
         return self.curve.where(s, -1, _ROUNDING)
 
     def check_way(self) -> None:
-        """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1."""
+        """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1 without a jump."""
         start, end = self.curve.ends
         if max(abs(start), abs(end - 1)) > _MISSED:
             raise InputError(
                 f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
                 "from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
+            )
+        if jumps := self._jumps(0):
+            raise InputError(
+                f"The law {self.name!r} jumps at x = {jumps[0][0]:g}: let its cases meet there."
             )
 
     def __repr__(self) -> str:
@@ -292,9 +293,3 @@ class MotionLaw:
         if s <= branch.at_low:
             return branch.low
         return branch.high if s >= branch.at_high else branch.solve(s)
-
-
-def mirrored(half: Sequence[Piece]) -> Curve:
-    """Return the curve whose second half is the first one turned about (1/2, 1/2)."""
-    one = sympy.Integer(1)
-    return Curve([*half, *(Placed(piece, one, -1, one, -1) for piece in reversed(half))])

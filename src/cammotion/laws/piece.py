@@ -1,6 +1,5 @@
 """A smooth piece of a curve: what every kind of them is asked, and a piece put elsewhere."""
 
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from functools import cached_property
@@ -10,7 +9,6 @@ import numpy as np
 import sympy
 
 from cammotion.laws.symbols import x
-from cammotion.laws.turning import bisect, turning_points
 from cammotion.quantities import Floats
 
 Number: TypeAlias = Any  # SymPy comes without types
@@ -32,10 +30,6 @@ class Piece(ABC):
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places, in an array of their shape; in `out`, if given."""
 
-    @abstractmethod
-    def bounds(self, low: float, high: float) -> tuple[float, float]:
-        """Return what every value between two places certainly lies between."""
-
     @property
     @abstractmethod
     def derivative(self) -> "Piece":
@@ -51,19 +45,18 @@ class Piece(ABC):
         """It as an expression in `x`."""
 
     @property
-    def cost(self) -> int:
-        """How many terms it takes to bound it once."""
-        return 1
-
-    @property
     def value(self) -> Callable[[float], float]:
         """The function that returns the value at one place, for solvers that ask thousands."""
         return self.at
 
-    @cached_property
+    @property
+    @abstractmethod
     def turns(self) -> list[float]:
         """Where between its ends it turns, in order; that no turn is missed is proved."""
-        return turning_points(self, self.low, self.high)
+
+    @abstractmethod
+    def restricted(self, low: float, high: float) -> "Piece":
+        """Return the part of it between two of its places."""
 
     @cached_property
     def corners(self) -> list[tuple[float, float]]:
@@ -76,12 +69,6 @@ class Piece(ABC):
         values = [value for _, value in self.corners]
         return min(values), max(values)
 
-    def restricted(self, low: float, high: float) -> "Piece":
-        """Return the part of it between two of its places."""
-        if (low, high) == (self.low, self.high):
-            return self
-        return Placed(self, 0.0, 1.0, 0.0, 1.0, (low, high))
-
     def solve(self, height: float, low: float, high: float) -> float:
         """Return where between two places it passes a height, if it only rises or falls there."""
         value = self.value
@@ -92,29 +79,17 @@ class Piece(ABC):
 class Placed(Piece):
     """A piece drawn elsewhere: offset + factor * inner((place - shift) / width).
 
-    A negative `width` turns it round; `span` is what is shown of the inner piece, all of it unless
-    given. Turns are those of the inner piece, which finds them once for all its places.
+    A negative `width` turns it round. Turns and extremes are those of the inner piece, which finds
+    them once for all its places.
     """
 
-    def __init__(  # noqa: PLR0913, PLR0917 - four numbers are one transformation
-        self,
-        inner: Piece,
-        shift: Number,
-        width: Number,
-        offset: Number,
-        factor: Number,
-        span: tuple[float, float] | None = None,
+    def __init__(
+        self, inner: Piece, shift: Number, width: Number, offset: Number, factor: Number
     ) -> None:
         self._inner, self._exact = inner, (shift, width, offset, factor)
         self._shift, self._width = float(shift), float(width)
         self._offset, self._factor = float(offset), float(factor)
-        self._span = span or (inner.low, inner.high)
-        self.low, self.high = sorted(map(self._out, self._span))
-
-    @property
-    def cost(self) -> int:
-        """How many terms it takes to bound it once."""
-        return self._inner.cost
+        self.low, self.high = sorted(map(self._out, (inner.low, inner.high)))
 
     def at(self, place: float) -> float:
         """Return the value at one place."""
@@ -137,23 +112,16 @@ class Placed(Piece):
             values += self._offset
         return values
 
-    def bounds(self, low: float, high: float) -> tuple[float, float]:
-        """Return what every value between two places certainly lies between."""
-        inside = sorted((self._in(low), self._in(high)))
-        ends = [self._factor * value for value in self._inner.bounds(*inside)]
-        slack = 4 * math.ulp(abs(self._offset) + max(map(abs, ends)))
-        return self._offset + min(ends) - slack, self._offset + max(ends) + slack
-
     @cached_property
     def derivative(self) -> "Piece":
         """The derivative, made once."""
         shift, width, _, factor = self._exact
-        return Placed(self._inner.derivative, shift, width, 0.0, factor / width, self._span)
+        return Placed(self._inner.derivative, shift, width, 0.0, factor / width)
 
     def torque(self) -> "Piece":
         """Return the product of the first and the second derivative."""
         shift, width, _, factor = self._exact
-        return Placed(self._inner.torque(), shift, width, 0.0, factor**2 / width**3, self._span)
+        return Placed(self._inner.torque(), shift, width, 0.0, factor**2 / width**3)
 
     @cached_property
     def expression(self) -> sympy.Expr:
@@ -164,16 +132,18 @@ class Placed(Piece):
     @cached_property
     def turns(self) -> list[float]:
         """Where between its ends it turns, in order."""
-        low, high = self._span
-        return sorted(self._out(turn) for turn in self._inner.turns if low < turn < high)
+        return sorted(map(self._out, self._inner.turns))
 
     @cached_property
     def extremes(self) -> tuple[float, float]:
         """The least and the largest value."""
-        if self._span != (self._inner.low, self._inner.high):
-            return super().extremes
         ends = [self._offset + self._factor * value for value in self._inner.extremes]
         return min(ends), max(ends)
+
+    def restricted(self, low: float, high: float) -> "Placed":
+        """Return the part of it between two of its places."""
+        inside = sorted((self._in(low), self._in(high)))
+        return Placed(self._inner.restricted(*inside), *self._exact)
 
     def solve(self, height: float, low: float, high: float) -> float:
         """Return where between two places it passes a height, if it only rises or falls there."""
@@ -182,7 +152,21 @@ class Placed(Piece):
 
     def _in(self, place: float) -> float:
         inside = (place - self._shift) / self._width
-        return min(max(inside, self._span[0]), self._span[1])
+        return min(max(inside, self._inner.low), self._inner.high)
 
     def _out(self, inside: float) -> float:
         return self._shift + self._width * inside
+
+
+def bisect(is_before: Callable[[float], bool], low: float, high: float) -> float:
+    """Return the first float in ]low, high] that does not come before what is looked for.
+
+    >>> bisect(lambda x: x * x < 2, 1, 2) == 2**0.5
+    True
+    """
+    while low < (middle := (low + high) / 2) < high:
+        if is_before(middle):
+            low = middle
+        else:
+            high = middle
+    return high

@@ -13,6 +13,7 @@ from cammotion.laws.series import Series, Wave
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError
 
+_TAME = 1e5  # larger terms that cancel each other would leave too few digits of a float
 _HIGHEST = 30  # the degree up to which powers are multiplied out
 _MOST = 200  # terms that a series may have
 
@@ -50,8 +51,8 @@ def cut(name: str, law: object) -> tuple[Zone, ...]:
     cuts = [end for zone in zones for end in (zone.low, zone.high)]
     if (cuts[:1], cuts[1:-1:2], cuts[-1:]) != ([0], cuts[2::2], [1]):
         raise InputError(
-            f"The law {name!r} has no value at some x between 0 and 1: let the cases of its "
-            "Piecewise cover all of them, the last one with the condition True."
+            f"The cases of the law {name!r} do not follow each other from x = 0 to 1: write them "
+            "in order, as (S, x <= a), and the last one with the condition True."
         )
     return tuple(zones)
 
@@ -77,7 +78,7 @@ def read(expression: sympy.Expr, low: float, high: float) -> Piece:
     0.5403023058681398
     """
     series = _series(expression, low)
-    if series is None:
+    if series is None or series.size(high - low) > _TAME:
         piece = Expression(expression, low, high)
         piece.check_is_smooth()
         return piece

@@ -8,7 +8,8 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from cammotion.laws.motion_law import MotionLaw, mirrored
+from cammotion.laws.curve import mirrored
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series, Wave
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Numbers, Quantity, plain

@@ -5,8 +5,8 @@ far from there are no concern. Sums, products and derivatives of such series are
 """
 
 import math
-from collections.abc import Callable
-from functools import cached_property
+from collections.abc import Callable, Iterable
+from functools import cached_property, partial
 from itertools import zip_longest
 from typing import NamedTuple
 
@@ -16,6 +16,7 @@ import sympy
 from cammotion.laws.expression import Expression
 from cammotion.laws.piece import Piece
 from cammotion.laws.symbols import x
+from cammotion.laws.turning import Proved
 from cammotion.quantities import Floats
 
 _ULP = math.ulp(1.0)
@@ -65,7 +66,7 @@ class Wave(NamedTuple):
         )
 
 
-class Series(Piece):
+class Series(Proved):
     """A polynomial in u = x - `low`, its coefficients by rising power, and waves in u.
 
     `write` makes the expression for which it stands, with exact numbers, when that is asked for.
@@ -102,6 +103,12 @@ class Series(Piece):
         powers = tuple(n * self.powers[n] for n in range(1, len(self.powers))) or (0.0,)
         waves = (Wave(a * f, f, phase, n + 1) for a, f, phase, n in self.waves)
         return Series(powers, tuple(waves), self.low, self.high)
+
+    def restricted(self, low: float, high: float) -> "Series":
+        """Return the part of it between two of its places."""
+        powers, move = about(self.powers, low - self.low), low - self.low
+        waves = (wave._replace(phase=wave.phase + wave.frequency * move) for wave in self.waves)
+        return Series(tuple(powers), tuple(waves), low, high, partial(getattr, self, "expression"))
 
     def torque(self) -> Piece:
         """Return the product of the first and the second derivative."""
@@ -166,11 +173,7 @@ class Series(Piece):
         return _NOTHING * self.size(self.high - self.low)
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
-        """Return the values at many places; in `out`, if given.
-
-        By Horner's rule, and wave by wave. An array in memory that was not used before takes
-        longer to get than to fill, so that as few are made as can be.
-        """
+        """Return the values at many places; in `out`, if given: new memory takes time."""
         values = np.empty(np.shape(places)) if out is None else out
         values[...] = self.powers[-1]
         if self.is_constant:
@@ -217,6 +220,15 @@ class Series(Piece):
         return sympy.Add(*powers, *waves)
 
 
+def about(powers: Iterable[float], place: float) -> list[float]:
+    """Return the coefficients of a polynomial about another place."""
+    moved = list(powers)
+    for first in range(len(moved) - 1):
+        for n in range(len(moved) - 2, first - 1, -1):
+            moved[n] += place * moved[n + 1]
+    return moved
+
+
 def _polynomial_bounds(powers: tuple[float, ...], start: float, end: float) -> tuple[float, float]:
     """Return what a polynomial lies between over 0 <= start <= end, but for rounding.
 
@@ -232,13 +244,10 @@ def _polynomial_bounds(powers: tuple[float, ...], start: float, end: float) -> t
     if len(powers) <= 2 or start == end:  # noqa: PLR2004 - a straight line, or a place
         return least, most
     middle, half = (start + end) / 2, (end - start) / 2
-    about = list(powers)
-    for first in range(len(about) - 1):
-        for n in range(len(about) - 2, first - 1, -1):
-            about[n] += middle * about[n + 1]
-    low = high = about[0]
+    centre, *others = about(powers, middle)
+    low = high = centre
     size = 1.0
-    for n, factor in enumerate(about[1:], 1):
+    for n, factor in enumerate(others, 1):
         size *= half
         reach = abs(factor) * size
         low -= reach if n % 2 or factor < 0 else 0.0

@@ -7,7 +7,7 @@ import numpy as np
 import sympy
 
 from cammotion.laws.piece import Piece
-from cammotion.laws.series import Series
+from cammotion.laws.series import Series, about
 from cammotion.laws.symbols import x
 from cammotion.quantities import Floats
 
@@ -36,11 +36,13 @@ class Spline(Piece):
         out[...] = values
         return out
 
-    def bounds(self, low: float, high: float) -> tuple[float, float]:
-        """Return what every value between two places certainly lies between, but for rounding."""
-        inner = [end for end in (*self.knots[1:-1], *self.turns) if low < end < high]
-        values = self.over(np.array([low, *inner, high]))
-        return float(values.min()), float(values.max())
+    def restricted(self, low: float, high: float) -> "Spline":
+        """Return the part of it between two of its places."""
+        first = int(np.searchsorted(self.knots[1:-1], low, side="right"))
+        last = int(np.searchsorted(self.knots[1:-1], high, side="left"))
+        rows, move = self.rows[:, first : last + 1].copy(), low - self.knots[first]
+        rows[:, 0] = about(rows[::-1, 0], move)[::-1]  # the first polynomial begins later now
+        return Spline(np.array([low, *self.knots[first + 1 : last + 1], high]), rows)
 
     @cached_property
     def derivative(self) -> "Spline":
@@ -68,7 +70,8 @@ class Spline(Piece):
         signs = np.sign(slope.over((ends[:-1] + ends[1:]) / 2))
         moving = signs != 0
         turned = signs[moving][1:] != signs[moving][:-1]
-        return [float(end) for end in ends[:-1][moving][1:][turned]]
+        found = ends[:-1][moving][1:][turned]
+        return [float(turn) for turn in found if self.low < turn < self.high]
 
     @cached_property
     def extremes(self) -> tuple[float, float]:

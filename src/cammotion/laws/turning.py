@@ -8,30 +8,52 @@ no derivative can be proved to keep its sign the interval is halved, at most to 
 cannot change by more than `NEGLIGIBLE`, however it turns.
 """
 
-from collections.abc import Callable, Iterator
+from abc import abstractmethod
+from collections.abc import Iterator
+from functools import cached_property
 from itertools import pairwise
-from typing import Protocol
 
+from cammotion.laws.piece import Piece, bisect
 from cammotion.quantities import InputError
 
 NEGLIGIBLE = 1e-13
 """The change of a curve that is taken for none, where a motion law changes by 1."""
 
 _ORDERS = 6  # a slope with a zero of higher order is met by halving
-_BUDGET = 1_000_000  # terms to bound; what takes more would take minutes
+_BUDGET = 2_500_000  # terms to bound; what takes more would take minutes
+_SAMPLES, _TAME = 8, 1e-6  # more rounding than that, as a share of some values, hides the curve
+_REFUSAL = (
+    "The curve turns so often, or its terms cancel each other so nearly, that its turning points "
+    "cannot be proved in a reasonable time: give a simpler expression, or a table of its points to "
+    "law_from_points."
+)
 _Run = tuple[int, float, float]  # 1 for rising or -1 for falling, and from where to where
 
 
-class _Curve(Protocol):
+class Proved(Piece):
+    """A smooth piece with bounds, by which its turns are found and proved to be all."""
+
     @property
-    def derivative(self) -> "_Curve": ...
+    @abstractmethod
+    def cost(self) -> int:
+        """How many terms it takes to bound it once."""
+
+    @abstractmethod
+    def bounds(self, low: float, high: float) -> tuple[float, float]:
+        """Return what every value between two places certainly lies between."""
+
     @property
-    def cost(self) -> int: ...  # in terms, to bound it once
-    def at(self, place: float) -> float: ...
-    def bounds(self, low: float, high: float) -> tuple[float, float]: ...
+    @abstractmethod
+    def derivative(self) -> "Proved":
+        """The derivative, made once."""
+
+    @cached_property
+    def turns(self) -> list[float]:
+        """Where between its ends it turns, in order."""
+        return turning_points(self, self.low, self.high)
 
 
-def turning_points(curve: _Curve, low: float, high: float) -> list[float]:
+def turning_points(curve: Proved, low: float, high: float) -> list[float]:
     """Return in order every place in ]low, high[ at which a smooth curve turns.
 
     Raises InputError where that would take minutes: for a curve that turns many thousand times, or
@@ -41,28 +63,17 @@ def turning_points(curve: _Curve, low: float, high: float) -> list[float]:
     return [(end + start) / 2 for (s, _, end), (t, start, _) in pairwise(runs) if s != t]
 
 
-def bisect(is_before: Callable[[float], bool], low: float, high: float) -> float:
-    """Return the first float in ]low, high] that does not come before what is looked for.
-
-    >>> bisect(lambda x: x * x < 2, 1, 2) == 2**0.5
-    True
-    """
-    while low < (middle := (low + high) / 2) < high:
-        if is_before(middle):
-            low = middle
-        else:
-            high = middle
-    return high
-
-
 class _Slopes:
     """The slope of a curve (order 0) and its derivatives over intervals."""
 
-    def __init__(self, curve: _Curve, low: float, high: float) -> None:
+    def __init__(self, curve: Proved, low: float, high: float) -> None:
         self._chain = [curve.derivative]
         self._spent = 0
         roundings = (most - least for least, most in (curve.bounds(p, p) for p in (low, high)))
         self._negligible = max(NEGLIGIBLE, *roundings)
+        places = (low + n * (high - low) / _SAMPLES for n in range(_SAMPLES + 1))
+        if self._negligible > _TAME * max(1.0, *(abs(curve.at(place)) for place in places)):
+            raise InputError(_REFUSAL)
 
     def runs(self, low: float, high: float) -> Iterator[_Run]:
         """Yield in order where the curve rises or falls; what is negligible is left out."""
@@ -83,11 +94,7 @@ class _Slopes:
         slope = self._of(order)
         self._spent += slope.cost
         if self._spent > _BUDGET:
-            raise InputError(
-                "The curve turns so often, or its terms cancel each other so nearly, that its "
-                "turning points cannot be proved in a reasonable time: give a simpler expression, "
-                "or a table of its points to law_from_points."
-            )
+            raise InputError(_REFUSAL)
         return slope.bounds(low, high)
 
     def _sign(self, order: int, low: float, high: float) -> int:
@@ -111,7 +118,7 @@ class _Slopes:
             if sign * other < 0
         ]
 
-    def _of(self, order: int) -> _Curve:
+    def _of(self, order: int) -> Proved:
         while len(self._chain) <= order:
             self._chain.append(self._chain[-1].derivative)
         return self._chain[order]

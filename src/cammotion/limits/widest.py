@@ -82,13 +82,13 @@ def widest_move(
 ) -> WidestMove:
     """Return the widest move of a motion that keeps every rule in which it has a part.
 
-    A motion with one rise and one return keeps the dwell between them where it is, an indexing
-    motion with one move the middle of it; all other motions stay. Rise and return get one angle if
-    they have one now. With `each_way` (or if they have two now) each gets its own: of all pairs the
-    one with the smallest peak acceleration; with `each_way=False` both get one, even if that is
-    harder. What is broken `elsewhere`, by others alone, is listed in the answer. The answer is
-    checked before it is returned: no rule is broken, what stood still stands where it did, and no
-    move that is a thousandth of a degree wider is free. Raises InputError if no move is free of
+    A motion with one rise and one return keeps the dwell after the first of them where it is, an
+    indexing motion with one move the middle of it; all other motions stay. Rise and return get one
+    angle if they have one now. With `each_way` (or if they have two now) each gets its own: of all
+    pairs the one with the smallest peak acceleration; with `each_way=False` both get one, even if
+    that is harder. What is broken `elsewhere`, by others alone, is listed in the answer. The answer
+    is checked before it is returned: no rule is broken, what stood still stands where it did, and
+    no move that is a thousandth of a degree wider is free. Raises InputError if no move is free of
     collision, for a motion of another build, and for what are no rules of this diagram.
 
     >>> import cammotion as cm
@@ -119,9 +119,9 @@ def widest_move(
 def with_angle(motion: Motion, angle_deg: float) -> Motion:
     """Return the motion with another indexing angle Bm, in deg, for all its moves.
 
-    A motion with one rise and one return keeps the dwell between them where it is, an indexing
-    motion with one move the middle of it. Raises InputError for a motion of another build, and for
-    an angle that the turn has no room for.
+    A motion with one rise and one return keeps the dwell after the first of them where it is, an
+    indexing motion with one move the middle of it. Raises InputError for a motion of another build,
+    and for an angle that the turn has no room for.
 
     >>> import cammotion as cm
     >>> with_angle(cm.EXAMPLE.mill, 160).moves[0].to_deg

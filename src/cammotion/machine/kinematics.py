@@ -117,8 +117,6 @@ class Move:
     0.275
     >>> print(f"{die.peak_acceleration:.3f} m/s2")
     4.154 m/s2
-    >>> die.displacement_mm(die.time_s / 2)
-    25.0
     """
 
     stroke_mm: float
@@ -161,12 +159,7 @@ class Move:
         return self._curve(1, time_s)
 
     def acceleration(self, time_s: ArrayLike) -> Numbers:
-        """Return the acceleration a in m/s2 at `time_s`, 0 to tm, a number or an array.
-
-        >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
-        >>> print(f"{die.acceleration(die.time_s / 4):.3f} m/s2")
-        4.154 m/s2
-        """
+        """Return the acceleration a in m/s2 at `time_s`, 0 to tm, a number or an array."""
         return self._curve(2, time_s)
 
     def jerk(self, time_s: ArrayLike) -> Numbers:

@@ -86,13 +86,14 @@ class Motion:
     def steps(self, order: int) -> list[Arc]:
         """Return where a derivative of order 1 or 2 jumps: cam angle in deg, step in mm/deg^order.
 
-        Also where a turn meets the next. A millionth of the largest value is rounding.
+        Also where a turn meets the next. A millionth of the largest value beside it is rounding.
         """
-        curve = self.curve.derived(order)
-        first, last = curve.ends
-        rounding = _JUMP * curve.largest
-        steps = [*curve.steps, (self.start_deg, first - last)]
-        return sorted((at % DEG_PER_TURN, by) for at, by in steps if abs(by) > rounding)
+        pieces, steps = self.curve.derived(order).pieces, []
+        for before, after in zip((pieces[-1], *pieces), pieces, strict=False):
+            by = after.at(after.low) - before.at(before.high)
+            if abs(by) > _JUMP * max(map(abs, (*before.extremes, *after.extremes))):
+                steps.append((after.low % DEG_PER_TURN, by))
+        return sorted(steps)
 
     def peak(self, order: int) -> float:
         """Return the largest magnitude of a derivative of order 1, 2, 3 over the whole turn.

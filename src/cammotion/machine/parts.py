@@ -118,10 +118,10 @@ def _matched(
     """Return the move that goes on with what its neighbours have at both ends."""
     if before is None or after is None:
         raise InputError(
-            f"Two neighbours of {name!r} are both to be matched, at {part['to_deg']:g} deg or "
-            f"{part['from_deg']:g} deg: give one of them a law of its own."
+            f"The move of {name!r} from {part['from_deg']:g} to {part['to_deg']:g} deg is to be "
+            "matched to one that is to be matched too: give one of them a law of its own."
         )
-    way, angle = part["to_mm"] - part["from_mm"], part["to_deg"] - part["from_deg"]
+    way, angle = part["to_mm"] - part["from_mm"] or 1.0, part["to_deg"] - part["from_deg"]
     slopes = [
         [segment.curve.derived(n).ends[which] * angle**n / way for n in (1, 2)]
         for segment, which in ((before, 1), (after, 0))

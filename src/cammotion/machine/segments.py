@@ -4,15 +4,12 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-from numpy.typing import ArrayLike
-
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
 from cammotion.machine.kinematics import FULL_TURN_DEG
-from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.quantities import InputError, Quantity
 
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
@@ -85,7 +82,3 @@ class Segment:
             return Curve([Series((self.from_mm,), (), self.from_deg, self.to_deg)])
         law = as_law(self.law)
         return law.curve.placed(self.from_deg, self.angle_deg, self.from_mm, self.change_mm)
-
-    def position_mm(self, angle_deg: ArrayLike) -> Floats:
-        """Return the position in mm at cam angles in deg within the segment, as an array."""
-        return self.curve(np.asarray(angle_deg, dtype=np.float64))
