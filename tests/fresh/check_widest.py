@@ -125,6 +125,8 @@ def _check_each_way(machine: Machine, motion: Motion) -> None:
         for m in moves
         for width in [m.to_deg - m.from_deg]
     ]
+    if min(hard) < 1e-9 * max(hard):  # a move that is not accelerated: then any width is as good
+        return
     least = [0.0, 0.0]
     if min(found) > 0:
         peak = 0.99 * max(h / angle**2 for h, angle in zip(hard, found, strict=True))

@@ -222,10 +222,14 @@ class _Frame:
         return sorted(met, key=lambda event: after(event.at_deg, start))
 
     def _peak(self, angles: Sequence[float]) -> float:
-        """Return the largest acceleration within the moves, in mm/deg2."""
+        """Return the largest acceleration within the moves, in mm/deg2.
+
+        Of a move that goes on at one speed, and so is pushed at its ends, it is that speed.
+        """
         return max(
-            abs(move.change_mm) * as_law(move.law).curve.derived(2).largest / bm**2
+            abs(move.change_mm) * (curve.derived(2).largest or curve.derived(1).largest) / bm**2
             for (move, _, _), bm in zip(self.anchors, angles, strict=True)
+            for curve in [as_law(move.law).curve]
         )
 
     def _even_share(self) -> float:

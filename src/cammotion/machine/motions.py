@@ -88,10 +88,12 @@ class Motion:
 
         Also where a turn meets the next. A millionth of the largest value beside it is rounding.
         """
-        pieces, steps = self.curve.derived(order).pieces, []
+        curve, steps = self.curve.derived(order), []
+        pieces, rounding = curve.pieces, _ROUNDING * curve.largest
         for before, after in zip((pieces[-1], *pieces), pieces, strict=False):
             by = after.at(after.low) - before.at(before.high)
-            if abs(by) > _JUMP * max(map(abs, (*before.extremes, *after.extremes))):
+            beside = max(map(abs, (*before.extremes, *after.extremes)))
+            if abs(by) > max(_JUMP * beside, 10 * rounding):
                 steps.append((after.low % DEG_PER_TURN, by))
         return sorted(steps)
 
