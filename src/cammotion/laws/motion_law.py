@@ -27,7 +27,7 @@ _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_i
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
 _ROUNDING = 1e-12  # of S
 _MISSED = 1e-9  # by so much S may miss 0 and 1 at its ends, and what was solved for
-_JUMP = 1e-6  # what is smaller at a joint, as a share of the largest value, is rounding
+JUMP = 1e-6  # what is smaller at a joint, as a share of the largest value, is rounding
 _JERK = 3  # the highest derivative a law is asked for
 _HALF = sympy.Rational(1, 2)
 
@@ -285,7 +285,7 @@ class MotionLaw:
         """Return where a curve jumps and by how much; outside of the move it stands still."""
         curve, after = self.curve.derived(derivative), float(derivative == 0)
         steps = ((0.0, curve.ends[0]), *curve.steps, (1.0, after - curve.ends[1]))
-        return tuple((at, by) for at, by in steps if abs(by) > _JUMP * curve.largest)
+        return tuple((at, by) for at, by in steps if abs(by) > JUMP * curve.largest)
 
     def _first(self, s: float) -> float:
         branches = self.curve.branches

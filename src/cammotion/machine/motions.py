@@ -17,13 +17,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.laws.curve import Curve
-from cammotion.laws.motion_law import MotionLaw
+from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
 from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment
 from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
 
-_JUMP = 1e-6  # what is less, as a share of the largest value, is the rounding of two laws
+_NOISE = 1e-8  # what is less, as a share of the largest value of all, is rounding everywhere
 _ROUNDING = 1e-9  # by so much angles in deg and positions in mm may differ and mean the same
 
 
@@ -89,11 +89,11 @@ class Motion:
         Also where a turn meets the next. A millionth of the largest value beside it is rounding.
         """
         curve, steps = self.curve.derived(order), []
-        pieces, rounding = curve.pieces, _ROUNDING * curve.largest
+        pieces, noise = curve.pieces, _NOISE * curve.largest
         for before, after in zip((pieces[-1], *pieces), pieces, strict=False):
             by = after.at(after.low) - before.at(before.high)
             beside = max(map(abs, (*before.extremes, *after.extremes)))
-            if abs(by) > max(_JUMP * beside, 10 * rounding):
+            if abs(by) > max(JUMP * beside, noise):
                 steps.append((after.low % DEG_PER_TURN, by))
         return sorted(steps)
 
