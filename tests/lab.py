@@ -11,7 +11,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -61,10 +61,15 @@ def find_chromium() -> str | None:
 
 
 def require_chromium() -> None:
-    """Skip where there is no browser, unless the browser is what somebody asked for."""
-    if find_chromium():
-        return
-    reason = f"NOT TESTED in a browser: none of {', '.join(CHROMIUM)} is on the PATH"
+    """Skip where there is no Chromium, unless a browser is what somebody asked for."""
+    require_browser(CHROMIUM)
+
+
+def require_browser(names: Sequence[str]) -> str:
+    """Return the path of the first of these that there is; without one say what is not tested."""
+    if path := next(filter(None, map(shutil.which, names)), None):
+        return path
+    reason = f"NOT TESTED in a browser: none of {', '.join(names)} is on the PATH"
     if os.environ.get("REQUIRE_BROWSER") == "1":
         pytest.fail(reason)
     pytest.skip(reason)
@@ -89,7 +94,7 @@ def running_lab(home: Path, work: str) -> Iterator[str]:
             stderr=subprocess.STDOUT,
         )
     try:
-        yield wait_for_address(lab, log)
+        yield wait_for_address(lab, log, r"JupyterLab is ready: (\S+)")
     finally:
         lab.terminate()
         lab.wait(PATIENCE_SECONDS)
@@ -117,14 +122,14 @@ def own_folders(home: Path) -> dict[str, str]:
     }
 
 
-def wait_for_address(lab: "subprocess.Popen[bytes]", log: Path) -> str:
-    """Return the address, with its token, that the starter prints when JupyterLab is ready."""
+def wait_for_address(program: "subprocess.Popen[bytes]", log: Path, line: str) -> str:
+    """Return the address that a program prints, in a line like this, when it is ready."""
     end = time.monotonic() + PATIENCE_SECONDS
-    while time.monotonic() < end and lab.poll() is None:
-        if found := re.search(r"JupyterLab is ready: (\S+)", log.read_text()):
+    while time.monotonic() < end and program.poll() is None:
+        if found := re.search(line, log.read_text("utf-8", errors="replace")):
             return found[1]
         time.sleep(0.1)
-    raise RuntimeError(f"JupyterLab did not start:\n{log.read_text()}")
+    raise RuntimeError(f"{program.args!r} is not ready:\n{log.read_text('utf-8', 'replace')}")
 
 
 @contextmanager
