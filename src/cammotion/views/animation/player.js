@@ -8,6 +8,17 @@ const CONTROLS = `
   <span class="cm-angle" role="status"></span>
   <label>speed <select></select></label>`;
 
+// Only an element of one's own hears from the browser that it came into a page, or was moved in it.
+// Every copy of this module in a page defines it, and the first one does it for all.
+if (!customElements.get("cm-controls")) {
+  class Controls extends HTMLElement {
+    connectedCallback() {
+      this.whenConnected?.();
+    }
+  }
+  customElements.define("cm-controls", Controls);
+}
+
 function speedName(speed, cycle) {
   const turn = `${Number((cycle / speed).toPrecision(2))} s a turn`;
   if (speed === 1) return `real time (${turn})`;
@@ -26,8 +37,9 @@ function makeOwnIds(svg) {
 
 function render({ model, el }) {
   const cycle = model.get("cycle_s");
-  const svg = new DOMParser().parseFromString(model.get("svg"), "image/svg+xml").documentElement;
-  const controls = document.createElement("div");
+  const parsed = new DOMParser().parseFromString(model.get("svg"), "image/svg+xml");
+  const svg = document.importNode(parsed.documentElement, true); // Firefox starts a copy's clock
+  const controls = document.createElement("cm-controls");
   controls.className = "cm-controls";
   controls.addEventListener("keydown", (event) => {
     const isCommand = event.ctrlKey || event.metaKey || event.altKey;
@@ -43,16 +55,19 @@ function render({ model, el }) {
   makeOwnIds(svg);
   svg.classList.remove("cm-still"); // the controls decide what moves here
   el.classList.add("cm-player");
-  el.append(svg, controls);
 
   let angle = 0;
   let frame = null; // of the browser, while it plays
   let before = null;
 
-  function show(degrees) {
-    angle = degrees;
+  function setClock() {
     const seconds = (angle / TURN_DEG) * model.get("turn_s");
     svg.setCurrentTime(Math.min(seconds, model.get("turn_s") - BEFORE_END_S));
+  }
+
+  function show(degrees) {
+    angle = degrees;
+    setClock();
     slider.value = Math.round(angle);
     slider.setAttribute("aria-valuetext", `${Math.round(angle)} deg`);
     status.textContent = `cam angle ${Math.round(angle)}°`;
@@ -93,7 +108,11 @@ function render({ model, el }) {
   slider.addEventListener("change", tell);
   model.on("change:angle_deg", follow);
 
-  svg.pauseAnimations();
+  controls.whenConnected = () => {
+    svg.pauseAnimations(); // Firefox passes it over before
+    setClock();
+  };
+  el.append(svg, controls);
   show(model.get("angle_deg"));
   play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
   return () => {
