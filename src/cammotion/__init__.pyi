@@ -37,7 +37,10 @@ from .views.explorers.overlap import explore_overlap
 from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.law_plots import plot_laws
-from .views.live import NumberControl
+from .views.live.explore import explore
+from .views.live.formulas import inverse, largest, place_of_largest
+from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, choice, pinned
+from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
 

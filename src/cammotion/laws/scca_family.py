@@ -62,7 +62,31 @@ def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
     most = np.max(np.add(*parts))
     if most > 1 + _ROUNDING:
         raise InputError(f"b + d of the SCCA law is {most:g}: let b and d add up to at most 1.")
-    return plain(np.asarray(_peak(*parts, pi=np.pi)))
+    return plain(np.asarray(scca_factor(*parts, pi=np.pi)))
+
+
+def scca_expression(b: Any, c: Any, d: Any) -> tuple[sympy.Expr, ...]:
+    """Return S, V, A and J of the family in `x`, for symbols b, c and d that add up to 1.
+
+    They hold at the sides of the triangle too, where a zone is empty and never asked for.
+
+    >>> b, c, d = sympy.symbols("b c d")
+    >>> s, *_ = scca_expression(b, c, d)
+    >>> s.subs({b: 0, c: 1, d: 0}).subs(x, sympy.Rational(1, 4))
+    1/8
+    """
+    ends = b / 2, (b + c) / 2, sympy.Rational(1, 2)
+    zones = [_expression(number, (b, c, d)) for number in range(len(ends))]
+    curves = []
+    for order in range(4):
+        half = [sympy.diff(zone, x, order) for zone in zones]
+        sign = -1 if order % 2 == 0 else 1
+        other = [int(order == 0) + sign * piece.xreplace({x: 1 - x}) for piece in half]
+        pieces = [(piece, x < end) for piece, end in zip(half, ends, strict=True)]
+        mirrored_ends = [1 - end for end in ends[-2::-1]]
+        later = [(piece, x <= end) for piece, end in zip(other[:0:-1], mirrored_ends, strict=True)]
+        curves.append(sympy.Piecewise(*pieces, *later, (other[0], True), evaluate=False))
+    return tuple(curves)
 
 
 def scca_parts(b: float, c: float, d: float) -> tuple[float, ...]:
@@ -84,8 +108,12 @@ def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
     return b_, c_, d_
 
 
-def _peak(b: Any, d: Any, pi: Any = _pi) -> Any:
-    """Return the largest acceleration, with which the law comes to 1/2 in the middle."""
+def scca_factor(b: Any, d: Any, pi: Any = _pi) -> Any:
+    """Return Ca of the family, for symbols or numbers: with it a law comes to 1/2 in the middle.
+
+    >>> scca_factor(0, 0)
+    4
+    """
     return 4 * pi**2 / ((pi**2 - 8) * (b**2 - d**2) - 2 * pi * (pi - 2) * b + pi**2)
 
 
@@ -103,7 +131,7 @@ class _Zone(NamedTuple):
 def _zone(number: int, parts: tuple[Any, ...], pi: Any) -> _Zone:
     """Return S in the first, second or third zone, for floats or for exact numbers."""
     b, c, d = parts
-    peak = _peak(b, d, pi)
+    peak = scca_factor(b, d, pi)
     first, second = b / 2, (b + c) / 2  # where the zones end
     v_1 = peak * b / pi
     s_1 = v_1 * (b / 2 - b / pi)

@@ -1,190 +1,258 @@
 """The explorer of the overlap: how far one motion may go while the other is on its way."""
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping
 from typing import Any
 
-import ipywidgets
-import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+import sympy as sp
 
-from cammotion.limits.widest import widest_move, with_angle
-from cammotion.machine.clearance import (
-    ClearanceRule,
-    Violation,
-    as_rules,
-    find_violations,
-    smallest_clearance,
-)
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.symbols import x
+from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Quantity
-from cammotion.views.live import Explorer, LiveFigure, NumberControl
-from cammotion.views.movement import curve_angles, movement
-from cammotion.views.plots import REFERENCE_STYLE, style_axes, style_line, write
-from cammotion.views.scales import as_text, has_ratio
-from cammotion.views.timing_plots import (
-    COLLISION,
-    clearance_path,
-    describe_offset,
-    forbidden_region,
-    place_forbidden_region,
-)
+from cammotion.quantities import InputError, Quantity
+from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, Part
+from cammotion.views.live.explore import explore
+from cammotion.views.live.figure import LiveFigure
+from cammotion.views.live.formulas import inverse, largest, place_of_largest
+from cammotion.views.live.parts import ALARM, REFERENCE, Box, Button, Control, Line, Panel, Say
+from cammotion.views.timing_plots import describe_offset
 
 _MOST_MARGIN_MM = 5
-_BROKEN: dict[str, Any] = {"color": COLLISION["edgecolor"], "linewidth": 6, "alpha": 0.8}
-
-
-class OverlapExplorer(Explorer):
-    """The two motions of a clearance rule, to be changed; made by `explore_overlap`.
-
-    In the words of the running example: the die may be deep only while the mill is near a stop. The
-    die keeps the length of its dwell at the bottom, the mill the middle of its move.
-    """
-
-    def __init__(self, diagram: TimingDiagram, rule: ClearanceRule, contact_mm: float) -> None:
-        self.reference, self._rule, self._contact_mm = diagram, rule, contact_mm
-        self._die, self._mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
-        self._refusal = ""
-        (down, up), (index,) = self._die.moves, self._mill.moves
-        die, mill = self._die.name, self._mill.name
-        most = (DEG_PER_TURN - (up.from_deg - down.to_deg)) / 2
-        margin = contact_mm - rule.when.limit_mm
-        start = down.from_deg % DEG_PER_TURN
-        self.angle = NumberControl(f"{die}: angle Bm, deg", down.angle_deg, 20, most, 0.5)
-        self.start = NumberControl(f"{die}: start, deg", start, 0, DEG_PER_TURN, 0.5)
-        self.mill_angle = NumberControl(f"{mill}: angle, deg", index.angle_deg, 40, 240, 1)
-        self.margin = NumberControl("margin, mm", margin, 0, _MOST_MARGIN_MM, 0.1)
-        widen = ipywidgets.Button(description=f"Widest move of the {die}", layout={"width": "19em"})
-        widen.on_click(lambda _: self.widen())
-        figure = Figure(figsize=(9.4, 4.2), dpi=100, facecolor="white")
-        figure.subplots_adjust(left=0.07, right=0.99, bottom=0.13, top=0.95, wspace=0.2)
-        self._time, self._map = figure.subplots(1, 2, width_ratios=[3, 2])
-        moving = [*self._prepare_time(self._time), *self._prepare_map(self._map)]
-        live = LiveFigure(figure, moving, layout={"max_width": "100%", "width": "940px"})
-        super().__init__([self.angle, self.start, self.mill_angle, self.margin], [widen], live)
-
-    @property
-    def rule(self) -> ClearanceRule:
-        """The clearance rule, with the margin that the controls show."""
-        limit = self._contact_mm - self.margin.value
-        return replace(self._rule, when=replace(self._rule.when, limit_mm=limit))
-
-    @property
-    def diagram(self) -> TimingDiagram:
-        """The timing diagram that the controls show."""
-        die = with_angle(self._die, self.angle.value)
-        die = die.shifted(self.start.value - die.start_deg)
-        mill = with_angle(self._mill, self.mill_angle.value)
-        return self.reference.with_motion(mill).with_motion(die)
-
-    def widen(self) -> None:
-        """Give the die the widest move that keeps the rule, about its dwell where it now is."""
-        try:
-            widest = widest_move(self.diagram, self._die.name, self.rule)
-        except InputError as none:
-            self._refusal = str(none)
-            self.update()
-        else:
-            self.start.value, self.angle.value = widest.start_deg, widest.angle_deg
-
-    def follow(self) -> str:
-        """Draw the chosen design; return its peaks, and the collision or the clearance left."""
-        diagram, rule = self.diagram, self.rule
-        violations = find_violations(diagram, rule)
-        broken = [np.linspace(found.start_deg, found.end_deg, 25) for found in violations]
-        for motion, line, mark in zip(
-            self._motions(diagram), self._lines, self._marks, strict=True
-        ):
-            angles = curve_angles(motion)
-            line.set_data(angles, movement(motion, angles))
-            inside = [arc % DEG_PER_TURN for arc in broken]
-            mark.set_data(_joined(inside), _joined([movement(motion, arc) for arc in inside]))
-        self._path.set_data(*clearance_path(diagram, rule))
-        offsets = [_joined([m.offset_mm(arc) for arc in broken]) for m in self._motions(diagram)]
-        self._broken_path.set_data(*offsets)
-        place_forbidden_region(self._region, rule, self._map)
-        peaks = [self._describe(diagram, motion) for motion in reversed(self._motions(diagram))]
-        verdict, self._refusal = self._refusal or self._judge(diagram, violations), ""
-        return "\n".join([*peaks, verdict])
-
-    def _motions(self, diagram: TimingDiagram) -> list[Motion]:
-        return [diagram[self._mill.name], diagram[self._die.name]]
-
-    def _describe(self, diagram: TimingDiagram, motion: Motion) -> str:
-        move = motion.moves[0]
-        peak, before = (d.peak_acceleration(motion.name) for d in (diagram, self.reference))
-        compared = f", before {as_text(before, '.3f')}"
-        if has_ratio(peak, before):
-            compared = f" = {peak / before:.3g} × {before:.3f}"
-        start, end = move.from_deg % DEG_PER_TURN, move.to_deg % DEG_PER_TURN
-        return (
-            f"{motion.name}: {move.angle_deg:.5g} deg, from {start:.5g} to {end:.5g} deg, "
-            f"a_max = {as_text(peak, '.3f')} m/s²{compared}"
-        )
-
-    def _judge(self, diagram: TimingDiagram, violations: Sequence[Violation]) -> str:
-        if violations:
-            return f"COLLISION: {max(violations, key=lambda found: found.excess_mm)}"
-        left = smallest_clearance(diagram, self.rule)
-        where = "" if left.angle_deg is None else f", at {left.angle_deg:.4g} deg"
-        return f"No collision. The smallest clearance is {max(left.clearance_mm, 0):.3g} mm{where}."
-
-    def _prepare_time(self, ax: Axes) -> list[Any]:
-        """Draw what stays of the timing diagram; return what will move."""
-        style_axes(ax, "cam angle in deg", "movement in mm")
-        ax.set_xlim(0, DEG_PER_TURN)
-        ax.set_xticks(range(0, DEG_PER_TURN + 1, 60))
-        motions = self._motions(self.reference)
-        highest = max(motion.range_mm[1] for motion in motions)
-        ax.set_ylim(-0.05 * highest, 1.12 * highest)
-        for motion in motions:
-            angles = curve_angles(motion)
-            ax.plot(angles, movement(motion, angles), **REFERENCE_STYLE | {"linewidth": 1.2})
-        self._lines = [style_line(ax.plot([], [])[0], number) for number in range(len(motions))]
-        self._marks = [ax.plot([], [], **_BROKEN)[0] for _ in motions]
-        labels = [*(motion.name for motion in motions), "as it was", "collision"]
-        handles = [*self._lines, ax.lines[0], self._marks[0]]
-        ax.legend(handles, labels, loc="center right", bbox_to_anchor=(1, 0.73), fontsize=10)
-        return [*self._lines, *self._marks]
-
-    def _prepare_map(self, ax: Axes) -> list[Any]:
-        """Draw what stays of the clearance map; return what will move."""
-        names = {"": self.reference}
-        style_axes(
-            ax,
-            describe_offset(self._rule.only_while, names),
-            describe_offset(self._rule.when, names),
-        )
-        ax.set_xlim(0, 8 * self._rule.only_while.limit_mm)
-        ax.set_ylim(0, 1.1 * self._die.range_mm[1])
-        self._region = forbidden_region(self._rule, ax)
-        ax.add_patch(self._region)
-        self._path = style_line(ax.plot([], [])[0], 1)
-        self._broken_path = ax.plot([], [], **_BROKEN)[0]
-        middle = 4.3 * self._rule.only_while.limit_mm, 0.8 * self._die.range_mm[1]
-        word = write(ax, "forbidden", middle, COLLISION["edgecolor"])
-        return [self._region, word, self._path, self._broken_path]
+_LEAST_DEG = 20
+_ROUNDING_MM = 1e-9
+B_m, START, B_MILL, MARGIN = sp.symbols("B_m start B_mill margin", nonnegative=True)
+_LIMIT, _OUT, _IN, _WIDEST, _END = sp.symbols("limit out in widest end", real=True)
 
 
 def explore_overlap(
     diagram: TimingDiagram, rule: ClearanceRule, *, contact_mm: float
-) -> OverlapExplorer:
-    """Return an explorer of the two motions of a clearance rule: angle, start, and margin.
+) -> LiveFigure:
+    """Return a live figure of the two motions of a clearance rule: angle, start, and margin.
 
     `rule.when` is about a motion with one rise and one return, which is the one to be `beyond`;
     `rule.only_while` about an indexing motion with one move, `within`. `contact_mm` is where the
-    first would touch, in mm; the margin is what the rule stays short of it. Raises InputError for
-    a rule of another kind, and for a `contact_mm` that the rule lets the motion pass.
+    first would touch, in mm; the margin is what the rule stays short of it. The button gives the
+    first the widest move about its dwell where it now is. Raises InputError for a rule of another
+    kind, and for a `contact_mm` that the rule lets the motion pass.
 
     >>> import cammotion as cm
-    >>> explorer = explore_overlap(cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20)
-    >>> explorer.widen()
-    >>> print(explorer.text.splitlines()[0])
+    >>> figure = explore_overlap(cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20)
+    >>> figure.press("Widest move of the die")
+    >>> print(figure.text.splitlines()[0])
     die: 124.84 deg, from 80.163 to 205 deg, a_max = 0.806 m/s² = 0.194 × 4.154
     """
+    contact = _checked(diagram, rule, contact_mm)
+    die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
+    (down, up), (index,) = die.moves, mill.moves
+    work = up.from_deg - down.to_deg
+    most = (DEG_PER_TURN - work) / 2
+    moving_die, moving_mill = _die(die, B_m, START), _mill(mill, B_MILL)
+    values = {
+        _LIMIT: contact - MARGIN,
+        **_window(mill, rule.only_while.limit_mm),
+        _END: START + B_m,
+        _WIDEST: _widest(die, work, most),
+    }
+    start = {B_m: down.angle_deg, START: down.from_deg % DEG_PER_TURN, B_MILL: index.angle_deg}
+    before = {mill.name: _mill(mill, start[B_MILL]), die.name: _die(die, start[B_m], start[START])}
+    margin = contact - rule.when.limit_mm
+    controls = {
+        B_m: _control(f"{die.name}: angle Bm", (_LEAST_DEG, most, 0.5), start[B_m]),
+        START: _control(f"{die.name}: start", (0, DEG_PER_TURN, 0.5), start[START]),
+        B_MILL: _control(f"{mill.name}: angle", (40, 240, 1), start[B_MILL]),
+        MARGIN: _control("margin", (0, _MOST_MARGIN_MM, 0.1), margin, "mm"),
+    }
+    too_deep = moving_die.position() - _LIMIT
+    too_far = moving_mill.offset() - sp.Float(rule.only_while.limit_mm)
+    collides = sp.Min(too_deep, too_far, evaluate=False) - _ROUNDING_MM
+    highest = max(motion.range_mm[1] for motion in (mill, die))
+    widest = sp.Piecewise((_WIDEST, _WIDEST >= _LEAST_DEG), (sp.nan, True))
+    return explore(
+        [
+            [_timing({mill.name: moving_mill, die.name: moving_die}, before, collides, highest)],
+            [_map(moving_mill, moving_die, diagram, rule, collides)],
+        ],
+        ALPHA,
+        controls,
+        values=values,
+        says=[
+            *(
+                _describe(diagram, motion, moving, begin)
+                for motion, moving, begin in ((die, moving_die, START), (mill, moving_mill, None))
+            ),
+            *_verdict(die, moving_die, rule),
+        ],
+        buttons=[
+            Button(
+                f"Widest move of the {die.name}",
+                {B_m: widest, START: sp.Mod(_END - widest, DEG_PER_TURN)},
+            )
+        ],
+        shares=(3, 2),
+        title="How far may two motions overlap?",
+    )
+
+
+def _die(die: Motion, angle: Any, start: Any) -> Moving:
+    """Return the die with both of its moves over an angle; its dwell keeps its length."""
+    down, up = die.moves
+    work = up.from_deg - down.to_deg
+    parts = (
+        Part(angle, down.change_mm, as_law(down.law)),
+        Part(work),
+        Part(angle, up.change_mm, as_law(up.law)),
+        Part(DEG_PER_TURN - work - 2 * angle),
+    )
+    return Moving(start, parts, start_mm=die.start_mm)
+
+
+def _mill(mill: Motion, angle: Any) -> Moving:
+    """Return the mill with its move over an angle; the middle of its move stays."""
+    (index,) = mill.moves
+    middle = (index.from_deg + index.to_deg) / 2
+    parts = (Part(angle, index.change_mm, as_law(index.law)), Part(DEG_PER_TURN - angle))
+    return Moving(middle - angle / 2, parts, is_indexing=True)
+
+
+def _window(mill: Motion, limit_mm: float) -> dict[sp.Symbol, sp.Expr]:
+    """Return from which to which angle the mill is too far from a stop."""
+    (index,) = mill.moves
+    law, share = as_law(index.law).s, sp.Float(limit_mm / mill.pitch_mm)
+    start = (index.from_deg + index.to_deg) / 2 - B_MILL / 2
+    return {
+        _OUT: start + B_MILL * inverse(law, (x, 0, 1), share),
+        _IN: start + B_MILL * inverse(law, (x, 0, 1), 1 - share),
+    }
+
+
+def _widest(die: Motion, work: float, most: float) -> sp.Expr:
+    """Return the widest angle with which the die is free of collision about its dwell.
+
+    It is deep from the part of its way down that brings it to the limit, to the part of its way
+    up: the one has to come after the mill is in, the other to be over before it is out again.
+    """
+    down, up = die.moves
+    span = (x, 0, 1)
+    deep_down = 1 - inverse(as_law(down.law).s, span, (_LIMIT - die.start_mm) / down.change_mm)
+    deep_up = inverse(as_law(up.law).s, span, 1 + (_LIMIT - die.start_mm) / up.change_mm)
+    before = sp.Mod(_END - _IN, DEG_PER_TURN)  # from where the mill is in to the dwell
+    behind = DEG_PER_TURN - (_IN - _OUT) - before - work
+    return sp.Min(before / deep_down, behind / deep_up, most, evaluate=False)
+
+
+def _control(
+    name: str, span: tuple[float, float, float], start: float, unit: str = "deg"
+) -> Control:
+    low, high, step = span
+    return Control(
+        low=min(low, start), high=max(high, start), step=step, start=start, name=name, unit=unit
+    )
+
+
+def _timing(
+    motions: Mapping[str, Moving], before: Mapping[str, Moving], collides: Any, highest: float
+) -> Panel:
+    """Return the panel of the timing diagram: as it was, as it is, and where it collides."""
+    lines = [
+        Line(
+            y=moving.movement(),
+            joints=moving.joints,
+            name="" if number else "as it was",
+            role=REFERENCE,
+        )
+        for number, moving in enumerate(before.values())
+    ]
+    lines += [
+        Line(y=moving.movement(), joints=moving.joints, name=name, colour=number)
+        for number, (name, moving) in enumerate(motions.items())
+    ]
+    lines += [
+        Line(
+            y=moving.movement(),
+            joints=moving.joints,
+            name="" if number else "collision",
+            only_where=collides,
+            role=ALARM,
+        )
+        for number, moving in enumerate(motions.values())
+    ]
+    return Panel(
+        lines=lines,
+        y="movement in mm",
+        y_limits=(-0.05 * highest, 1.12 * highest),
+        x_ticks=60,
+        height=300,
+        title="Timing diagram",
+    )
+
+
+def _map(
+    mill: Moving, die: Moving, diagram: TimingDiagram, rule: ClearanceRule, collides: Any
+) -> Panel:
+    """Return the panel of the clearance map, with the region that is forbidden."""
+    near = rule.only_while.limit_mm
+    path = {"x": mill.offset(), "y": die.position(), "joints": [*mill.joints, *die.joints]}
+    named = {"": diagram}
+    return Panel(
+        lines=[Line(**path, colour=1), Line(**path, only_where=collides, role=ALARM)],
+        boxes=[Box(low=near, y=(_LIMIT, None), name="forbidden")],
+        y=describe_offset(rule.when, named),
+        x=describe_offset(rule.only_while, named),
+        x_limits=(0, 8 * near),
+        y_limits=(0, 1.1 * diagram[rule.when.motion].range_mm[1]),
+        height=300,
+        title="Clearance map",
+    )
+
+
+def _describe(diagram: TimingDiagram, motion: Motion, moving: Moving, start: Any) -> Say:
+    peak, before = moving.peak(diagram.rate_per_hour), diagram.peak_acceleration(motion.name)
+    angle = moving.parts[0].angle
+    numbers = {
+        "name": motion.name,
+        "angle": angle,
+        "start": sp.Mod(moving.start, DEG_PER_TURN),
+        "end": sp.Mod(moving.start + angle, DEG_PER_TURN),
+        "peak": peak,
+        "times": peak / sp.Float(before),
+        "before": sp.Float(before),
+    }
+    text = "{name}: {angle:.5g} deg, from {start:.5g} to {end:.5g} deg, a_max = {peak:.3f} m/s²"
+    return Say(
+        text + " = {times:.3g} × {before:.3f}",
+        numbers,
+        peak < LARGEST,
+        Say(text + ", as before", numbers),
+    )
+
+
+def _verdict(die: Motion, moving: Moving, rule: ClearanceRule) -> list[Say]:
+    """Return what is said of the collision, or of the room that is left."""
+    window = (ALPHA, _OUT, _IN)
+    room = _LIMIT - largest(moving.position(), window)
+    place = sp.Mod(place_of_largest(moving.position(), window), DEG_PER_TURN)
+    numbers = {"room": sp.Max(room, 0), "excess": -room, "at": place, "die": die.name}
+    while_ = f"while the {rule.only_while.motion} is not {rule.only_while}"
+    return [
+        Say(
+            f"COLLISION: the {{die}} is {{excess:.3g}} mm too deep at {{at:.5g}} deg, {while_}",
+            numbers,
+            room < -_ROUNDING_MM,
+            Say(
+                "No collision. The smallest clearance is {room:.3g} mm, at {at:.4g} deg.", numbers
+            ),
+        ),
+        Say(
+            "About this dwell the {die} has no move that is free of collision: move its start.",
+            numbers,
+            _WIDEST < _LEAST_DEG,
+        ),
+    ]
+
+
+def _checked(diagram: Any, rule: Any, contact_mm: Any) -> float:
     as_rules(diagram, rule)
     contact = Quantity("position of contact", "mm", example=20).number(contact_mm)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
@@ -196,9 +264,4 @@ def explore_overlap(
             "returns once may be beyond a limit, short of contact_mm, only while an indexing "
             "motion with one move is within another."
         )
-    return OverlapExplorer(diagram, rule, contact)
-
-
-def _joined(parts: Sequence[Floats]) -> Floats:
-    """Return the parts in one, with a break (nan) after each, so that no line joins them."""
-    return np.concatenate([np.empty(0), *(np.append(part, np.nan) for part in parts)])
+    return contact

@@ -1,0 +1,100 @@
+"""Motions of a live figure: what a mechanism does over the turn, in symbols that the reader sets."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.laws.symbols import x
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.views.live.describe import as_expression
+
+ALPHA = sp.Symbol("alpha", real=True)  # the cam angle, in deg, over which a figure draws a turn
+SECONDS_BY_DEG_AND_RATE = 10  # tm = 10 Bm / N
+LARGEST = 1e300  # above it a peak is infinite
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the turn: over an angle in deg, by so many mm, by a law unless it is a dwell."""
+
+    angle: Any
+    change_mm: Any = 0
+    law: MotionLaw | None = None
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A motion from its `start`, in deg, at `start_mm`: its parts fill the turn.
+
+    `is_indexing` says that it goes on by a pitch each turn and does not come back.
+    """
+
+    start: Any
+    parts: tuple[Part, ...]
+    start_mm: float = 0.0
+    is_indexing: bool = False
+
+    @property
+    def ends(self) -> list[Any]:
+        """How far after the start each part ends, in deg."""
+        return [sum(part.angle for part in self.parts[: n + 1]) for n in range(len(self.parts))]
+
+    @property
+    def joints(self) -> list[Any]:
+        """The cam angles in the turn at which one part passes into the next."""
+        return [sp.Mod(self.start + end, DEG_PER_TURN) for end in (0, *self.ends[:-1])]
+
+    def position(self, angle: Any = ALPHA) -> sp.Expr:
+        """Return where the motion is at a cam angle, in mm, from 0 on each turn."""
+        return self.start_mm + self._over_parts(angle, 0)
+
+    def movement(self) -> sp.Expr:
+        """Return the position as it is drawn: an indexing motion from the stop nearest at 0 deg."""
+        if not self.is_indexing:
+            return self.position()
+        pitch = sum(part.change_mm for part in self.parts)
+        way = self.position() + pitch * sp.floor((ALPHA - self.start) / DEG_PER_TURN)
+        return way - pitch * sp.floor(way.xreplace({ALPHA: sp.Integer(0)}) / pitch + 1 / sp.Integer(2))
+
+    def offset(self) -> sp.Expr:
+        """Return what a clearance is judged by, in mm: of an indexing motion, from a stop."""
+        if not self.is_indexing:
+            return self.position()
+        pitch = sum(part.change_mm for part in self.parts)
+        return sp.Min(self.position(), pitch - self.position())
+
+    def acceleration(self, rate: Any) -> sp.Expr:
+        """Return the acceleration in m/s² at a machine rate in pieces per hour."""
+        return self._over_parts(ALPHA, 2, rate)
+
+    def peak(self, rate: Any) -> sp.Expr:
+        """Return the largest acceleration in m/s², by the factors Ca of the laws."""
+        moves = [part for part in self.parts if part.law]
+        peaks = [
+            as_expression(part.law.Ca) * abs(part.change_mm) * _per_time(part.angle, rate, 2)
+            for part in moves
+            if part.law
+        ]
+        return sp.Max(*peaks, evaluate=False) if len(peaks) > 1 else peaks[0]
+
+    def _over_parts(self, angle: Any, order: int, rate: Any = None) -> sp.Expr:
+        """Return a derivative of the position, each part by its law over the angle since its start."""
+        since = sp.Mod(angle - self.start, DEG_PER_TURN, evaluate=False)
+        pieces, come, begin = [], sp.Integer(0), sp.Integer(0)
+        for part, end in zip(self.parts, self.ends, strict=True):
+            value = come if order == 0 else sp.Integer(0)
+            if part.law:
+                curve = (part.law.s, part.law.v, part.law.a)[order]
+                scale = part.change_mm * (1 if order == 0 else _per_time(part.angle, rate, order))
+                value += scale * curve.xreplace({x: (since - begin) / part.angle})
+            pieces.append((value, since <= end))
+            come, begin = come + part.change_mm, end
+        last = pieces.pop()[0]
+        return sp.Piecewise(*pieces, (last, True), evaluate=False)
+
+
+def _per_time(angle: Any, rate: Any, order: int) -> sp.Expr:
+    """Return what makes a stroke in mm a velocity or acceleration, in m, by the indexing time."""
+    return (rate / (SECONDS_BY_DEG_AND_RATE * angle)) ** order / sp.Integer(1000)

@@ -1,0 +1,358 @@
+"""From the parts of a live figure to its description: plain data, which can be stored and drawn."""
+
+import math
+import string
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from cammotion.quantities import InputError, shorten
+from cammotion.views.live.formulas import Formulas, shortly
+from cammotion.views.live.parts import (
+    OWN,
+    Box,
+    Button,
+    Choice,
+    Control,
+    Line,
+    Panel,
+    Pinned,
+    Point,
+    Say,
+)
+from cammotion.views.notation import labelled, meaning
+
+Description = dict[str, Any]
+
+MOST_CONTROLS = 12
+_FORMATS = r"a number is written as {name:.3f}, {name:.4g} or {name:g}"
+
+
+class Describer:
+    """Turns parts into plain data; every expression becomes the number of a formula.
+
+    `variable` runs over `span`, (low, high), expressions in the controls and values. `controls`
+    maps symbols to a Control each, `values` symbols to expressions.
+    """
+
+    def __init__(
+        self,
+        variable: sp.Symbol,
+        span: tuple[Any, Any],
+        controls: Mapping[sp.Symbol, Control],
+        values: Mapping[sp.Symbol, Any],
+    ) -> None:
+        self.variable, self.span, self.controls = variable, span, dict(controls)
+        self.symbols = list(controls)
+        self._height = sp.Dummy("height")
+        self._twins = {symbol: sp.Dummy(symbol.name) for symbol in controls}
+        names = {variable: "x", self._height: "y"}
+        names |= {symbol: f"c{number}" for number, symbol in enumerate(controls)}
+        names |= {twin: f"p{number}" for number, twin in enumerate(self._twins.values())}
+        self.formulas = Formulas(names)
+        self._quantities: dict[sp.Symbol, sp.Expr] = {}
+        for symbol, expression in _in_order(values, {variable, *controls}).items():
+            self._quantities[symbol] = expression
+            self.formulas.add_quantity(symbol, expression)
+
+    def formula(self, expression: Any) -> int:
+        """Return the number of the formula of an expression, in which pinned ones may stand."""
+        expression = as_expression(expression)
+        if expression.has(Pinned):
+            expression = expression.replace(Pinned, self._pinned)
+        return self.formulas.add(expression)
+
+    def control(self, symbol: sp.Symbol, control: Control) -> Description:
+        """Return the description of a control, whose numbers have been checked."""
+        most = None if control.most is None else self.formula(control.most)
+        options = list(symbol.options) if isinstance(symbol, Choice) else None
+        return {
+            "name": control.name,
+            "unit": control.unit,
+            "low": control.low,
+            "high": control.high,
+            "step": control.step,
+            "start": control.start,
+            "most": most,
+            "options": options,
+        }
+
+    def panel(self, number: int, panel: Panel, shares_x: bool) -> Description:
+        """Return the description of a panel, whose axis over the variable may be another's too."""
+        x_label = labelled(self.variable.name) if panel.x is None else panel.x
+        is_over_variable = all(line.x is None for line in panel.lines)
+        return {
+            "id": number,
+            "title": panel.title or f"{panel.y or 'Curves'} over {x_label}",
+            "lines": [self._line(at, line) for at, line in enumerate(panel.lines)],
+            "points": [self._point(point) for point in panel.points],
+            "boxes": [self._box(box) for box in panel.boxes],
+            "words": [list(words) for words in panel.words],
+            "x_label": x_label,
+            "y_label": panel.y,
+            "x_limits": self._formulas(panel.x_limits),
+            "y_limits": self._formulas(panel.y_limits),
+            "x_ticks": panel.x_ticks,
+            "y_ticks": panel.y_ticks,
+            "equal": panel.is_equal,
+            "bare": panel.is_bare,
+            "height": panel.height,
+            "shares_x": shares_x,
+            "is_over_variable": is_over_variable and bool(panel.lines),
+            "has_cursor": False,
+        }
+
+    def sentence(self, say: Say) -> list[Description]:
+        """Return the alternatives of a sentence, each with the formula of its condition."""
+        when = None if say.when is None else self.formula(say.when)
+        first = {"when": when, "pieces": list(self._pieces(say))}
+        return [first, *(self.sentence(say.otherwise) if say.otherwise else [])]
+
+    def button(self, button: Button) -> Description:
+        """Return the description of a button: the numbers of the controls and of the formulas."""
+        sets = [[self._control_number(s), self.formula(e)] for s, e in button.sets.items()]
+        return {"text": button.text, "sets": sets}
+
+    def _line(self, number: int, line: Line) -> Description:
+        y = as_expression(line.y)
+        curve = [y] if line.x is None else [y, as_expression(line.x)]
+        joints = [*line.joints, *(joint for part in curve for joint in self._joints_of(part))]
+        return {
+            "y": self.formula(y),
+            "x": None if line.x is None else self.formula(line.x),
+            "over": self._formulas(line.over or self.span),
+            "where": None if line.only_where is None else self.formula(line.only_where),
+            "joints": sorted({self.formula(joint) for joint in joints}),
+            "name": line.name,
+            "role": line.role,
+            "colour": number if line.colour is None else line.colour,
+        }
+
+    def _joints_of(self, expression: sp.Expr) -> Iterable[sp.Expr]:
+        """Return where the variable passes from one piece of an expression to the next."""
+        for relation in expression.atoms(sp.core.relational.Relational):
+            difference = relation.lhs - relation.rhs
+            slope = difference.diff(self.variable)
+            if slope != 0 and self.variable not in slope.free_symbols:
+                yield -difference.subs(self.variable, 0) / slope
+
+    def _point(self, point: Point) -> Description:
+        drags = self._inverse(point) if point.drags else None
+        names = " and ".join(self.controls[symbol].name or "" for symbol in point.drags or ())
+        return {
+            "x": self.formula(point.x),
+            "y": self.formula(point.y),
+            "name": point.name,
+            "colour": point.colour,
+            "drags": drags,
+            "label": f"point of {names}: arrow keys move it",
+        }
+
+    def _inverse(self, point: Point) -> list[list[int]]:
+        """Return, for the two controls of a pad, what each is where the pointer is."""
+        symbols = list(point.drags or ())
+        pointer = [self.variable, self._height]
+        equations = [point.x - pointer[0], point.y - pointer[1]]
+        solved = sp.linsolve(equations, symbols)
+        if len(solved) != 1 or any(s in sol.free_symbols for sol in solved for s in symbols):
+            raise InputError(
+                f"The point at {shortly(point.x)}, {shortly(point.y)} cannot be moved: its x and y "
+                f"have to follow from {symbols[0]} and {symbols[1]}, each place from one pair."
+            )
+        (found,) = solved
+        return [
+            [self._control_number(symbol), self.formula(value)]
+            for symbol, value in zip(symbols, found, strict=True)
+        ]
+
+    def _box(self, box: Box) -> Description:
+        sides = {"x_low": box.low, "x_high": box.high, "y_low": box.y[0], "y_high": box.y[1]}
+        formulas = {
+            side: None if value is None else self.formula(value) for side, value in sides.items()
+        }
+        return {**formulas, "name": box.name}
+
+    def _pieces(self, say: Say) -> Iterable[str | Description]:
+        for text, name, spec, _ in string.Formatter().parse(say.text):
+            if text:
+                yield text
+            if name is not None:
+                if name not in say.numbers:
+                    raise InputError(
+                        f"The sentence '{say.text}' has {{{name}}}, which is not given: add it to "
+                        "what the sentence's names stand for, or write {{ and }} for braces."
+                    )
+                yield self._piece(say.numbers[name], spec or "g")
+
+    def _piece(self, value: Any, spec: str) -> str | Description:
+        if isinstance(value, str):
+            return value
+        if isinstance(value, Choice):
+            return {"choice": self._control_number(value)}
+        digits, kind = spec[1:-1], spec[-1:]
+        if kind not in ("f", "g") or not (spec == "g" or (spec[0] == "." and digits.isdecimal())):
+            raise InputError(f"The format '{spec}' is not known here: {_FORMATS}.")
+        return {"formula": self.formula(value), "spec": spec}
+
+    def _control_number(self, symbol: sp.Symbol) -> int:
+        if symbol not in self.symbols:
+            raise InputError(f"{symbol} is no control of this figure: add it to the controls.")
+        return self.symbols.index(symbol)
+
+    def _formulas(self, expressions: Sequence[Any] | None) -> list[int] | None:
+        return None if expressions is None else [self.formula(each) for each in expressions]
+
+    def _pinned(self, expression: sp.Expr) -> sp.Expr:
+        """Return an expression with the pinned settings in the place of the settings."""
+        for symbol in sorted(expression.free_symbols & self._quantities.keys(), key=str):
+            if symbol not in self._twins:
+                self._twins[symbol] = sp.Dummy(symbol.name)
+                followed = self._pinned(self._quantities[symbol])
+                self.formulas.add_quantity(self._twins[symbol], followed)
+        return expression.xreplace(self._twins)
+
+
+def as_expression(value: Any) -> sp.Basic:
+    """Return a number or an expression as SymPy has it; raise InputError for anything else.
+
+    Text is refused, since reading it as a formula would run it.
+    """
+    if isinstance(value, sp.Expr | sp.logic.boolalg.Boolean):
+        return value
+    try:
+        if isinstance(value, str | bool):
+            raise TypeError
+        return sp.Float(float(value)) if isinstance(value, float) else sp.Integer(int(value))
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(
+            f"A live figure cannot draw {shorten(value)}: give an expression of SymPy, "
+            "for example sp.sin(t), or a number."
+        ) from None
+
+
+def complete(symbol: sp.Symbol, control: Control) -> Control:
+    """Return a control with a start, a step, a name and a unit; raise InputError for a bad one."""
+    known = meaning(symbol.name)
+    name = known.name if control.name is None else control.name
+    unit = known.unit if control.unit is None else control.unit
+    low, high = (_bound(name, end) for end in (control.low, control.high))
+    if not low < high:
+        raise InputError(
+            f"The control {name} goes from {low:g} to {high:g}: give a range (low, high) with the "
+            "lower end first."
+        )
+    start = _start(low, high, known.usual) if control.start is None else _bound(name, control.start)
+    if not low <= start <= high:
+        raise InputError(
+            f"The control {name} starts at {start:g}, outside its range from {low:g} to {high:g}: "
+            "widen the range or start inside it."
+        )
+    step = _step(high - low) if control.step is None else _bound(name, control.step)
+    if not 0 < step <= high - low:
+        raise InputError(
+            f"The step of the control {name} is {step:g}: give one above 0 that fits into its "
+            f"range, at most {high - low:g}."
+        )
+    return replace(
+        control, low=low, high=high, step=step, start=start, name=name, unit=unit
+    )
+
+
+def chosen_control(symbol: Choice) -> Control:
+    """Return the control of a choice, which stands at its first name."""
+    count = len(symbol.options)
+    return Control(low=0, high=count - 1, step=1, start=0, name=symbol.name, unit="")
+
+
+def _bound(name: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise InputError(
+            f"The control {name} has {shorten(value)} as a number of its range: give finite "
+            "numbers, (low, high) or (low, high, step)."
+        )
+    return number
+
+
+def _start(low: float, high: float, usual: float | None) -> float:
+    return (low + high) / 2 if usual is None or not low <= usual <= high else usual
+
+
+def _step(width: float) -> float:
+    """Return a round step, of which 100 to 250 make the width."""
+    decade = 10.0 ** math.floor(math.log10(width / 100))
+    return max(size * decade for size in (1, 2, 5) if size * decade * 100 <= width * (1 + 1e-9))
+
+
+def _in_order(values: Mapping[sp.Symbol, Any], known: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """Return values in an order in which each follows from those before it."""
+    waiting = {symbol: as_expression(value) for symbol, value in values.items()}
+    ordered: dict[sp.Symbol, sp.Expr] = {}
+    while waiting:
+        ready = [s for s, e in waiting.items() if not e.free_symbols & waiting.keys()]
+        if not ready:
+            names = ", ".join(sorted(map(str, waiting)))
+            raise InputError(
+                f"The values of {names} follow from one another in a circle: give one of them a "
+                "number, or make it a control."
+            )
+        ordered |= {symbol: waiting.pop(symbol) for symbol in ready}
+    return ordered
+
+
+def describe(  # noqa: PLR0913 - the parts of a figure, each once
+    describer: Describer,
+    columns: Sequence[Sequence[Panel]],
+    *,
+    sentences: Iterable[Say],
+    buttons: Iterable[Button],
+    clock: tuple[sp.Symbol, float] | None,
+    pin: str,
+    shares: Sequence[float],
+    title: str,
+) -> Description:
+    """Return the description of a figure: plain data for JSON, all its formulas in one list."""
+    numbered = iter(range(sum(map(len, columns))))
+    described = [
+        [describer.panel(next(numbered), panel, _is_over_same(column)) for panel in column]
+        for column in columns
+    ]
+    clock_data = None
+    if clock is not None:
+        symbol, seconds = clock
+        is_variable = symbol == describer.variable
+        clock_data = {
+            "name": labelled(symbol.name).split(" in ")[0],
+            "control": None if is_variable else describer._control_number(symbol),
+            "seconds": seconds,
+        }
+        for panel in (panel for column in described for panel in column):
+            panel["has_cursor"] = is_variable and panel["is_over_variable"]
+    controls = [describer.control(s, c) for s, c in describer.controls.items()]
+    range_ = describer._formulas(describer.span)
+    said = [describer.sentence(say) for say in sentences]
+    pressed = [describer.button(button) for button in buttons]
+    return {
+        "version": 1,
+        "title": title,
+        "range": range_,
+        "controls": controls,
+        "columns": described,
+        "shares": list(shares),
+        "sentences": said,
+        "buttons": pressed,
+        "clock": clock_data,
+        "pin": pin,
+        "quantities": describer.formulas.quantities,
+        "formulas": describer.formulas.javascript,
+    }
+
+
+def _is_over_same(column: Sequence[Panel]) -> bool:
+    """Return whether the panels of a column may share one axis."""
+    return len({panel.x for panel in column}) == 1 and not any(p.is_equal for p in column)

@@ -1,0 +1,195 @@
+"""Set expressions in motion: what the learner gives, completed by what the workbook knows."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from cammotion.quantities import InputError, shorten
+from cammotion.views import notation
+from cammotion.views.live.describe import (
+    MOST_CONTROLS,
+    Describer,
+    as_expression,
+    chosen_control,
+    complete,
+    describe,
+)
+from cammotion.views.live.figure import LiveFigure
+from cammotion.views.live.usual import labelled_panel, usual_sentences
+from cammotion.views.live.parts import Button, Choice, Control, Line, Panel, Say
+
+SECONDS = 4.0  # for the clock to run once through the variable's range
+
+
+def explore(  # noqa: PLR0913 - each is a part that a figure may have
+    curves: Any,
+    over: sp.Symbol | tuple[sp.Symbol, Any, Any],
+    controls: Mapping[sp.Symbol, Control | tuple[float, ...]] | None = None,
+    *,
+    values: Mapping[sp.Symbol, Any] | None = None,
+    says: Iterable[Say] | None = None,
+    buttons: Iterable[Button] = (),
+    clock: sp.Symbol | None = None,
+    seconds: float = SECONDS,
+    pin: str = "",
+    shares: Sequence[float] | None = None,
+    title: str = "Live figure",
+) -> LiveFigure:
+    """Return a live figure of expressions: the reader moves the controls, and the curves follow.
+
+    `curves` is an expression, a mapping from names to expressions that share one picture, a Panel,
+    or a list of these, one below the other; a list of lists stands in columns, as wide as `shares`.
+    `over` is the symbol that runs, or (symbol, low, high), where the ends may be expressions.
+    `controls` maps symbols to (low, high), (low, high, step) or a Control. `values` gives other
+    symbols a number or an expression, and controls a start. A `choice` in a curve makes a control
+    of its own. Names, units and the range of t, x and alpha come from the workbook's notation.
+
+    `says` are the sentences above the picture, `buttons` set controls, `clock` is what Play moves
+    (the running symbol unless sentences are given), once through in `seconds`. With `pin`, the
+    text of a button, the reader keeps the present settings as a dashed reference.
+
+    Raises InputError, which says how to mend it, for a symbol that is neither variable nor control
+    nor value, for a function that a page cannot compute, for an empty range, and for curves that
+    have no real value.
+
+    >>> import sympy as sp
+    >>> t, t_m, B_m, N, h_m = sp.symbols("t t_m B_m N h_m", positive=True)
+    >>> a = 2 * sp.pi * h_m / t_m**2 * sp.sin(2 * sp.pi * t / t_m)
+    >>> figure = explore(a, t, {B_m: (20, 220), N: (500, 5000)}, values={h_m: 0.05})
+    >>> print(figure.text)
+    indexing time tm = 0.275 s
+    at 0.06875 s: a = 4.154 m/s²
+    largest: a = 4.154 m/s²
+    """
+    columns = _columns(curves)
+    given = {symbol: as_expression(value) for symbol, value in (values or {}).items()}
+    parts = [columns, list(says or ()), list(buttons)]
+    symbols = {s for part in _expressions_in(parts) for s in part.free_symbols}
+    ready = _controls(controls or {}, given, symbols)
+    fixed = {symbol: value for symbol, value in given.items() if symbol not in ready}
+    variable, span = _span(over, {s.name: s for s in symbols | ready.keys() | fixed.keys()})
+    _let_follow(fixed, {*symbols, *_symbols_of(span), *_symbols_of(fixed.values())} - ready.keys(), ready)
+    describer = Describer(variable, span, ready, fixed)
+    if says is None:
+        clock = variable if clock is None else clock
+        says = usual_sentences(columns, variable, span, fixed)
+    description = describe(
+        describer,
+        [[labelled_panel(panel) for panel in column] for column in columns],
+        sentences=says,
+        buttons=buttons,
+        clock=None if clock is None else (clock, seconds),
+        pin=pin,
+        shares=shares or [1.0] * len(columns),
+        title=title,
+    )
+    return LiveFigure(describer, description)
+
+
+def _columns(curves: Any) -> list[list[Panel]]:
+    if isinstance(curves, list | tuple) and curves and all(isinstance(c, list) for c in curves):
+        return [[_panel(each) for each in column] for column in curves]
+    each = list(curves) if isinstance(curves, list | tuple) else [curves]
+    if not each:
+        raise InputError("There is nothing to draw: give an expression, or a list of them.")
+    return [[_panel(one) for one in each]]
+
+
+def _panel(curve: Any) -> Panel:
+    if isinstance(curve, Panel):
+        return curve
+    if isinstance(curve, Mapping):
+        lines = [Line(y=as_expression(y), name=str(name)) for name, y in curve.items()]
+        return Panel(lines=lines)
+    if isinstance(curve, Line):
+        return Panel(lines=[curve])
+    return Panel(lines=[Line(y=as_expression(curve))])
+
+
+def _controls(
+    given: Mapping[sp.Symbol, Any], values: Mapping[sp.Symbol, sp.Expr], symbols: set[sp.Symbol]
+) -> dict[sp.Symbol, Control]:
+    """Return all controls, complete: the given ones, and one for each choice among the symbols."""
+    if len(given) > MOST_CONTROLS:
+        raise InputError(
+            f"There are {len(given)} controls, more than a hand can follow: give at most "
+            f"{MOST_CONTROLS}, and the other symbols a number in values."
+        )
+    ready: dict[sp.Symbol, Control] = {}
+    for symbol, wanted in given.items():
+        if not isinstance(symbol, sp.Symbol):
+            raise InputError(f"The control {shorten(symbol)} is no symbol: use one of SymPy's.")
+        control = wanted if isinstance(wanted, Control) else _ranged(symbol, wanted)
+        if symbol in values:
+            control = replace(control, start=values[symbol])
+        ready[symbol] = complete(symbol, control)
+    choices = sorted((s for s in symbols if isinstance(s, Choice)), key=lambda s: s.dummy_index)
+    return ready | {symbol: chosen_control(symbol) for symbol in choices}
+
+
+def _ranged(symbol: sp.Symbol, wanted: Any) -> Control:
+    try:
+        low, high, *step = wanted
+        (step,) = step or [None]
+    except (TypeError, ValueError):
+        raise InputError(
+            f"The control {symbol} has {shorten(wanted)} as its range: give (low, high) or "
+            "(low, high, step)."
+        ) from None
+    return Control(low=low, high=high, step=step)
+
+
+def _span(over: Any, by_name: Mapping[str, sp.Symbol]) -> tuple[sp.Symbol, tuple[Any, Any]]:
+    """Return the variable and the ends of its range, as given or from the notation."""
+    variable, *ends = over if isinstance(over, tuple | list | sp.Tuple) else (over,)
+    if not isinstance(variable, sp.Symbol) or len(ends) not in (0, 2):
+        raise InputError(
+            f"The running variable is {shorten(over)}: give a symbol, or a symbol and its range, "
+            "for example (t, 0, 1)."
+        )
+    if ends:
+        low, high = map(as_expression, ends)
+        if low.is_number and high.is_number and not low < high:
+            raise InputError(
+                f"The variable {variable} runs from {low} to {high}, which is no range: give the "
+                "lower end first."
+            )
+        return variable, (low, high)
+    if variable.name not in notation.RUNS_TO:
+        raise InputError(
+            f"It is not known from where to where {variable} runs: give its range too, for "
+            f"example ({variable}, 0, 1)."
+        )
+    end = notation.RUNS_TO[variable.name]
+    return variable, (0, by_name.get(end, sp.Symbol(end)) if isinstance(end, str) else end)
+
+
+def _let_follow(
+    fixed: dict[sp.Symbol, Any], used: set[sp.Symbol], controls: Mapping[sp.Symbol, Control]
+) -> None:
+    """Add to the fixed values what the notation knows of symbols that have none."""
+    by_name = {symbol.name: symbol for symbol in {*controls, *fixed}}
+    for symbol in used - fixed.keys() - controls.keys():
+        sources, follow = notation.FOLLOWS.get(symbol.name, ((), None))
+        if follow and by_name.keys() >= set(sources):
+            fixed[symbol] = follow(*(by_name[name] for name in sources))
+
+
+def _expressions_in(part: Any) -> Iterator[sp.Basic]:
+    """Return all expressions in a part, or in parts of a part."""
+    if isinstance(part, sp.Basic):
+        yield part
+    elif is_dataclass(part):
+        for each in fields(part):
+            yield from _expressions_in(getattr(part, each.name))
+    elif isinstance(part, Mapping):
+        yield from _expressions_in(list(part.values()))
+    elif isinstance(part, list | tuple):
+        for each in part:
+            yield from _expressions_in(each)
+
+
+def _symbols_of(expressions: Iterable[Any]) -> set[sp.Symbol]:
+    return {s for each in expressions for s in as_expression(each).free_symbols}

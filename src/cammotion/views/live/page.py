@@ -1,0 +1,85 @@
+"""A live figure as a page that needs nothing else: no kernel, no network, no other file."""
+
+import base64
+import gzip
+import json
+from functools import cache
+from html import escape
+from pathlib import Path
+from typing import Any
+
+_FOLDER = Path(__file__).parent
+_PAGE = """\
+<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>
+:root{{color-scheme:light dark}}
+body{{font-family:system-ui,sans-serif;max-width:960px;margin:auto;padding:.5em}}
+pre{{white-space:pre-wrap;font:inherit}}
+{style}</style>
+</head>
+<body>
+<main>
+<h1>{title}</h1>
+<div id="place"><pre>{text}</pre></div>
+</main>
+<script type="application/json" id="figure">{data}</script>
+<script type="module">{script}</script>
+</body>
+</html>
+"""
+# the module is packed, since it is the same in each page and the formulas are what is read
+_SCRIPT = """
+const unpacked = new Blob([Uint8Array.from(atob("{packed}"), (letter) => letter.charCodeAt(0))])
+  .stream().pipeThrough(new DecompressionStream("gzip"));
+const source = await new Response(unpacked).text();
+const address = URL.createObjectURL(new Blob([source], {{ type: "text/javascript" }}));
+const {{ default: figure }} = await import(address);
+const data = JSON.parse(document.getElementById("figure").textContent), listeners = {{}};
+const model = {{
+  get: (key) => data[key],
+  set(key, value) {{
+    data[key] = value;
+    for (const listen of listeners[`change:${{key}}`] ?? []) listen();
+  }},
+  save_changes() {{}},
+  on(key, listen) {{ (listeners[key] ??= []).push(listen); }},
+  off() {{}},
+}};
+const place = document.getElementById("place");
+place.textContent = "";
+figure.render({{ model, el: place }});
+"""
+
+
+@cache
+def module() -> str:
+    """Return the front-end module: what computes, and what draws."""
+    parts = (_FOLDER / name for name in ("formulas.js", "figure.js"))
+    return "".join(part.read_text(encoding="utf-8") for part in parts)
+
+
+@cache
+def style() -> str:
+    """Return the figure's style sheet."""
+    return (_FOLDER / "figure.css").read_text(encoding="utf-8")
+
+
+def write_page(data: dict[str, Any], text: str) -> str:
+    """Return a page from what a figure has stored: description, settings, pinned settings.
+
+    `text` is what a reader without JavaScript sees.
+    """
+    stored = json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+    packed = base64.b64encode(gzip.compress(module().encode(), mtime=0)).decode("ascii")
+    return _PAGE.format(
+        title=escape(data["description"]["title"]),
+        style=style(),
+        text=escape(text),
+        data=stored,
+        script=_SCRIPT.format(packed=packed),
+    )
