@@ -20,6 +20,7 @@ from traitlets.config import Config
 
 from cammotion.teaching import extension
 from cammotion.teaching.server import PromptConnection
+from starter import installer
 
 PLAIN_LAB = Path(__file__).parent / "plain_lab.py"
 NAME = extension.__name__
@@ -108,6 +109,15 @@ def test_the_environment_switches_it_on() -> None:
     switches = manager.get_jpserver_extensions()  # type: ignore[no-untyped-call]
     assert switches.get(NAME), "not in this environment: python3 workbook.py setup"
     validate_extension(NAME)  # type: ignore[no-untyped-call]
+
+
+def test_an_update_brings_the_switch(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Left to itself, uv passes over an editable package whose pyproject.toml is the old one."""
+    ran: list[list[str]] = []
+    monkeypatch.setattr(installer, "find_uv", lambda: "uv")
+    monkeypatch.setattr(installer, "run", lambda command, _: ran.append(command))
+    installer.install_packages("[1/2]")
+    assert "--reinstall-package cammotion" in " ".join(ran[0])
 
 
 @pytest.mark.parametrize(

@@ -215,18 +215,6 @@ def test_installers_are_understood(output: str, words: str) -> None:
     assert words in installer.explain(output)
 
 
-def test_an_update_lays_out_the_package_anew(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Left to itself, uv passes over an editable package whose pyproject.toml is the old one."""
-    ran: list[str] = []
-    monkeypatch.setattr(installer, "find_uv", lambda: "uv")
-    monkeypatch.setattr(installer, "run", lambda command, _: ran.append(" ".join(command)))
-    installer.install_packages("[1/2]")
-    assert "--reinstall-package cammotion -r environment.txt" in ran[0]
-    monkeypatch.setattr(installer, "find_uv", lambda: None)
-    installer.install_packages("[1/2]")
-    assert ran[1].endswith("-m pip install -r environment.txt")
-
-
 def test_progress_is_read_from_pip() -> None:
     """The line says how many packages, and which is the latest."""
     lines = ["Looking in indexes\n"]
