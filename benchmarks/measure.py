@@ -18,6 +18,7 @@ from laws import measure_first_use, measure_laws, measure_rival
 from limits import measure_limits
 from overlap import measure_overlap
 from package import measure_import, measure_lesson, measure_setup, measure_test
+from round_trip import measure_round_trips
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "tick": measure_ticks,
@@ -34,6 +35,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "lines": measure_lines,
     "limits": measure_limits,
     "overlap": measure_overlap,
+    "round-trip": measure_round_trips,
     "setup": measure_setup,
     "test": measure_test,
 }

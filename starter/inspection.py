@@ -6,7 +6,7 @@ import os
 import subprocess
 from typing import NamedTuple
 
-from starter.paths import ENVIRONMENT, VENV, VENV_PYTHON
+from starter.paths import ENVIRONMENT, SWITCH, VENV, VENV_PYTHON
 
 STAMP = VENV / "installed.json"
 PROBE = """
@@ -70,7 +70,9 @@ def differences(before: Environment, now: Environment) -> str:
 
 def inspect() -> Environment | None:
     """Ask the environment's Python what it is and has; return None if it does not run."""
-    files = {ENVIRONMENT.name: hashlib.sha256(ENVIRONMENT.read_bytes()).hexdigest()}
+    files = {
+        path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in (ENVIRONMENT, SWITCH)
+    }
     probe = [str(VENV_PYTHON), "-I", "-c", PROBE]
     try:
         answer = subprocess.run(probe, capture_output=True, text=True, timeout=60, check=True)

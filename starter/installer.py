@@ -49,6 +49,8 @@ def install_packages(step: str) -> None:
     uv = find_uv()
     tool = [uv, "pip", "install", "-p"] if uv else []
     tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install"]
+    # As pip always does: or what the package lays into .venv would stay as it was.
+    tool += ["--reinstall-package", "cammotion"] if uv else []
     time_needed = "uv" if uv else "pip (a few minutes, once)"
     print(f"{step} Installing about {total} packages with {time_needed} ...")
     run(

@@ -26,7 +26,6 @@ DEFAULTS = {
         "checkForUpdates": False,
     },
 }
-PROMPT_CONNECTION = "cammotion.teaching.server.PromptConnection"
 
 
 def choose_port(wanted: int | None) -> int:
@@ -102,7 +101,6 @@ def command(port: int, passed_on: list[str]) -> list[str]:
         *(str(VENV_PYTHON), "-m", "jupyterlab", "--no-browser"),
         *(f"--ServerApp.root_dir={ROOT}", "--ServerApp.base_url=/", "--ServerApp.ip=127.0.0.1"),
         *(f"--ServerApp.port={port}", "--ServerApp.port_retries=0", "--ServerApp.log_level=WARN"),
-        f"--ServerApp.kernel_websocket_connection_class={PROMPT_CONNECTION}",
         *(["--allow-root"] if is_root() else []),
         # On Ctrl-C it asks whether to shut down, if there is somebody who can answer.
         *([] if sys.stdin.isatty() else ["--ServerApp.answer_yes=True"]),

@@ -9,6 +9,7 @@ NOTEBOOKS = ROOT / "notebooks"
 PACKAGE = ROOT / "src" / "cammotion"
 ENVIRONMENT = ROOT / "environment.txt"
 PROJECT = ROOT / "pyproject.toml"
+SWITCH = ROOT / "etc" / "jupyter" / "jupyter_server_config.d" / "cammotion.json"
 VENV = ROOT / ".venv"
 
 ON_WINDOWS = os.name == "nt"

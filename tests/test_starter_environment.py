@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from small_workbook import move_starter, raiser
 
-from starter import commands, environment, inspection, installer
+from starter import commands, environment, inspection, installer, paths
 from starter.errors import WorkbookError
 from starter.inspection import Environment
 
@@ -57,8 +57,8 @@ def test_the_environment_is_compared(changes: dict[str, Any], state: str, reason
     assert reason in verdict[1]
 
 
-def test_only_pins_ask_for_an_installation(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """An edit of the tools' settings in pyproject.toml installs nothing."""
+def test_what_asks_for_an_installation(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pins and the server's switch do; an edit of the tools' settings in pyproject.toml not."""
     probe = "import json; print(json.dumps(dict(python='', prefix='', package='', versions={})))"
     monkeypatch.setattr(inspection, "VENV_PYTHON", Path(sys.executable))
     monkeypatch.setattr(inspection, "PROBE", probe)
@@ -70,6 +70,8 @@ def test_only_pins_ask_for_an_installation(root: Path, monkeypatch: pytest.Monke
     assert inspection.judge() == ("ready", "")
     (root / "environment.txt").write_text("six==1.17.0\n")
     assert inspection.judge() == ("changed", "environment.txt changed")
+    paths.SWITCH.write_text("{}")
+    assert inspection.judge() == ("changed", "environment.txt and cammotion.json changed")
 
 
 def test_without_stamp_or_python_it_is_broken(root: Path) -> None:

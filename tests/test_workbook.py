@@ -72,6 +72,12 @@ def test_an_incomplete_download_is_refused(root: Path, content: bytes | None) ->
     assert_refused(run(root, "setup"), "environment.txt", "Download it again")
 
 
+def test_a_download_without_the_servers_switch_is_refused(root: Path) -> None:
+    """The installation would fail in the words of the build, or leave the switch out."""
+    shutil.rmtree(root / "etc")
+    assert_refused(run(root, "setup"), "cammotion.json is missing", "Download it again")
+
+
 @pytest.mark.parametrize("lacking", ["", "lab.py", "commands.py"])
 def test_half_a_starter_is_refused(root: Path, lacking: str) -> None:
     """The folder starter, or a file in it, is missing."""

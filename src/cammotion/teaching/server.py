@@ -1,6 +1,6 @@
-"""What JupyterLab's server does otherwise for the workbook: it sends small messages at once.
+"""What a Jupyter server does otherwise for the workbook: it sends small messages at once.
 
-The starter names `PromptConnection` to it, as its ``kernel_websocket_connection_class``.
+The extension beside it puts `PromptConnection` in the place of the server's own class.
 """
 
 from typing import Any
@@ -17,5 +17,8 @@ class PromptConnection(ZMQChannelsWebsocketConnection):
 
     def connect(self) -> Any:
         """Connect, and send every message at once from now on."""
-        self.websocket_handler.set_nodelay(True)
+        try:
+            self.websocket_handler.set_nodelay(True)
+        except Exception as error:  # a slow connection is better than none
+            self.log.warning("Small messages of this kernel may be 40 ms late (%r).", error)
         return super().connect()
