@@ -35,9 +35,7 @@ def explore_move(reference: Move) -> LiveFigure:
         )
     own = as_law(reference.law)
     laws = {own.name: own} | {name: law for name, law in LAWS.items() if name != own.name}
-    s, v, a, c_v, c_a = choice(
-        "motion law", {name: (q.s, q.v, q.a, q.Cv, q.Ca) for name, q in laws.items()}
-    )
+    s, v, a, c_a = choice("motion law", {name: (q.s, q.v, q.a, q.Ca) for name, q in laws.items()})
     t_m = sp.Symbol("t_m")
     stroke = h_m / 1000
     at = {x: ALPHA / B_m}

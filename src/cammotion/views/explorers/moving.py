@@ -1,4 +1,4 @@
-"""Motions of a live figure: what a mechanism does over the turn, in symbols that the reader sets."""
+"""Motions of a live figure: what a mechanism does over the turn, in symbols of the controls."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -56,7 +56,9 @@ class Moving:
             return self.position()
         pitch = sum(part.change_mm for part in self.parts)
         way = self.position() + pitch * sp.floor((ALPHA - self.start) / DEG_PER_TURN)
-        return way - pitch * sp.floor(way.xreplace({ALPHA: sp.Integer(0)}) / pitch + 1 / sp.Integer(2))
+        return way - pitch * sp.floor(
+            way.xreplace({ALPHA: sp.Integer(0)}) / pitch + 1 / sp.Integer(2)
+        )
 
     def offset(self) -> sp.Expr:
         """Return what a clearance is judged by, in mm: of an indexing motion, from a stop."""
@@ -80,7 +82,7 @@ class Moving:
         return sp.Max(*peaks, evaluate=False) if len(peaks) > 1 else peaks[0]
 
     def _over_parts(self, angle: Any, order: int, rate: Any = None) -> sp.Expr:
-        """Return a derivative of the position, each part by its law over the angle since its start."""
+        """Return a derivative of the position, each part by its law since it began."""
         since = sp.Mod(angle - self.start, DEG_PER_TURN, evaluate=False)
         pieces, come, begin = [], sp.Integer(0), sp.Integer(0)
         for part, end in zip(self.parts, self.ends, strict=True):

@@ -78,10 +78,8 @@ def explore_overlap(
         controls,
         values=values,
         says=[
-            *(
-                _describe(diagram, motion, moving, begin)
-                for motion, moving, begin in ((die, moving_die, START), (mill, moving_mill, None))
-            ),
+            _describe(diagram, die, moving_die),
+            _describe(diagram, mill, moving_mill),
             *_verdict(die, moving_die, rule),
         ],
         buttons=[
@@ -207,7 +205,7 @@ def _map(
     )
 
 
-def _describe(diagram: TimingDiagram, motion: Motion, moving: Moving, start: Any) -> Say:
+def _describe(diagram: TimingDiagram, motion: Motion, moving: Moving) -> Say:
     peak, before = moving.peak(diagram.rate_per_hour), diagram.peak_acceleration(motion.name)
     angle = moving.parts[0].angle
     numbers = {
@@ -240,9 +238,7 @@ def _verdict(die: Motion, moving: Moving, rule: ClearanceRule) -> list[Say]:
             f"COLLISION: the {{die}} is {{excess:.3g}} mm too deep at {{at:.5g}} deg, {while_}",
             numbers,
             room < -_ROUNDING_MM,
-            Say(
-                "No collision. The smallest clearance is {room:.3g} mm, at {at:.4g} deg.", numbers
-            ),
+            Say("No collision. The smallest clearance is {room:.3g} mm, at {at:.4g} deg.", numbers),
         ),
         Say(
             "About this dwell the {die} has no move that is free of collision: move its start.",

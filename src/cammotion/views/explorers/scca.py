@@ -27,7 +27,7 @@ _START = "cycloidal"
 _LEVELS = (4.2, 4.5, 5, 5.5, 6, 7, 8)
 _MOST_J = 80
 _NOTHING = 1e-9  # a part below it is rounding
-_NAME_PLACES = ((0, 0.06), (0, -0.04), (0.02, 0.06), (0, 0.14), (0, -0.04))  # beside their points
+_NAME_PLACES = ((0.31, 0.01), (0, -0.09), (0.02, 0.1), (0, 0.1), (0, -0.06))  # beside their points
 
 
 def explore_scca() -> LiveFigure:
@@ -99,11 +99,12 @@ def _triangle() -> Panel:
         for parts in NAMED_PARTS.values()
         for at in [_place(*parts[:2])]
     ]
-    words = [("b = 1: sine", -0.02, -0.1), ("d = 1: cosine", 1.02, -0.14), ("c = 1: constant", 0.5, 0.98)]
+    words = [("b = 1: sine", 0, -0.06), ("d = 1: cosine", 1, -0.2), ("c = 1: constant", 0.5, 0.94)]
     for (name, parts), (across, up) in zip(NAMED_PARTS.items(), _NAME_PLACES, strict=True):
         at = _place(*parts[:2])
-        words.append((name.replace(" ", "\n"), float(at[0] + across), float(at[1] + up)))
-    words += [*_level_words(), ("thin lines:\nequal Ca", -0.02, 0.62)]
+        shown = name if name == "constant acceleration" else name.replace(" ", "\n")
+        words.append((shown, float(at[0] + across), float(at[1] + up)))
+    words += [*_level_words(), ("dashed lines:\nequal Ca", 0, 0.62)]
     own = _place(b, c)
     return Panel(
         lines=[*map(_level, _LEVELS), *sides],
@@ -129,7 +130,7 @@ def _level(factor: float) -> Line:
 
 
 def _level_words() -> Iterator[tuple[str, float, float]]:
-    """Return where the lines of one Ca are labelled: at three parts of constant to seven of cosine."""
+    """Return where the lines of one Ca are labelled: where c is to d as 3 to 7."""
     of_b = np.linspace(0, 1, 201)
     factors = acceleration_factor(of_b, 0.7 * (1 - of_b))
     for level in _LEVELS[1:]:
@@ -139,7 +140,7 @@ def _level_words() -> Iterator[tuple[str, float, float]]:
 
 
 def _place(b: Any, c: Any) -> tuple[sp.Expr, sp.Expr]:
-    """Return the place in the triangle: b = 1 is its left corner, c = 1 the top, d = 1 the right."""
+    """Return the place in the triangle, b = 1 at its left, c = 1 at its top, d = 1 at its right."""
     height = sp.sqrt(3) / 2
     return sp.sympify(1 - b - c / sp.Integer(2)), sp.sympify(c * height)
 
@@ -169,16 +170,20 @@ def _factors(v: sp.Expr, a: sp.Expr) -> Say:
     numbers = {
         "v": v.xreplace({x: sp.Rational(1, 2)}),
         "a": factor,
-        "j": sp.pi * factor / sp.Min(*(sp.Piecewise((p, p > _NOTHING), (1, True)) for p in (b, _d))),
+        "j": sp.pi
+        * factor
+        / sp.Min(*(sp.Piecewise((p, p > _NOTHING), (1, True)) for p in (b, _d))),
         "q": largest(sp.Abs(v * a, evaluate=False), turn),
     }
     text = "Cv = {v:.4g}, Ca = {a:.4g}, Cj {jerk}, Cq = {q:.4g}"
     ends, middle = b < _NOTHING, _d < _NOTHING
     jumps: Mapping[str, Any] = {
-        "at the ends and in the middle": ends & middle, "at the ends": ends, "in the middle": middle
+        "at the ends and in the middle": ends & middle,
+        "at the ends": ends,
+        "in the middle": middle,
     }
     said = Say(text.replace("{jerk}", "= {j:.4g}"), numbers)
-    for where, condition in reversed(jumps.items()):
+    for where, condition in reversed([*jumps.items()]):
         words = f"infinite (A jumps {where})"
         said = Say(text.replace("{jerk}", words), numbers, condition, said)
     return said

@@ -117,4 +117,6 @@ def _checked(diagram: Any) -> tuple[Motion, Motion]:
 
 
 def _control(name: str, high: float, start: float) -> Control:
-    return Control(low=min(20, start), high=max(high, start), step=1, start=start, name=name, unit="deg")
+    return Control(
+        low=min(20, start), high=max(high, start), step=1, start=start, name=name, unit="deg"
+    )

@@ -11,7 +11,6 @@ import sympy as sp
 from cammotion.quantities import InputError, shorten
 from cammotion.views.live.formulas import Formulas, shortly
 from cammotion.views.live.parts import (
-    OWN,
     Box,
     Button,
     Choice,
@@ -53,7 +52,7 @@ class Describer:
         names |= {twin: f"p{number}" for number, twin in enumerate(self._twins.values())}
         self.formulas = Formulas(names)
         self._quantities: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, expression in _in_order(values, {variable, *controls}).items():
+        for symbol, expression in _in_order(values).items():
             self._quantities[symbol] = expression
             self.formulas.add_quantity(symbol, expression)
 
@@ -255,9 +254,7 @@ def complete(symbol: sp.Symbol, control: Control) -> Control:
             f"The step of the control {name} is {step:g}: give one above 0 that fits into its "
             f"range, at most {high - low:g}."
         )
-    return replace(
-        control, low=low, high=high, step=step, start=start, name=name, unit=unit
-    )
+    return replace(control, low=low, high=high, step=step, start=start, name=name, unit=unit)
 
 
 def chosen_control(symbol: Choice) -> Control:
@@ -289,7 +286,7 @@ def _step(width: float) -> float:
     return max(size * decade for size in (1, 2, 5) if size * decade * 100 <= width * (1 + 1e-9))
 
 
-def _in_order(values: Mapping[sp.Symbol, Any], known: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+def _in_order(values: Mapping[sp.Symbol, Any]) -> dict[sp.Symbol, sp.Expr]:
     """Return values in an order in which each follows from those before it."""
     waiting = {symbol: as_expression(value) for symbol, value in values.items()}
     ordered: dict[sp.Symbol, sp.Expr] = {}

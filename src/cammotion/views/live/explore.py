@@ -17,8 +17,8 @@ from cammotion.views.live.describe import (
     describe,
 )
 from cammotion.views.live.figure import LiveFigure
-from cammotion.views.live.usual import labelled_panel, usual_sentences
 from cammotion.views.live.parts import Button, Choice, Control, Line, Panel, Say
+from cammotion.views.live.usual import labelled_panel, usual_sentences
 
 SECONDS = 4.0  # for the clock to run once through the variable's range
 
@@ -70,7 +70,9 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
     ready = _controls(controls or {}, given, symbols)
     fixed = {symbol: value for symbol, value in given.items() if symbol not in ready}
     variable, span = _span(over, {s.name: s for s in symbols | ready.keys() | fixed.keys()})
-    _let_follow(fixed, {*symbols, *_symbols_of(span), *_symbols_of(fixed.values())} - ready.keys(), ready)
+    _let_follow(
+        fixed, {*symbols, *_symbols_of(span), *_symbols_of(fixed.values())} - ready.keys(), ready
+    )
     describer = Describer(variable, span, ready, fixed)
     if says is None:
         clock = variable if clock is None else clock

@@ -60,14 +60,14 @@ class LiveFigure(anywidget.AnyWidget):
 
     @values.setter
     def values(self, values: Mapping[sp.Symbol, float]) -> None:
-        settings = list(self.settings)
+        changes = {}
         for symbol, value in values.items():
             if symbol not in self._symbols:
                 known = ", ".join(map(str, self._symbols))
                 raise InputError(f"{symbol} is no control of this figure: set one of {known}.")
             number = self._symbols.index(symbol)
-            settings[number] = self._checked(number, value)
-        self.settings = settings
+            changes[number] = self._checked(number, value)
+        self._change(changes)
 
     @property
     def chosen(self) -> dict[str, str]:
@@ -99,7 +99,7 @@ class LiveFigure(anywidget.AnyWidget):
             if button["text"] == text:
                 sets = {number: float(self._now[f](self._clock)) for number, f in button["sets"]}
                 if all(map(math.isfinite, sets.values())):
-                    self.settings = [sets.get(i, value) for i, value in enumerate(self.settings)]
+                    self._change(sets)
                 return
         known = ", ".join(f"'{button['text']}'" for button in self.description["buttons"])
         raise InputError(f"This figure has no button {shorten(text)}: it has {known or 'none'}.")
@@ -136,6 +136,22 @@ class LiveFigure(anywidget.AnyWidget):
         low, high = (float(self._now[end]()) for end in self.description["range"])
         return low + CLOCK * (high - low)
 
+    def _change(self, changes: Mapping[int, float]) -> None:
+        """Change settings, kept in their ranges; others give way, by the steps of `formulas.js`."""
+        controls = self.description["controls"]
+
+        def within(number: int, value: float) -> float:
+            return float(min(controls[number]["high"], max(controls[number]["low"], value)))
+
+        changed = list(self.settings)
+        for number, value in changes.items():
+            changed[number] = within(number, value)
+        for number, control in enumerate(controls):
+            if control["most"] is not None and not (number in changes and len(changes) == 1):
+                most = float(self._formulas.at(changed, changed)[control["most"]]())
+                changed[number] = within(number, min(changed[number], most))
+        self.settings = changed
+
     def _written(self, piece: str | dict[str, Any]) -> str:
         if isinstance(piece, str):
             return piece
@@ -145,7 +161,7 @@ class LiveFigure(anywidget.AnyWidget):
         value = float(self._now[piece["formula"]](self._clock))
         if math.isinf(value):
             return "∞" if value > 0 else "−∞"
-        return format(value, piece["spec"]).replace("-", "−") if value == value else "nan"
+        return format(value, piece["spec"]).replace("-", "−")
 
     def _checked(self, number: int, value: Any) -> float:
         control = self.description["controls"][number]

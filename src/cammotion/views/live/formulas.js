@@ -3,28 +3,41 @@
 // settings, p0, ... the pinned settings, q0, ... what follows from them. `formulas.py` does the
 // same by the same steps.
 
-const SAMPLES = 200, HALVINGS = 60, NARROWINGS = 48, GOLDEN = (Math.sqrt(5) - 1) / 2;
-const TICKS = 4, SPIKE = 20, NEAR = 1e-9;
+const SAMPLES = 200,
+  HALVINGS = 60,
+  NARROWINGS = 48,
+  GOLDEN = (Math.sqrt(5) - 1) / 2;
+const TICKS = 4,
+  SPIKE = 20,
+  NEAR = 1e-9;
 const MATH = Object.getOwnPropertyNames(Math).join();
 // nothing else is ever run, whoever has written a description
-const FORMULA = new RegExp(`^(?:[\\s()+\\-*/%,?:<>=!&|]|\\d+(?:\\.\\d*)?(?:e[+-]?\\d+)?|[cpqf]\\d+|[xyz]\\d*|(?:${
-  MATH.replaceAll(",", "|")}|NaN|Infinity|largest|place_of_largest|inverse)\\b)*$`);
+const FORMULA = new RegExp(
+  `^(?:[\\s()+\\-*/%,?:<>=!&|]|\\d+(?:\\.\\d*)?(?:e[+-]?\\d+)?|[cpqf]\\d+|[xyz]\\d*|(?:${MATH.replaceAll(
+    ",",
+    "|",
+  )}|NaN|Infinity|largest|place_of_largest|inverse)\\b)*$`,
+);
 
 /** Where f is largest from low to high, and how large: the best of the samples, then narrowed. */
 function search(f, low, high) {
   const at = (i) => low + (i * (high - low)) / SAMPLES;
-  let best = 0, value = -Infinity;
+  let best = 0,
+    value = -Infinity;
   for (let i = 0; i <= SAMPLES; i++) {
     const y = f(at(i));
     if (y > value) [best, value] = [i, y];
   }
-  let a = at(Math.max(best - 1, 0)), b = at(Math.min(best + 1, SAMPLES));
+  let a = at(Math.max(best - 1, 0)),
+    b = at(Math.min(best + 1, SAMPLES));
   for (let i = 0; i < NARROWINGS; i++) {
-    const c = b - (b - a) * GOLDEN, d = a + (b - a) * GOLDEN;
+    const c = b - (b - a) * GOLDEN,
+      d = a + (b - a) * GOLDEN;
     if (f(c) > f(d)) b = d;
     else a = c;
   }
-  const between = (a + b) / 2, there = f(between);
+  const between = (a + b) / 2,
+    there = f(between);
   return there > value ? [between, there] : [at(best), value];
 }
 export const largest = (f, low, high) => search(f, low, high)[1];
@@ -32,7 +45,8 @@ export const place_of_largest = (f, low, high) => search(f, low, high)[0];
 
 /** Where the monotone f has a value, by halving; NaN if it is nowhere from low to high. */
 export function inverse(f, low, high, value) {
-  const sign = f(high) >= f(low) ? 1 : -1, past = (x) => sign * (f(x) - value);
+  const sign = f(high) >= f(low) ? 1 : -1,
+    past = (x) => sign * (f(x) - value);
   if (!(past(low) <= 0 && past(high) >= 0)) return NaN;
   for (let i = 0; i < HALVINGS; i++) {
     const middle = (low + high) / 2;
@@ -48,10 +62,13 @@ export function compile({ quantities, formulas, controls }) {
     if (!FORMULA.test(formula)) throw new Error(`This is no formula of a figure: ${formula}`);
   }
   const names = (letter) => `[${controls.map((_, i) => letter + i)}]`;
-  const body = quantities.map((q, i) => `const q${i}=${q};`).join("") +
+  const body =
+    quantities.map((q, i) => `const q${i}=${q};`).join("") +
     `const ${formulas.map((f, i) => `f${i}=(x,y)=>${f}`)};return [${formulas.map((_, i) => `f${i}`)}]`;
   return new Function(
-    `{${MATH}}`, "largest,place_of_largest,inverse", `return (${names("c")},${names("p")})=>{${body}}`,
+    `{${MATH}}`,
+    "largest,place_of_largest,inverse",
+    `return (${names("c")},${names("p")})=>{${body}}`,
   )(Math, largest, place_of_largest, inverse);
 }
 
@@ -59,19 +76,24 @@ export function compile({ quantities, formulas, controls }) {
 export function format(value, spec) {
   if (Number.isNaN(value)) return "nan";
   if (!Number.isFinite(value)) return value < 0 ? "−∞" : "∞";
-  const [, digits = 6, kind] = spec.match(/^(?:\.(\d+))?([fg])$/), p = Number(digits);
+  const [, digits = 6, kind] = spec.match(/^(?:\.(\d+))?([fg])$/),
+    p = Number(digits);
   if (kind === "f") return fixed(value, p).replace("-", "−");
-  const figures = Math.max(p, 1), short = (text) => text.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  const figures = Math.max(p, 1),
+    short = (text) => text.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
   const [mantissa, power] = value.toExponential(figures - 1).split("e");
   const isPlain = power >= -4 && power < figures;
-  const text = isPlain ? short(fixed(value, figures - 1 - power))
+  const text = isPlain
+    ? short(fixed(value, figures - 1 - power))
     : `${short(mantissa)}e${power[0]}${power.slice(1).padStart(2, 0)}`;
   return text.replaceAll("-", "−");
 }
 /** Like toFixed, but a half is rounded to even: is there a 5 and nothing behind what stays? */
 function fixed(value, digits) {
-  const text = value.toFixed(digits), [, decimals = ""] = value.toFixed(100).split(".");
-  const isHalf = /^50*$/.test(decimals.slice(digits)), isOdd = Number(text.at(-1)) % 2;
+  const text = value.toFixed(digits),
+    [, decimals = ""] = value.toFixed(100).split(".");
+  const isHalf = /^50*$/.test(decimals.slice(digits)),
+    isOdd = Number(text.at(-1)) % 2;
   return isHalf && isOdd ? (value - (Math.sign(value) * 10 ** -digits) / 2).toFixed(digits) : text;
 }
 export const plain = (value) => format(Number(value.toPrecision(12)), ".12g");
@@ -84,9 +106,12 @@ export function parse(text) {
 
 /** The sentences of a figure: of each the first alternative whose condition holds. */
 export function sentences({ sentences, controls }, now, settings, clock) {
-  const words = (piece) => typeof piece === "string" ? piece
-    : "choice" in piece ? controls[piece.choice].options[settings[piece.choice]]
-    : format(Number(now[piece.formula](clock)), piece.spec);
+  const words = (piece) =>
+    typeof piece === "string"
+      ? piece
+      : "choice" in piece
+        ? controls[piece.choice].options[settings[piece.choice]]
+        : format(Number(now[piece.formula](clock)), piece.spec);
   return sentences
     .map((alternatives) => alternatives.find(({ when }) => when === null || now[when](clock)))
     .map((said) => (said ? said.pieces.map(words).join("") : ""))
@@ -107,10 +132,12 @@ export function change({ controls }, make, settings, changes) {
 
 /** Round limits for an axis, and a step: they hold the values, but no spikes beside a pole. */
 export function limits(values) {
-  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b), last = sorted.length - 1;
+  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b),
+    last = sorted.length - 1;
   if (last < 0) return [0, 1, 0.25];
   let [low, high] = [sorted[0], sorted[last]];
-  const few = sorted[Math.floor(0.05 * last)], most = sorted[Math.ceil(0.95 * last)];
+  const few = sorted[Math.floor(0.05 * last)],
+    most = sorted[Math.ceil(0.95 * last)];
   const usual = most - few;
   if (usual > 0 && high - low > SPIKE * usual) {
     [low, high] = [Math.max(low, few - usual), Math.min(high, most + usual)];
@@ -124,15 +151,21 @@ export function limits(values) {
 }
 /** A round step of which about four make a width. */
 export function tick(width) {
-  const size = (width / TICKS) * (1 - NEAR), decade = 10 ** Math.floor(Math.log10(size));
+  const size = (width / TICKS) * (1 - NEAR),
+    decade = 10 ** Math.floor(Math.log10(size));
   return [1, 2, 2.5, 5, 10].find((step) => step * decade >= size) * decade;
 }
 
 /** The points of a line: its joints from both sides, and the ends of what is real, by halving. */
 export function trace({ over, where, y, x, joints }, now) {
-  const [low, high] = over.map((i) => now[i]()), gap = NEAR * (high - low);
+  const [low, high] = over.map((i) => now[i]()),
+    gap = NEAR * (high - low);
   const isThere = (place) => where === null || now[where](place) > 0;
-  const at = (place) => [x === null ? place : now[x](place), isThere(place) ? now[y](place) : NaN, place];
+  const at = (place) => [
+    x === null ? place : now[x](place),
+    isThere(place) ? now[y](place) : NaN,
+    place,
+  ];
   const isReal = ([a, b]) => Number.isFinite(a) && Number.isFinite(b);
   const places = Array.from({ length: SAMPLES + 1 }, (_, i) => low + (i * (high - low)) / SAMPLES);
   for (const joint of joints.map((i) => now[i]())) {
@@ -160,4 +193,3 @@ function edgeOf([, , inside], [, , outside], at, isReal) {
   }
   return at(inside);
 }
-

@@ -105,7 +105,7 @@ class _Printer:
     _arrow: str
     _call: str
 
-    def _print(self, expression: Any, **kwargs: Any) -> str:
+    def _print(self, expression: Any, **kwargs: Any) -> Any:
         is_whole = isinstance(expression, sp.Expr) and not expression.is_Atom
         number = self.known.get(expression) if is_whole else None
         if number is not None:
@@ -113,7 +113,7 @@ class _Printer:
         return str(super()._print(expression, **kwargs))  # type: ignore[misc]
 
     def _print_Symbol(self, symbol: sp.Symbol) -> str:  # noqa: N802 - SymPy's way to be asked
-        return self.names[symbol]
+        return str(self.names[symbol])
 
     _print_Dummy = _print_Symbol  # noqa: N815
 
@@ -128,7 +128,7 @@ class _Printer:
 
     _print_Largest = _print_PlaceOfLargest = _print_Inverse = _print_search  # noqa: N815
 
-    def _print_Mod(self, mod: sp.Mod) -> str:  # noqa: N802 - in JavaScript % takes the sign along
+    def _print_Mod(self, mod: sp.Mod) -> str:  # noqa: N802 - the % of JavaScript keeps the sign
         value, turn = mod.args
         return f"({self._print(value - turn * sp.floor(value / turn))})"
 
@@ -251,9 +251,8 @@ class Formulas:
         settings = sorted(name for name in self.names.values() if name[0] == "c")
         ordered = sorted(settings, key=lambda name: int(name[1:]))
         arguments = ["f", *ordered, *(name.replace("c", "p") for name in ordered)]
-        searches = {"largest": find_largest, "place_of_largest": find_place_of_largest}
-        searches["inverse"] = find_inverse
-        return sp.lambdify([sp.Symbol(a) for a in arguments], body, modules=[searches, "numpy"])  # type: ignore[no-any-return]
+        symbols = [sp.Symbol(argument) for argument in arguments]
+        return sp.lambdify(symbols, body, modules=[_FOUND_BY, "numpy"])  # type: ignore[no-any-return]
 
     def _print(self, expression: sp.Expr) -> tuple[str, str]:
         """Return an expression in both languages."""
@@ -315,9 +314,7 @@ def find_place_of_largest(function: Callable[[Any], Any], low: float, high: floa
     return _search(function, low, high)[0]
 
 
-def find_inverse(
-    function: Callable[[Any], Any], low: float, high: float, wanted: float
-) -> float:
+def find_inverse(function: Callable[[Any], Any], low: float, high: float, wanted: float) -> float:
     """Return where a monotone function has a value, by the steps of `formulas.js`; else nan."""
     sign = 1 if function(high) >= function(low) else -1
     if not sign * (function(low) - wanted) <= 0 <= sign * (function(high) - wanted):
@@ -347,3 +344,10 @@ def _search(function: Callable[[Any], Any], low: float, high: float) -> tuple[fl
     if there > values[best]:
         return float(between), there
     return float(places[best]), float(values[best])
+
+
+_FOUND_BY: dict[str, Callable[..., float]] = {
+    "largest": find_largest,
+    "place_of_largest": find_place_of_largest,
+    "inverse": find_inverse,
+}

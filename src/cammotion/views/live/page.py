@@ -58,8 +58,8 @@ figure.render({{ model, el: place }});
 
 @cache
 def module() -> str:
-    """Return the front-end module: what computes, and what draws."""
-    parts = (_FOLDER / name for name in ("formulas.js", "figure.js"))
+    """Return the front-end module: what computes, what draws, what listens."""
+    parts = (_FOLDER / name for name in ("formulas.js", "panel.js", "figure.js"))
     return "".join(part.read_text(encoding="utf-8") for part in parts)
 
 

@@ -44,8 +44,9 @@ class Line:
 
     `over` is the span of the variable, (low, high), the figure's own unless given. `joints` are
     where pieces meet, so that corners are drawn exactly. The curve is drawn only where the
-    expression `only_where` is above 0. `colour` counts from 0 through the workbook's colours and line styles. `role` is "own",
-    "reference" (thin and dashed, what stays), "alarm" (red and wide) or "frame" (thin and black).
+    expression `only_where` is above 0. `colour` counts from 0 through the workbook's colours and
+    line styles. `role` is "own", "reference" (thin and dashed, what stays), "alarm" (red and wide)
+    or "frame" (thin, black).
 
     >>> import sympy as sp
     >>> t = sp.Symbol("t")

@@ -26,9 +26,7 @@ _STYLES = {
 _SPIKE = 20  # so many times as wide as nine tenths of the values is what belongs to a pole
 
 
-def draw(
-    description: dict[str, Any], now: Functions, then: Functions, clock: float
-) -> bytes:
+def draw(description: dict[str, Any], now: Functions, then: Functions, clock: float) -> bytes:
     """Return a PNG of a described figure: `now` its formulas as set, `then` as pinned.
 
     `clock` is where the variable stands.
@@ -39,89 +37,102 @@ def draw(
         figsize=(_WIDTH_IN, max(heights) * _HEIGHT_IN), dpi=100, facecolor="white", layout="tight"
     )
     grid = figure.add_gridspec(1, len(columns), width_ratios=description["shares"])
-    for place, column in zip(grid, columns, strict=True):
+    for number, column in enumerate(columns):
         ratios = [panel["height"] for panel in column]
-        inner = place.subgridspec(len(column), 1, height_ratios=ratios)
-        for spot, panel in zip(inner, column, strict=True):
-            ax = figure.add_subplot(spot)
-            is_last = panel is column[-1] or not panel["shares_x"]
-            _draw_panel(ax, panel, now, then if description["pin"] else None, clock, is_last)
+        inner = grid[number].subgridspec(len(column), 1, height_ratios=ratios)
+        for place, panel in enumerate(column):
+            drawn = _Drawn(figure.add_subplot(inner[place]), panel, now, clock)
+            drawn.draw(then if description["pin"] else None, panel is column[-1])
     picture = io.BytesIO()
     FigureCanvasAgg(figure).print_png(picture)  # type: ignore[no-untyped-call]
     return picture.getvalue()
 
 
-def _draw_panel(  # noqa: PLR0913 - what a panel needs, each once
-    ax: Axes,
-    panel: dict[str, Any],
-    now: Functions,
-    then: Functions | None,
-    clock: float,
-    is_last: bool,
-) -> None:
-    style_axes(ax, panel["x_label"] if is_last else "", panel["y_label"].replace(" in ", "\nin "))
-    ax.tick_params(labelbottom=is_last)
-    ax.margins(x=0.02)
-    for line in panel["lines"]:
-        if then is not None and line["role"] == "own":
-            ax.plot(*_sampled(line, then), **REFERENCE_STYLE)
-        (drawn,) = ax.plot(*_sampled(line, now))
-        drawn.set_label(line["name"] or "_")
-        _style(drawn, line)
-    for text, x, y in panel["words"]:
-        ax.text(x, y, text, fontsize=10, ha="center", va="top")
-    _set_limits(ax, panel, now)
-    for box in panel["boxes"]:
-        _draw_box(ax, box, now, clock)
-    for point in panel["points"]:
-        at = now[point["x"]](clock), now[point["y"]](clock)
-        ax.plot(*at, "o", color=colour(point["colour"]), markersize=12 if point["drags"] else 7)
-        if point["name"]:
-            write(ax, point["name"], at)
-    if panel["has_cursor"]:
-        ax.axvline(clock, color="#555555", linewidth=1)
-    if panel["equal"]:
-        ax.set_aspect("equal")
-    if panel["bare"]:
-        ax.set_axis_off()
-    if sum(bool(line["name"]) for line in panel["lines"]) > 1:
-        ax.legend(fontsize=10)
+class _Drawn:
+    """A panel on its axes."""
 
+    def __init__(self, ax: Axes, panel: dict[str, Any], now: Functions, clock: float) -> None:
+        self.ax, self.panel, self.now, self.clock = ax, panel, now, clock
 
-def _style(drawn: Any, line: dict[str, Any]) -> None:
-    if line["role"] == "own":
-        style_line(drawn, line["colour"])
-    else:
-        drawn.set(**_STYLES[line["role"]])
+    def draw(self, then: Functions | None, is_last: bool) -> None:
+        """Draw all that is in it, and numbers under it unless the panel below has the same."""
+        ax, panel = self.ax, self.panel
+        has_numbers = is_last or not panel["shares_x"]
+        label = panel["y_label"].replace(" in ", "\nin ")
+        style_axes(ax, panel["x_label"] if has_numbers else "", label)
+        ax.tick_params(labelbottom=has_numbers)
+        ax.margins(x=0.02)
+        self._draw_lines(then)
+        self._set_limits()
+        for box in panel["boxes"]:
+            self._draw_box(box)
+        for text, x, y in panel["words"]:
+            ax.text(x, y, text, fontsize=10, ha="center", va="center")
+        self._draw_points()
+        if panel["equal"]:
+            ax.set_aspect("equal")
+        if panel["bare"]:
+            ax.set_axis_off()
+        if sum(bool(line["name"]) for line in panel["lines"]) > 1:
+            ax.legend(fontsize=10)
 
+    def _draw_lines(self, then: Functions | None) -> None:
+        for line in self.panel["lines"]:
+            is_own = line["role"] == "own"
+            if then is not None and is_own:
+                self.ax.plot(*_sampled(line, then), **REFERENCE_STYLE)
+            (drawn,) = self.ax.plot(*_sampled(line, self.now))
+            drawn.set_label(line["name"] or "_")
+            if is_own:
+                style_line(drawn, line["colour"])
+            else:
+                drawn.set(**_STYLES[line["role"]])
 
-def _draw_box(ax: Axes, box: dict[str, Any], now: Functions, clock: float) -> None:
-    edges = [*ax.get_xlim(), *ax.get_ylim()]
-    sides = ["x_low", "x_high", "y_low", "y_high"]
-    x0, x1, y0, y1 = (
-        edge if box[side] is None else float(now[box[side]](clock))
-        for side, edge in zip(sides, edges, strict=True)
-    )
-    ax.add_patch(Rectangle((x0, y0), x1 - x0, y1 - y0, **COLLISION, alpha=0.6, linewidth=0))
-    ax.set(xlim=edges[:2], ylim=edges[2:])
-    if box["name"]:
-        middle = (max(x0, edges[0]) + min(x1, edges[1])) / 2, (y0 + min(y1, edges[3])) / 2
-        write(ax, box["name"], middle, COLLISION["edgecolor"], offset=(0, 0))
+    def _draw_points(self) -> None:
+        for point in self.panel["points"]:
+            at = self._at(point["x"]), self._at(point["y"])
+            size = 12 if point["drags"] else 7
+            self.ax.plot(*at, "o", color=colour(point["colour"]), markersize=size)
+            if point["name"]:
+                write(self.ax, point["name"], at)
+        if self.panel["has_cursor"]:
+            self.ax.axvline(self.clock, color="#555555", linewidth=1)
+            for line in self.panel["lines"]:
+                at = self.clock, self._at(line["y"])
+                self.ax.plot(*at, "o", color=colour(line["colour"]), markersize=6)
 
+    def _draw_box(self, box: dict[str, Any]) -> None:
+        edges = [*self.ax.get_xlim(), *self.ax.get_ylim()]
+        sides = ["x_low", "x_high", "y_low", "y_high"]
+        x0, x1, y0, y1 = (
+            edge if box[side] is None else self._at(box[side])
+            for side, edge in zip(sides, edges, strict=True)
+        )
+        region = Rectangle((x0, y0), x1 - x0, y1 - y0, **COLLISION, alpha=0.6, linewidth=0)
+        self.ax.add_patch(region)
+        self.ax.set(xlim=edges[:2], ylim=edges[2:])
+        if box["name"]:
+            middle = (max(x0, edges[0]) + min(x1, edges[1])) / 2, (y0 + min(y1, edges[3])) / 2
+            write(self.ax, box["name"], middle, COLLISION["edgecolor"], offset=(0, 0))
 
-def _set_limits(ax: Axes, panel: dict[str, Any], now: Functions) -> None:
-    if panel["x_limits"]:
-        ax.set_xlim(*(float(now[end]()) for end in panel["x_limits"]))
-    if panel["y_limits"]:
-        ax.set_ylim(*(float(now[end]()) for end in panel["y_limits"]))
-        return
-    drawn = [np.asarray(line.get_ydata(), dtype=float) for line in ax.lines]
-    values = np.concatenate([np.empty(0), *drawn])
-    values = values[np.isfinite(values)]
-    if values.size:
-        few, most = np.quantile(values, [0.05, 0.95])
-        if 0 < _SPIKE * (most - few) < np.ptp(values):
-            ax.set_ylim(max(values.min(), 2 * few - most), min(values.max(), 2 * most - few))
+    def _set_limits(self) -> None:
+        """Take the limits that are given; else let no spike beside a pole flatten the rest."""
+        if self.panel["x_limits"]:
+            self.ax.set_xlim(*(self._at(end) for end in self.panel["x_limits"]))
+        if self.panel["y_limits"]:
+            self.ax.set_ylim(*(self._at(end) for end in self.panel["y_limits"]))
+            return
+        drawn = [np.asarray(line.get_ydata(), dtype=float) for line in self.ax.lines]
+        values = np.concatenate([np.empty(0), *drawn])
+        values = values[np.isfinite(values)]
+        if values.size:
+            few, most = np.quantile(values, [0.05, 0.95])
+            if 0 < _SPIKE * (most - few) < np.ptp(values):
+                low, high = 2 * few - most, 2 * most - few
+                self.ax.set_ylim(max(values.min(), low), min(values.max(), high))
+
+    def _at(self, formula: int) -> float:
+        return float(self.now[formula](self.clock))
 
 
 def _sampled(line: dict[str, Any], now: Functions) -> tuple[Floats, Floats]:

@@ -38,7 +38,10 @@ def usual_sentences(
     unit = notation.meaning(variable.name).unit
     where = "at {place:.4g} " + unit if unit else f"at {variable.name} = {{place:.4g}}"
     says = [
-        Say(f"{notation.meaning(s.name).name} = {{it:.4g}} {notation.meaning(s.name).unit}", {"it": s})
+        Say(
+            f"{notation.meaning(s.name).name} = {{it:.4g}} {notation.meaning(s.name).unit}",
+            {"it": s},
+        )
         for s in followed
     ]
     now = {f"y{i}": line.y for i, line in enumerate(lines)}
@@ -64,7 +67,9 @@ def quantity_of(expression: Any) -> str | None:
     >>> quantity_of(h_m / t_m**2 * sp.sin(t / t_m)), quantity_of(sp.sin(t / t_m))
     ('a', None)
     """
-    metres, seconds = (_power(sp.sympify(expression), unit) for unit in (notation.METRES, notation.SECONDS))
+    metres, seconds = (
+        _power(sp.sympify(expression), unit) for unit in (notation.METRES, notation.SECONDS)
+    )
     return None if metres is None or seconds is None else notation.BY_POWERS.get((metres, seconds))
 
 

@@ -1,0 +1,298 @@
+// A panel of a live figure: curves, points and boxes on axes, drawn in the page's own pixels, so
+// that its text is as large on a phone; before it the elements that all of the figure is made of.
+
+const STYLES = [
+  ["1", "none"],
+  ["2", "7 3"],
+  ["3", "9 3 2 3"],
+  ["4", "2 3"],
+  ["5", "9 3 2 3 2 3"],
+  ["6", "12 4"],
+];
+const BEYOND_PX = 9999,
+  TALLEST_PX = 440,
+  KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+function put(element, attributes) {
+  for (const name in attributes) element.setAttribute(name, attributes[name]);
+  return element;
+}
+const html = (name, attributes, ...children) => {
+  const element = put(document.createElement(name), attributes);
+  element.append(...children);
+  return element;
+};
+const svg = (name, attributes, ...children) => {
+  const element = put(document.createElementNS("http://www.w3.org/2000/svg", name), attributes);
+  element.append(...children);
+  return element;
+};
+const text = (attributes, words) => svg("text", { "text-anchor": "middle", ...attributes }, words);
+const write = (element, words) => {
+  if (element.textContent !== words) element.textContent = words;
+};
+const strokeOf = ({ role, colour }) =>
+  role === "own"
+    ? `stroke:${paint(colour)};stroke-dasharray:${STYLES[colour % STYLES.length][1]}`
+    : "";
+const paint = (colour) => `var(--cm-${STYLES[colour % STYLES.length][0]})`;
+
+/** A scale from [low, high] to pixels, and back. */
+function axis(from, to, [low, high]) {
+  const at = (value) => from + ((value - low) / (high - low)) * (to - from);
+  at.back = (pixel) => low + ((pixel - from) / (to - from)) * (high - low);
+  return at;
+}
+
+/** A panel: what it is made of, still without a place; `draw` gives it one. */
+class Panel {
+  constructor(panel, id, isLast, pin) {
+    Object.assign(this, { panel, hasNumbers: isLast || !panel.shares_x, view: {} });
+    this.grid = svg("g", { class: "cm-grid" });
+    this.hole = svg("rect", {});
+    this.cursor = svg("path", { class: "cm-cursor" });
+    this.boxes = panel.boxes.map((box) => ({
+      box,
+      rect: svg("rect", { class: "cm-box" }),
+      word: text({ class: "cm-alarm" }, box.name),
+    }));
+    this.lines = panel.lines.map((line) => ({
+      line,
+      twin: pin && line.role === "own" ? svg("path", { class: "cm-line cm-reference" }) : null,
+      path: svg("path", { class: `cm-line cm-${line.role}`, style: strokeOf(line) }),
+    }));
+    this.points = panel.points.map((point) => ({
+      point,
+      dot: svg("circle", {
+        class: "cm-point",
+        r: point.drags ? 9 : 5,
+        style: `fill:${paint(point.colour)}`,
+      }),
+      word: svg("text", {}, point.name),
+    }));
+    this.dots = panel.has_cursor
+      ? this.lines
+          .filter(({ line }) => line.role === "own")
+          .map(({ line }) => ({
+            line,
+            dot: svg("circle", { class: "cm-point", r: 4, style: `fill:${paint(line.colour)}` }),
+          }))
+      : [];
+    const inside = svg(
+      "g",
+      { "clip-path": `url(#${id}k)` },
+      ...this.boxes.map(({ rect }) => rect),
+      this.cursor,
+      ...this.lines.flatMap(({ twin, path }) => (twin ? [twin, path] : [path])),
+      ...this.dots.map(({ dot }) => dot),
+    );
+    this.root = svg(
+      "svg",
+      { role: "img", "aria-labelledby": `${id}t` },
+      svg("title", { id: `${id}t` }, panel.title),
+      svg("clipPath", { id: `${id}k` }, this.hole),
+      this.grid,
+      inside,
+      ...this.boxes.map(({ word }) => word),
+      ...this.points.flatMap(({ dot, word }) => [dot, word]),
+    );
+  }
+
+  /** Let the reader move a point that drags controls, by pointer and by arrow key. */
+  letDrag(move) {
+    const { root } = this,
+      pad = this.points.find(({ point }) => point.drags);
+    if (!pad) return;
+    const { point, dot } = pad;
+    const follow = ({ clientX, clientY }) => {
+      const box = root.getBoundingClientRect(),
+        { X, Y } = this.view;
+      move({ point, at: [X.back(clientX - box.left), Y.back(clientY - box.top)] });
+    };
+    put(root, { class: "cm-pad", role: "group" });
+    put(dot, { tabindex: 0, role: "application", "aria-label": point.label });
+    root.addEventListener("pointerdown", (event) => {
+      event.preventDefault();
+      root.setPointerCapture(event.pointerId);
+      dot.focus();
+      follow(event);
+    });
+    root.addEventListener("pointermove", (event) => {
+      if (root.hasPointerCapture(event.pointerId)) follow(event);
+    });
+    dot.addEventListener("keydown", (event) => {
+      if (!(event.key in KEYS)) return;
+      event.preventDefault();
+      move({ point, by: KEYS[event.key] });
+    });
+  }
+
+  /** Draw it with these formulas, and these of the pinned settings; true if a curve is there. */
+  draw(now, then, clock) {
+    const { panel } = this;
+    const traced = this.lines.map(({ line, twin }) => ({
+      line,
+      own: trace(line, now),
+      twin: twin ? trace(line, then) : [],
+    }));
+    this.scale(now, traced);
+    const { X, Y, top, bottom, left, right } = this.view;
+    this.lines.forEach(({ path, twin }, i) => {
+      put(path, { d: this.pathOf(traced[i].own) });
+      if (twin) put(twin, { d: this.pathOf(traced[i].twin) });
+    });
+    for (const { box, rect, word } of this.boxes) {
+      const side = (name, edge, axis) => (box[name] === null ? edge : axis(now[box[name]](clock)));
+      const x = [side("x_low", left, X), side("x_high", right, X)],
+        y = [side("y_high", top, Y), side("y_low", bottom, Y)];
+      put(rect, {
+        x: x[0],
+        y: y[0],
+        width: Math.max(x[1] - x[0], 0) || 0,
+        height: Math.max(y[1] - y[0], 0) || 0,
+      });
+      put(word, {
+        x: (Math.max(x[0], left) + Math.min(x[1], right)) / 2,
+        y: (Math.max(y[0], top) + Math.min(y[1], bottom)) / 2,
+      });
+    }
+    for (const { point, dot, word } of this.points) {
+      const x = X(now[point.x](clock)),
+        y = Y(now[point.y](clock)),
+        isThere = Number.isFinite(x + y);
+      dot.style.display = word.style.display = isThere ? "" : "none";
+      if (isThere) {
+        put(dot, { cx: x, cy: y });
+        put(word, { x: x + 11, y: y - 9 });
+      }
+    }
+    if (panel.has_cursor) put(this.cursor, { d: `M${X(clock)} ${top}V${bottom}` });
+    for (const { line, dot } of this.dots) {
+      const y = Y(now[line.y](clock));
+      dot.style.display = Number.isFinite(y) ? "" : "none";
+      if (Number.isFinite(y)) put(dot, { cx: X(clock), cy: y });
+    }
+    const own = traced.filter(({ line }) => line.role === "own");
+    return !own.length || own.some(({ own: points }) => points.length);
+  }
+
+  /** Take scales that hold what is traced, and draw the frame again where they are others. */
+  scale(now, traced) {
+    const { panel, root } = this,
+      width = root.clientWidth || 640;
+    const fitted = (given, values, ticks) => {
+      const ends = given
+        ? given.map((i) => now[i]())
+        : ticks
+          ? [Math.min(...values()), Math.max(...values())]
+          : limits(values());
+      return [ends[0], ends[1], ticks ?? ends[2] ?? tick(ends[1] - ends[0])];
+    };
+    const all = (at) =>
+      traced.flatMap(({ own, twin }) => [...own, ...twin].map((point) => point[at]));
+    const x = fitted(
+      panel.x_limits,
+      () =>
+        panel.is_over_variable
+          ? traced.flatMap(({ line }) => line.over.map((i) => now[i]()))
+          : all(0),
+      panel.x_ticks,
+    );
+    const y = fitted(panel.y_limits, () => all(1), panel.y_ticks);
+    const key = [width, ...x, ...y].join();
+    if (this.view.key === key) return;
+    const top = 8,
+      below = panel.bare ? 8 : this.hasNumbers ? 44 : 10,
+      edge = panel.bare ? 8 : 74;
+    const room = width - edge - 14,
+      shape = (y[1] - y[0]) / (x[1] - x[0]);
+    const height = panel.equal ? Math.min(room * shape, TALLEST_PX) : panel.height;
+    const across = panel.equal ? Math.min(room, height / shape) : room;
+    const left = edge + (room - across) / 2,
+      right = left + across,
+      bottom = top + height;
+    this.view = {
+      key,
+      x,
+      y,
+      left,
+      right,
+      top,
+      bottom,
+      X: axis(left, right, x),
+      Y: axis(bottom, top, y),
+    };
+    put(root, { height: bottom + below });
+    put(this.hole, { x: left - 2, y: top - 2, width: across + 4, height: height + 4 });
+    this.grid.replaceChildren(
+      ...(panel.bare ? [] : this.frame()),
+      ...panel.words.flatMap(([words, a, b]) =>
+        words
+          .split("\n")
+          .map((word, i, all) =>
+            text(
+              { x: this.view.X(a), y: this.view.Y(b) + 15 * (i - (all.length - 1) / 2) + 4 },
+              word,
+            ),
+          ),
+      ),
+    );
+  }
+
+  frame() {
+    const {
+      panel,
+      view: { x, y, X, Y, left, right, top, bottom },
+    } = this;
+    const places = ([low, high, step]) => {
+      const first = Math.ceil(low / step - NEAR),
+        count = Math.floor(high / step + NEAR) - first;
+      return Array.from({ length: count + 1 }, (_, i) => (first + i) * step);
+    };
+    const across = places(x),
+      every = Math.ceil((across.length * 34) / (right - left));
+    const drawn = [
+      ...across.map((value) => svg("path", { d: `M${X(value)} ${top}V${bottom}` })),
+      ...places(y).flatMap((value) => [
+        svg("path", { d: `M${left} ${Y(value)}H${right}`, class: value === 0 ? "cm-zero" : "" }),
+        text({ x: left - 7, y: Y(value) + 4, "text-anchor": "end" }, plain(value)),
+      ]),
+      ...panel.y_label
+        .split(" in ")
+        .map((words, i) =>
+          text(
+            { x: -(top + bottom) / 2, y: 14 + 15 * i, transform: "rotate(-90)" },
+            i ? `in ${words}` : words,
+          ),
+        ),
+    ];
+    if (!this.hasNumbers) return drawn;
+    return [
+      ...drawn,
+      ...across
+        .filter((_, i) => i % every === 0)
+        .map((value) => text({ x: X(value), y: bottom + 17 }, plain(value))),
+      text({ x: (left + right) / 2, y: bottom + 36 }, panel.x_label),
+    ];
+  }
+
+  pathOf(points) {
+    const { X, Y, top, bottom } = this.view;
+    let d = "",
+      pen = "M",
+      before = 0;
+    for (const [x, y] of points) {
+      if (!Number.isFinite(x)) {
+        pen = "M";
+        continue;
+      }
+      const height = Y(y),
+        side = height < top - 1 ? -1 : height > bottom + 1 ? 1 : 0;
+      if (side * before < 0) pen = "M"; // from above the picture to below it: a pole
+      d += `${pen}${X(x).toFixed(1)} ${Math.min(Math.max(height, -BEYOND_PX), BEYOND_PX).toFixed(1)}`;
+      [pen, before] = ["L", side];
+    }
+    return d;
+  }
+}
+
