@@ -35,20 +35,3 @@ def percentile_95(values: Sequence[float]) -> float:
 def ratio_of_medians(values: Sequence[float], others: Sequence[float]) -> float:
     """Return how many times larger `values` are than `others`."""
     return statistics.median(values) / statistics.median(others)
-
-
-def judge_ticks(
-    where: str, own: Sequence[float], rival: Sequence[float], limit_ms: float, times_faster: float
-) -> list[Finding]:
-    """Judge the times of an explorer's ticks, in ms, by themselves and against `interact`."""
-    say(f"{where}, medians: explorer {statistics.median(own):.1f} ms of {len(own)} ticks")
-    say(f"interact {statistics.median(rival):.1f} ms of {len(rival)} ticks")
-    faster = f"{where}: times faster than interact"
-    worst = percentile_95(own)
-    return [
-        Finding(f"{where}: 95th percentile", worst, limit_ms, "ms"),
-        Finding(f"{faster}, medians", ratio_of_medians(rival, own), times_faster, "x", True),
-        Finding(
-            f"{faster}, 95th percentiles", percentile_95(rival) / worst, times_faster, "x", True
-        ),
-    ]

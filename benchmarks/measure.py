@@ -9,22 +9,18 @@ import sys
 from collections.abc import Callable
 
 from animation import measure_animation
-from browser import measure_redraws
 from curves import measure_factors, measure_lines
 from exercises import measure_exercises
 from findings import Finding
-from kernel import measure_explorers, measure_ticks
 from laws import measure_first_use, measure_laws, measure_rival
 from limits import measure_limits
+from live import measure_live
 from overlap import measure_overlap
 from package import measure_import, measure_lesson, measure_setup, measure_test
 from round_trip import measure_round_trips
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
-    "tick": measure_ticks,
-    "explorers": measure_explorers,
     "animation": measure_animation,
-    "browser": measure_redraws,
     "exercises": measure_exercises,
     "import": measure_import,
     "law": measure_laws,
@@ -34,6 +30,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "lesson": measure_lesson,
     "lines": measure_lines,
     "limits": measure_limits,
+    "live": measure_live,
     "overlap": measure_overlap,
     "round-trip": measure_round_trips,
     "setup": measure_setup,

@@ -18,7 +18,7 @@ WORK = "work-benchmark"
 HEAVY = {"sympy", "matplotlib"}
 SAME_IMPORTS = """
 import ipywidgets, matplotlib.pyplot, numpy, sympy
-import cammotion.views.live, cammotion.views.plots
+import cammotion.views.live.explore, cammotion.views.plots
 """
 
 

@@ -4,13 +4,13 @@ import contextlib
 import re
 
 from starter.errors import incomplete
-from starter.paths import ENVIRONMENT, NOTEBOOKS, PACKAGE, PROJECT, ROOT, SWITCH
+from starter.paths import ENVIRONMENT, NOTEBOOKS, PACKAGE, PROJECT, ROOT, SWITCHES
 
 
 def check() -> None:
     """Refuse to work with half a workbook."""
     pinned_packages()
-    for path in (PROJECT, PACKAGE, NOTEBOOKS, SWITCH):
+    for path in (PROJECT, PACKAGE, NOTEBOOKS, *SWITCHES):
         if not path.exists():
             raise incomplete(f"{path.relative_to(ROOT)} is missing")
 

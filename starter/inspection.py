@@ -6,7 +6,7 @@ import os
 import subprocess
 from typing import NamedTuple
 
-from starter.paths import ENVIRONMENT, SWITCH, VENV, VENV_PYTHON
+from starter.paths import ENVIRONMENT, SWITCHES, VENV, VENV_PYTHON
 
 STAMP = VENV / "installed.json"
 PROBE = """
@@ -71,7 +71,8 @@ def differences(before: Environment, now: Environment) -> str:
 def inspect() -> Environment | None:
     """Ask the environment's Python what it is and has; return None if it does not run."""
     files = {
-        path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in (ENVIRONMENT, SWITCH)
+        path.name: hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in (ENVIRONMENT, *SWITCHES)
     }
     probe = [str(VENV_PYTHON), "-I", "-c", PROBE]
     try:

@@ -9,7 +9,11 @@ NOTEBOOKS = ROOT / "notebooks"
 PACKAGE = ROOT / "src" / "cammotion"
 ENVIRONMENT = ROOT / "environment.txt"
 PROJECT = ROOT / "pyproject.toml"
-SWITCH = ROOT / "etc" / "jupyter" / "jupyter_server_config.d" / "cammotion.json"
+ETC = ROOT / "etc" / "jupyter"
+SWITCHES = (  # what the package lays into its environment for Jupyter
+    ETC / "jupyter_server_config.d" / "cammotion.json",
+    ETC / "labconfig" / "default_setting_overrides.d" / "cammotion_widgets.json",
+)
 VENV = ROOT / ".venv"
 
 ON_WINDOWS = os.name == "nt"

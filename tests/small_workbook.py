@@ -42,9 +42,7 @@ def lay_out(parent: Path) -> Path:
     (root / "notebooks").mkdir()
     shutil.copy(LAUNCHER, root)
     shutil.copytree(STARTER, root / "starter")
-    switch = root / starter.paths.SWITCH.relative_to(REPOSITORY)
-    switch.parent.mkdir(parents=True)
-    shutil.copy(starter.paths.SWITCH, switch)
+    shutil.copytree(REPOSITORY / "etc", root / "etc")
     (root / "environment.txt").write_text("-e .\nno-such-package==1.0\n")
     (root / "pyproject.toml").write_text("[project]\nname = 'cammotion'\nversion = '0'\n")
     for name in ("00_start_here", "02_maximum_acceleration"):

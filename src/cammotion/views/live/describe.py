@@ -281,9 +281,10 @@ def _start(low: float, high: float, usual: float | None) -> float:
 
 
 def _step(width: float) -> float:
-    """Return a round step, of which 100 to 250 make the width."""
-    decade = 10.0 ** math.floor(math.log10(width / 100))
-    return max(size * decade for size in (1, 2, 5) if size * decade * 100 <= width * (1 + 1e-9))
+    """Return a round step, of which 150 to 375 make the width."""
+    most = width / 150
+    decade = 10.0 ** math.floor(math.log10(most))
+    return max(size * decade for size in (1, 2, 5) if size * decade <= most)
 
 
 def _in_order(values: Mapping[sp.Symbol, Any]) -> dict[sp.Symbol, sp.Expr]:

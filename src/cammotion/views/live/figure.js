@@ -2,7 +2,6 @@
 // page's own. It is the last of three files, which are one module.
 
 const PAUSE_MS = 600;
-let figures = 0;
 
 /** A button; what it does is done at a press. */
 function button(words, press) {
@@ -104,7 +103,7 @@ class Figure {
   constructor(model) {
     const description = model.get("description"),
       { controls, clock, columns, shares, pin } = description;
-    const id = `cm${++figures}`;
+    const id = `cm${Math.random().toString(36).slice(2)}`; // each figure is a module of its own
     // `part` is where the clock stands, as a part of its range; `frame` the next one, if it runs
     Object.assign(this, {
       model,
@@ -141,7 +140,6 @@ class Figure {
         class: "cm-figure",
         role: "group",
         "aria-label": description.title,
-        "data-lm-suppress-shortcuts": "true",
       },
       html(
         "div",
@@ -165,11 +163,15 @@ class Figure {
         ),
       ),
     );
+    for (const panel of this.panels.flat()) panel.letDrag((move) => this.drag(move));
+    // Notebook 7 takes the arrow keys of whatever is focused and does not say so itself
+    for (const focusable of this.root.querySelectorAll("input, select, button, [tabindex]")) {
+      put(focusable, { "data-lm-suppress-shortcuts": true });
+    }
     this.root.addEventListener("keydown", (event) => {
       // the notebook's own keys are not meant
       if (!(event.ctrlKey || event.metaKey || event.altKey)) event.stopPropagation();
     });
-    for (const panel of this.panels.flat()) panel.letDrag((move) => this.drag(move));
   }
 
   clockRow() {

@@ -18,7 +18,7 @@ from cammotion.views.live.describe import Describer, Description
 from cammotion.views.live.parts import Choice
 from cammotion.views.live.picture import draw
 
-MIME = "application/vnd.cammotion.figure+json"
+MIME = "application/vnd.cammotion.figure"  # holds JSON as text, one line of a stored notebook
 CLOCK = 0.25  # of the variable's range: where the cursor stands at first
 
 
@@ -194,7 +194,7 @@ class LiveFigure(anywidget.AnyWidget):
         """Show picture and text beside the widget, and what a page can be made from."""
         data, metadata = super()._repr_mimebundle_(**kwargs) or ({}, {})
         shown = {
-            MIME: self._data,
+            MIME: page.as_text(self._data),
             "image/png": base64.b64encode(self.picture()).decode("ascii"),
             "text/plain": self.text,
         }

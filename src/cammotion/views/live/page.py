@@ -74,7 +74,7 @@ def write_page(data: dict[str, Any], text: str) -> str:
 
     `text` is what a reader without JavaScript sees.
     """
-    stored = json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+    stored = as_text(data).replace("<", "\\u003c")
     packed = base64.b64encode(gzip.compress(module().encode(), mtime=0)).decode("ascii")
     return _PAGE.format(
         title=escape(data["description"]["title"]),
@@ -83,3 +83,8 @@ def write_page(data: dict[str, Any], text: str) -> str:
         data=stored,
         script=_SCRIPT.format(packed=packed),
     )
+
+
+def as_text(data: dict[str, Any]) -> str:
+    """Return what a figure stores as one line of JSON."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))

@@ -19,11 +19,12 @@ def labelled_panel(panel: Panel) -> Panel:
     """Return a panel with a label for its heights, which follows from the units if it has none."""
     if panel.y or not panel.lines:
         return panel
-    y = panel.lines[0].y
-    symbol = quantity_of(y)
-    text = shortly(sp.sympify(y))
-    label = notation.labelled(symbol) if symbol else text if len(text) <= _LONGEST_LABEL else "y"
-    return replace(panel, y=label)
+    first, *others = panel.lines
+    symbol, text = quantity_of(first.y), shortly(sp.sympify(first.y))
+    if symbol:
+        return replace(panel, y=notation.labelled(symbol))
+    name = first.name if not others else ""
+    return replace(panel, y=name or (text if len(text) <= _LONGEST_LABEL else "y"))
 
 
 def usual_sentences(
