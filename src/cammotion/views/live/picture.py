@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from matplotlib.patheffects import withStroke
 
 from cammotion.quantities import Floats
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
@@ -18,11 +19,13 @@ Functions = Sequence[Callable[..., Any]]
 
 _SAMPLES = 800
 _WIDTH_IN, _HEIGHT_IN = 8.2, 0.0145  # of a picture, and of a pixel of a panel's height
+_LABEL_IN, _NUMBERS_IN, _ROOM_IN = 0.95, 0.6, 0.14  # left of, under and between panels
 _STYLES = {
     "alarm": {"color": COLLISION["edgecolor"], "linewidth": 5, "alpha": 0.8},
     "reference": REFERENCE_STYLE | {"linewidth": 1.2},
     "frame": {"color": "#000000", "linewidth": 1.2},
 }
+_HALO = withStroke(linewidth=3, foreground="white")  # words over lines stay readable
 _SPIKE = 20  # so many times as wide as nine tenths of the values is what belongs to a pole
 
 
@@ -32,20 +35,40 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
     `clock` is where the variable stands.
     """
     columns = description["columns"]
-    heights = [sum(panel["height"] for panel in column) for column in columns]
-    figure = Figure(
-        figsize=(_WIDTH_IN, max(heights) * _HEIGHT_IN), dpi=100, facecolor="white", layout="tight"
+    width, height = _WIDTH_IN, _HEIGHT_IN * max(sum(p["height"] for p in c) for c in columns)
+    figure = Figure(figsize=(width, height), dpi=100, facecolor="white")
+    grid = figure.add_gridspec(
+        1,
+        len(columns),
+        width_ratios=description["shares"],
+        left=_LABEL_IN / width,
+        right=1 - _ROOM_IN / width,
+        bottom=_NUMBERS_IN / height,
+        top=1 - _ROOM_IN / height,
+        wspace=_LABEL_IN * len(columns) / width,
     )
-    grid = figure.add_gridspec(1, len(columns), width_ratios=description["shares"])
     for number, column in enumerate(columns):
+        room = _ROOM_IN if column[0]["shares_x"] else _NUMBERS_IN
         ratios = [panel["height"] for panel in column]
-        inner = grid[number].subgridspec(len(column), 1, height_ratios=ratios)
+        hspace = 1.6 * room * len(column) / height
+        inner = grid[number].subgridspec(len(column), 1, height_ratios=ratios, hspace=hspace)
         for place, panel in enumerate(column):
             drawn = _Drawn(figure.add_subplot(inner[place]), panel, now, clock)
             drawn.draw(then if description["pin"] else None, panel is column[-1])
+    _add_legends(figure.axes)
     picture = io.BytesIO()
     FigureCanvasAgg(figure).print_png(picture)  # type: ignore[no-untyped-call]
     return picture.getvalue()
+
+
+def _add_legends(axes: Sequence[Axes]) -> None:
+    """Name the lines where several have names, unless a panel above has said the same."""
+    said: list[list[str]] = []
+    for ax in axes:
+        _, names = ax.get_legend_handles_labels()
+        if len(names) > 1 and names not in said:
+            ax.legend(fontsize=10)
+        said.append(names)
 
 
 class _Drawn:
@@ -67,14 +90,12 @@ class _Drawn:
         for box in panel["boxes"]:
             self._draw_box(box)
         for text, x, y in panel["words"]:
-            ax.text(x, y, text, fontsize=10, ha="center", va="center")
+            ax.text(x, y, text, fontsize=10, ha="center", va="center", path_effects=[_HALO])
         self._draw_points()
         if panel["equal"]:
             ax.set_aspect("equal")
         if panel["bare"]:
             ax.set_axis_off()
-        if sum(bool(line["name"]) for line in panel["lines"]) > 1:
-            ax.legend(fontsize=10)
 
     def _draw_lines(self, then: Functions | None) -> None:
         for line in self.panel["lines"]:
