@@ -149,7 +149,8 @@ class LiveFigure(anywidget.AnyWidget):
         for number, control in enumerate(controls):
             if control["most"] is not None and not (number in changes and len(changes) == 1):
                 most = float(self._formulas.at(changed, changed)[control["most"]]())
-                changed[number] = within(number, min(changed[number], most))
+                if most < changed[number]:  # and not where it is no number
+                    changed[number] = within(number, most)
         self.settings = changed
 
     def _written(self, piece: str | dict[str, Any]) -> str:
