@@ -295,4 +295,3 @@ class Panel {
     return d;
   }
 }
-

@@ -8,7 +8,8 @@ from typing import Any
 import sympy as sp
 
 from cammotion.views import notation
-from cammotion.views.live.formulas import largest, shortly
+from cammotion.views.live.expressions import shortly
+from cammotion.views.live.formulas import largest
 from cammotion.views.live.parts import Line, Panel, Say
 
 _LONGEST_LABEL = 30
@@ -80,9 +81,11 @@ def _power(expression: sp.Expr, unit: Mapping[str, int]) -> int | None:
     grown = {symbol: value * 2.0 ** unit.get(symbol.name, 0) for symbol, value in at.items()}
     try:
         before, after = (float(expression.subs(values)) for values in (at, grown))
-    except TypeError:  # not a number at all
+    except (TypeError, ValueError, OverflowError):  # not a number at all
         return None
     if not before or not math.isfinite(before):
         return None
-    power = math.log2(after / before) if after / before > 0 else math.nan
+    if not 0 < after / before < math.inf:
+        return None
+    power = math.log2(after / before)
     return round(power) if abs(power - round(power)) < _ROUNDING else None
