@@ -9,7 +9,8 @@ const SAMPLES = 200,
   GOLDEN = (Math.sqrt(5) - 1) / 2;
 const TICKS = 4,
   SPIKE = 20,
-  NEAR = 1e-9;
+  NEAR = 1e-9,
+  HUGE = 1e300;
 const MATH = Object.getOwnPropertyNames(Math);
 // nothing else is ever run, whoever has written a description: numbers, these words and signs,
 // the names of the figure's values, and functions of one z; no dot, bracket, quote, or lone =
@@ -140,7 +141,7 @@ export function change({ controls }, make, settings, changes) {
 
 /** Round limits for an axis, and a step: they hold the values, but no spikes beside a pole. */
 export function limits(values) {
-  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b),
+  const sorted = values.filter((value) => Math.abs(value) < HUGE).sort((a, b) => a - b),
     last = sorted.length - 1;
   if (last < 0) return [0, 1, 0.25];
   let [low, high] = [sorted[0], sorted[last]];
@@ -153,7 +154,7 @@ export function limits(values) {
   const isFlat = high - low <= NEAR * Math.max(Math.abs(low), Math.abs(high));
   if (low > 0 && (isFlat || low < high / 2)) low = 0;
   if (high < 0 && (isFlat || high > low / 2)) high = 0;
-  if (low === high) [low, high] = [0, 1];
+  if (!(high - low > 1 / HUGE)) [low, high] = [0, 1];
   const step = tick(high - low);
   return [Math.floor(low / step + NEAR) * step, Math.ceil(high / step - NEAR) * step, step];
 }

@@ -14,25 +14,25 @@ from sympy.printing.codeprinter import PrintMethodNotImplementedError
 
 from cammotion.quantities import Floats, InputError, shorten
 from cammotion.views.live.expressions import as_curve, as_expression, check_computable, shortly
-from cammotion.views.live.printers import JavaScript, Python
+from cammotion.views.live.printers import JavaScript, Python, SearchBase, is_search
 
 SAMPLES, HALVINGS, NARROWINGS = 200, 60, 48
 _GOLDEN = (5**0.5 - 1) / 2
 
 
-class Largest(sp.Function):  # type: ignore[misc]
+class Largest(SearchBase):
     """The largest value of a function between two places; made by `largest`."""
 
     nargs, is_real, code = 3, True, "largest"
 
 
-class PlaceOfLargest(sp.Function):  # type: ignore[misc]
+class PlaceOfLargest(SearchBase):
     """Where a function is largest between two places; made by `place_of_largest`."""
 
     nargs, is_real, code = 3, True, "place_of_largest"
 
 
-class Inverse(sp.Function):  # type: ignore[misc]
+class PlaceOfValue(SearchBase):
     """Where a monotone function has a value, between two places; made by `inverse`."""
 
     nargs, is_real, code = 4, True, "inverse"
@@ -77,7 +77,7 @@ def inverse(expression: Any, span: tuple[Any, Any, Any], value: Any) -> sp.Expr:
     >>> inverse(x**2, (x, 0, 1), depth).free_symbols
     {depth}
     """
-    return Inverse(*_bound(expression, span), as_curve(value))
+    return PlaceOfValue(*_bound(expression, span), as_curve(value))
 
 
 def _bound(expression: Any, span: tuple[Any, Any, Any]) -> tuple[sp.Lambda, sp.Expr, sp.Expr]:
@@ -136,7 +136,10 @@ class Formulas:
     @cached_property
     def _compiled(self) -> Callable[..., Any]:
         """One function, of the list to be filled, settings and pinned settings, of all formulas."""
-        body = "".join(f"(lambda x=0.0, y=0.0: {formula})," for formula in self._python)
+        body = "".join(
+            f"{'pointwise' * is_searched}(lambda x=0.0, y=0.0: {formula}),"
+            for formula, is_searched in zip(self._python, map(is_search, self._known), strict=True)
+        )
         body = f"({body})"
         for number, quantity in reversed(list(enumerate(self._python_quantities))):
             body = f"(lambda q{number}: {body})({quantity})"
@@ -227,7 +230,17 @@ def _search(function: Callable[[Any], Any], low: float, high: float) -> tuple[fl
     return float(places[best]), float(values[best])
 
 
-_FOUND_BY: dict[str, Callable[..., float]] = {
+def pointwise(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function that takes an array one number at a time, as a search has to."""
+
+    def at(x: Any = 0.0, y: Any = 0.0) -> Any:
+        return function(x, y) if np.ndim(x) == 0 else np.array([function(each, y) for each in x])
+
+    return at
+
+
+_FOUND_BY: dict[str, Callable[..., Any]] = {
+    "pointwise": pointwise,
     "largest": find_largest,
     "place_of_largest": find_place_of_largest,
     "inverse": find_inverse,

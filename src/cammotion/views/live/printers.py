@@ -10,6 +10,21 @@ from sympy.printing.numpy import NumPyPrinter
 _LONG_CONSTANT = 6  # parts, from which on a number is shorter than its formula
 
 
+class SearchBase(sp.Function):  # type: ignore[misc]
+    """What has no closed form, but is searched for: of a function, between two places.
+
+    `code` is what the search is called in both languages. SymPy's printers ask only for such
+    base classes of functions whose names end in Base.
+    """
+
+    code: str
+
+
+def is_search(expression: sp.Basic) -> bool:
+    """Return whether there is something to search for in an expression."""
+    return bool(expression.atoms(SearchBase))
+
+
 class _Printer:
     """What both printers do alike: short names, formulas that are there already, and searches.
 
@@ -24,6 +39,7 @@ class _Printer:
 
     _own_settings: ClassVar[dict[str, Any]] = {}
     _arrow: str
+    _nested = "{}"
     _call: str
 
     def _print(self, expression: Any, **kwargs: Any) -> Any:
@@ -38,16 +54,16 @@ class _Printer:
 
     _print_Dummy = _print_Symbol  # noqa: N815
 
-    def _print_search(self, search: sp.Function) -> str:
+    def _print_SearchBase(self, search: SearchBase) -> str:  # noqa: N802
         function, *others = search.args
         (symbol,) = function.variables
         outside = dict(self.names)
         self.names[symbol] = f"z{len(outside)}"
         body = self._arrow.format(self.names[symbol], self._print(function.expr))
+        if is_search(function.expr):
+            body = self._nested.format(body)
         self.names = outside
         return f"{search.code}({', '.join([body, *map(self._print, others)])})"
-
-    _print_Largest = _print_PlaceOfLargest = _print_Inverse = _print_search  # noqa: N815
 
     def _print_Mod(self, mod: sp.Mod) -> str:  # noqa: N802 - the % of JavaScript keeps the sign
         value, turn = mod.args
@@ -108,7 +124,7 @@ class JavaScript(_Printer, JavascriptCodePrinter):  # type: ignore[misc]
 class Python(_Printer, NumPyPrinter):  # type: ignore[misc]
     """Prints for the kernel, which has the names of NumPy and the searches."""
 
-    _arrow, _call = "(lambda {}: {})", "f[{}]({})"
+    _arrow, _nested, _call = "(lambda {}: {})", "pointwise(lambda z, _: {}(z))", "f[{}]({})"
     _own_settings: ClassVar[dict[str, Any]] = {"fully_qualified_modules": False}
 
     def _print_Max(self, largest: sp.Max) -> str:  # noqa: N802 - SymPy's own fails on mixed shapes
