@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from cammotion.views import notation
-from cammotion.views.live.expressions import shortly
+from cammotion.views.live.expressions import as_curve, check_computable, shortly
 from cammotion.views.live.formulas import largest
 from cammotion.views.live.parts import Line, Panel, Say
 
@@ -22,7 +22,7 @@ def labelled_panel(panel: Panel) -> Panel:
         return panel
     y = panel.lines[0].y
     symbol = quantity_of(y)
-    text = shortly(sp.sympify(y))
+    text = shortly(y)
     label = notation.labelled(symbol) if symbol else text if len(text) <= _LONGEST_LABEL else "y"
     return replace(panel, y=label)
 
@@ -35,7 +35,7 @@ def usual_sentences(
 ) -> list[Say]:
     """Return three sentences: what follows, what is at the clock's place, and the peaks."""
     lines = [line for column in columns for panel in column for line in panel.lines]
-    followed = [symbol for symbol, value in values.items() if sp.sympify(value).free_symbols]
+    followed = [symbol for symbol, value in values.items() if as_curve(value).free_symbols]
     unit = notation.meaning(variable.name).unit
     where = "at {place:.4g} " + unit if unit else f"at {variable.name} = {{place:.4g}}"
     says = [
@@ -68,9 +68,9 @@ def quantity_of(expression: Any) -> str | None:
     >>> quantity_of(h_m / t_m**2 * sp.sin(t / t_m)), quantity_of(sp.sin(t / t_m))
     ('a', None)
     """
-    metres, seconds = (
-        _power(sp.sympify(expression), unit) for unit in (notation.METRES, notation.SECONDS)
-    )
+    expression = as_curve(expression)
+    check_computable(expression)
+    metres, seconds = (_power(expression, unit) for unit in (notation.METRES, notation.SECONDS))
     return None if metres is None or seconds is None else notation.BY_POWERS.get((metres, seconds))
 
 
