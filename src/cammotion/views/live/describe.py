@@ -84,12 +84,11 @@ class Describer:
             "options": options,
         }
 
-    def panel(self, number: int, panel: Panel, shares_x: bool) -> Description:
+    def panel(self, panel: Panel, shares_x: bool) -> Description:
         """Return the description of a panel, whose axis over the variable may be another's too."""
         x_label = labelled(self.variable.name) if panel.x is None else panel.x
         is_over_variable = all(line.x is None for line in panel.lines)
         return {
-            "id": number,
             "title": panel.title or f"{panel.y or 'Curves'} over {x_label}",
             "lines": [self._line(at, line) for at, line in enumerate(panel.lines)],
             "points": [self._point(point) for point in panel.points],
@@ -257,10 +256,8 @@ def describe(  # noqa: PLR0913 - the parts of a figure, each once
     title: str,
 ) -> Description:
     """Return the description of a figure: plain data for JSON, all its formulas in one list."""
-    numbered = iter(range(sum(map(len, columns))))
     described = [
-        [describer.panel(next(numbered), panel, _is_over_same(column)) for panel in column]
-        for column in columns
+        [describer.panel(panel, _is_over_same(column)) for panel in column] for column in columns
     ]
     clock_data = None
     if clock is not None:

@@ -164,6 +164,8 @@ export function tick(width) {
     decade = 10 ** Math.floor(Math.log10(size));
   return [1, 2, 2.5, 5, 10].find((step) => step * decade >= size) * decade;
 }
+/** How far an arrow key moves a point: a power of ten, of which 50 to 500 make an axis. */
+export const nudge = ([low, high]) => 10 ** Math.floor(Math.log10((high - low) / 50));
 
 /** The points of a line: its joints from both sides, and the ends of what is real, by halving. */
 export function trace({ over, where, y, x, joints }, now) {
