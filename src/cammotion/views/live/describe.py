@@ -1,15 +1,17 @@
 """From the parts of a live figure to its description: plain data, which can be stored and drawn."""
 
-import math
+import re
 import string
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import sympy as sp
+from sympy.solvers.solveset import NonlinearError
 
 from cammotion.quantities import InputError, shorten
-from cammotion.views.live.formulas import Formulas, shortly
+from cammotion.views.live.expressions import as_curve, shortly
+from cammotion.views.live.expressions import as_expression as as_expression
+from cammotion.views.live.formulas import Formulas
 from cammotion.views.live.parts import (
     Box,
     Button,
@@ -21,11 +23,10 @@ from cammotion.views.live.parts import (
     Point,
     Say,
 )
-from cammotion.views.notation import labelled, meaning
+from cammotion.views.notation import labelled
 
 Description = dict[str, Any]
 
-MOST_CONTROLS = 12
 _FORMATS = r"a number is written as {name:.3f}, {name:.4g} or {name:g}"
 
 
@@ -53,6 +54,11 @@ class Describer:
         self.formulas = Formulas(names)
         self._quantities: dict[sp.Symbol, sp.Expr] = {}
         for symbol, expression in _in_order(values).items():
+            if variable in expression.free_symbols:
+                raise InputError(
+                    f"The value of {symbol} is {shortly(expression)}, in which {variable} runs: "
+                    f"put it into the curves, expression.subs({symbol}, ...)."
+                )
             self._quantities[symbol] = expression
             self.formulas.add_quantity(symbol, expression)
 
@@ -78,12 +84,11 @@ class Describer:
             "options": options,
         }
 
-    def panel(self, number: int, panel: Panel, shares_x: bool) -> Description:
+    def panel(self, panel: Panel, shares_x: bool) -> Description:
         """Return the description of a panel, whose axis over the variable may be another's too."""
         x_label = labelled(self.variable.name) if panel.x is None else panel.x
         is_over_variable = all(line.x is None for line in panel.lines)
         return {
-            "id": number,
             "title": panel.title or f"{panel.y or 'Curves'} over {x_label}",
             "lines": [self._line(at, line) for at, line in enumerate(panel.lines)],
             "points": [self._point(point) for point in panel.points],
@@ -115,8 +120,8 @@ class Describer:
         return {"text": button.text, "sets": sets}
 
     def _line(self, number: int, line: Line) -> Description:
-        y = as_expression(line.y)
-        curve = [y] if line.x is None else [y, as_expression(line.x)]
+        y = as_curve(line.y)
+        curve = [y] if line.x is None else [y, as_curve(line.x)]
         joints = [*line.joints, *(joint for part in curve for joint in self._joints_of(part))]
         return {
             "y": self.formula(y),
@@ -153,8 +158,11 @@ class Describer:
         """Return, for the two controls of a pad, what each is where the pointer is."""
         symbols = list(point.drags or ())
         pointer = [self.variable, self._height]
-        equations = [point.x - pointer[0], point.y - pointer[1]]
-        solved = sp.linsolve(equations, symbols)
+        equations = [as_curve(point.x) - pointer[0], as_curve(point.y) - pointer[1]]
+        try:
+            solved = sp.linsolve(equations, symbols)
+        except NonlinearError:
+            solved = sp.S.EmptySet
         if len(solved) != 1 or any(s in sol.free_symbols for sol in solved for s in symbols):
             raise InputError(
                 f"The point at {shortly(point.x)}, {shortly(point.y)} cannot be moved: its x and y "
@@ -174,7 +182,14 @@ class Describer:
         return {**formulas, "name": box.name}
 
     def _pieces(self, say: Say) -> Iterable[str | Description]:
-        for text, name, spec, _ in string.Formatter().parse(say.text):
+        try:
+            parsed = list(string.Formatter().parse(say.text))
+        except (TypeError, ValueError):
+            raise InputError(
+                f"The sentence {shorten(say.text)} cannot be read: close each {{ by a }}, and "
+                "write {{ and }} for braces."
+            ) from None
+        for text, name, spec, conversion in parsed:
             if text:
                 yield text
             if name is not None:
@@ -183,15 +198,15 @@ class Describer:
                         f"The sentence '{say.text}' has {{{name}}}, which is not given: add it to "
                         "what the sentence's names stand for, or write {{ and }} for braces."
                     )
-                yield self._piece(say.numbers[name], spec or "g")
+                yield self._piece(say.numbers[name], spec or "g", conversion or "")
 
-    def _piece(self, value: Any, spec: str) -> str | Description:
+    def _piece(self, value: Any, spec: str, conversion: str) -> str | Description:
         if isinstance(value, str):
             return value
         if isinstance(value, Choice):
             return {"choice": self._control_number(value)}
-        digits, kind = spec[1:-1], spec[-1:]
-        if kind not in ("f", "g") or not (spec == "g" or (spec[0] == "." and digits.isdecimal())):
+        if conversion or not re.fullmatch(r"g|\.[0-9]{1,2}[fg]", spec):
+            spec = f"!{conversion}:{spec}" if conversion else spec
             raise InputError(f"The format '{spec}' is not known here: {_FORMATS}.")
         return {"formula": self.formula(value), "spec": spec}
 
@@ -211,80 +226,6 @@ class Describer:
                 followed = self._pinned(self._quantities[symbol])
                 self.formulas.add_quantity(self._twins[symbol], followed)
         return expression.xreplace(self._twins)
-
-
-def as_expression(value: Any) -> sp.Basic:
-    """Return a number or an expression as SymPy has it; raise InputError for anything else.
-
-    Text is refused, since reading it as a formula would run it.
-    """
-    if isinstance(value, sp.Expr | sp.logic.boolalg.Boolean):
-        return value
-    try:
-        if isinstance(value, str | bool):
-            raise TypeError
-        return sp.Float(float(value)) if isinstance(value, float) else sp.Integer(int(value))
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(
-            f"A live figure cannot draw {shorten(value)}: give an expression of SymPy, "
-            "for example sp.sin(t), or a number."
-        ) from None
-
-
-def complete(symbol: sp.Symbol, control: Control) -> Control:
-    """Return a control with a start, a step, a name and a unit; raise InputError for a bad one."""
-    known = meaning(symbol.name)
-    name = known.name if control.name is None else control.name
-    unit = known.unit if control.unit is None else control.unit
-    low, high = (_bound(name, end) for end in (control.low, control.high))
-    if not low < high:
-        raise InputError(
-            f"The control {name} goes from {low:g} to {high:g}: give a range (low, high) with the "
-            "lower end first."
-        )
-    start = _start(low, high, known.usual) if control.start is None else _bound(name, control.start)
-    if not low <= start <= high:
-        raise InputError(
-            f"The control {name} starts at {start:g}, outside its range from {low:g} to {high:g}: "
-            "widen the range or start inside it."
-        )
-    step = _step(high - low) if control.step is None else _bound(name, control.step)
-    if not 0 < step <= high - low:
-        raise InputError(
-            f"The step of the control {name} is {step:g}: give one above 0 that fits into its "
-            f"range, at most {high - low:g}."
-        )
-    return replace(control, low=low, high=high, step=step, start=start, name=name, unit=unit)
-
-
-def chosen_control(symbol: Choice) -> Control:
-    """Return the control of a choice, which stands at its first name."""
-    count = len(symbol.options)
-    return Control(low=0, high=count - 1, step=1, start=0, name=symbol.name, unit="")
-
-
-def _bound(name: str, value: Any) -> float:
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        number = math.nan
-    if not math.isfinite(number):
-        raise InputError(
-            f"The control {name} has {shorten(value)} as a number of its range: give finite "
-            "numbers, (low, high) or (low, high, step)."
-        )
-    return number
-
-
-def _start(low: float, high: float, usual: float | None) -> float:
-    return (low + high) / 2 if usual is None or not low <= usual <= high else usual
-
-
-def _step(width: float) -> float:
-    """Return a round step, of which 150 to 375 make the width."""
-    most = width / 150
-    decade = 10.0 ** math.floor(math.log10(most))
-    return max(size * decade for size in (1, 2, 5) if size * decade <= most)
 
 
 def _in_order(values: Mapping[sp.Symbol, Any]) -> dict[sp.Symbol, sp.Expr]:
@@ -315,10 +256,8 @@ def describe(  # noqa: PLR0913 - the parts of a figure, each once
     title: str,
 ) -> Description:
     """Return the description of a figure: plain data for JSON, all its formulas in one list."""
-    numbered = iter(range(sum(map(len, columns))))
     described = [
-        [describer.panel(next(numbered), panel, _is_over_same(column)) for panel in column]
-        for column in columns
+        [describer.panel(panel, _is_over_same(column)) for panel in column] for column in columns
     ]
     clock_data = None
     if clock is not None:
@@ -337,7 +276,7 @@ def describe(  # noqa: PLR0913 - the parts of a figure, each once
     pressed = [describer.button(button) for button in buttons]
     return {
         "version": 1,
-        "title": title,
+        "title": str(title),
         "range": range_,
         "controls": controls,
         "columns": described,

@@ -2,27 +2,24 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy as sp
 
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, Quantity, shorten
 from cammotion.views import notation
-from cammotion.views.live.describe import (
-    MOST_CONTROLS,
-    Describer,
-    as_expression,
-    chosen_control,
-    complete,
-    describe,
-)
+from cammotion.views.live.controls import MOST_CONTROLS, chosen_control, complete
+from cammotion.views.live.describe import Describer, describe
+from cammotion.views.live.expressions import as_curve, as_expression, refusing_the_endless
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Button, Choice, Control, Line, Panel, Say
 from cammotion.views.live.usual import labelled_panel, usual_sentences
 
+_Part = TypeVar("_Part")
 SECONDS = 4.0  # for the clock to run once through the variable's range
 
 
+@refusing_the_endless()
 def explore(  # noqa: PLR0913 - each is a part that a figure may have
     curves: Any,
     over: sp.Symbol | tuple[sp.Symbol, Any, Any],
@@ -64,15 +61,24 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
     largest: a = 4.154 m/s²
     """
     columns = _columns(curves)
-    given = {symbol: as_expression(value) for symbol, value in (values or {}).items()}
-    parts = [columns, list(says or ()), list(buttons)]
+    given = {
+        symbol: as_expression(value) for symbol, value in _mapping("values", values, "5").items()
+    }
+    says = None if says is None else _all_of(Say, says, "sentences", 'Say("...", {})')
+    buttons = _all_of(Button, buttons, "buttons", 'Button("...", {})')
+    parts = [columns, says, buttons]
     symbols = {s for part in _expressions_in(parts) for s in part.free_symbols}
-    ready = _controls(controls or {}, given, symbols)
+    ready = _controls(_mapping("controls", controls, "(0, 1)"), given, symbols)
     fixed = {symbol: value for symbol, value in given.items() if symbol not in ready}
     variable, span = _span(over, {s.name: s for s in symbols | ready.keys() | fixed.keys()})
     _let_follow(
         fixed, {*symbols, *_symbols_of(span), *_symbols_of(fixed.values())} - ready.keys(), ready
     )
+    if variable in ready.keys() | fixed.keys():
+        raise InputError(
+            f"{variable} is the running variable, and a control or value too: take it from one of "
+            "them."
+        )
     describer = Describer(variable, span, ready, fixed)
     if says is None:
         clock = variable if clock is None else clock
@@ -82,19 +88,68 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
         [[labelled_panel(panel) for panel in column] for column in columns],
         sentences=says,
         buttons=buttons,
-        clock=None if clock is None else (clock, seconds),
+        clock=None if clock is None else _clock(clock, seconds),
         pin=pin,
-        shares=shares or [1.0] * len(columns),
+        shares=_shares(shares, len(columns)),
         title=title,
     )
     return LiveFigure(describer, description)
 
 
+def _mapping(name: str, given: Any, example: str) -> Mapping[sp.Symbol, Any]:
+    """Return what is given by symbols; raise InputError for anything else."""
+    if not isinstance(given, Mapping | None):
+        raise InputError(
+            f"The {name} are {shorten(given)}: give a mapping from symbols, for example "
+            f"{{k: {example}}}."
+        )
+    for symbol in given or {}:
+        if not isinstance(symbol, sp.Symbol):
+            raise InputError(
+                f"The {name} are given for {shorten(symbol)}, which is no symbol: use one of "
+                f"SymPy's, for example k = sp.Symbol('k') and {{k: {example}}}."
+            )
+    return given or {}
+
+
+def _all_of(kind: type[_Part], given: Any, name: str, example: str) -> list[_Part]:
+    """Return a list of parts of one kind; raise InputError for anything else."""
+    parts = list(given) if isinstance(given, Iterable) and not isinstance(given, str) else [given]
+    for part in parts:
+        if not isinstance(part, kind):
+            raise InputError(f"{shorten(part)} is none of a figure's {name}: write [{example}].")
+    return parts
+
+
+def _clock(symbol: Any, seconds: Any) -> tuple[sp.Symbol, float]:
+    if not isinstance(symbol, sp.Symbol):
+        raise InputError(
+            f"The clock is {shorten(symbol)}: give the symbol that Play moves, the running "
+            "variable or a control."
+        )
+    return symbol, Quantity("time for the clock to run once", "s", example=SECONDS).number(seconds)
+
+
+def _shares(given: Any, count: int) -> list[float]:
+    """Return how wide the columns are, to each other."""
+    if given is None:
+        return [1.0] * count
+    width = Quantity("share of a column in the width", "", example=1)
+    if not isinstance(given, tuple | list) or len(given) != count:
+        raise InputError(
+            f"The shares of the width are {shorten(given)}: give a number for each of the columns, "
+            f"which are {count} here."
+        )
+    return [width.number(share) for share in given]
+
+
 def _columns(curves: Any) -> list[list[Panel]]:
     if isinstance(curves, list | tuple) and curves and all(isinstance(c, list) for c in curves):
+        if not all(curves):
+            raise InputError("There is nothing to draw in one of the columns: leave it out.")
         return [[_panel(each) for each in column] for column in curves]
     each = list(curves) if isinstance(curves, list | tuple) else [curves]
-    if not each:
+    if not each or any(isinstance(one, Mapping) and not one for one in each):
         raise InputError("There is nothing to draw: give an expression, or a list of them.")
     return [[_panel(one) for one in each]]
 
@@ -103,11 +158,11 @@ def _panel(curve: Any) -> Panel:
     if isinstance(curve, Panel):
         return curve
     if isinstance(curve, Mapping):
-        lines = [Line(y=as_expression(y), name=str(name)) for name, y in curve.items()]
+        lines = [Line(y=as_curve(y), name=str(name)) for name, y in curve.items()]
         return Panel(lines=lines)
     if isinstance(curve, Line):
         return Panel(lines=[curve])
-    return Panel(lines=[Line(y=as_expression(curve))])
+    return Panel(lines=[Line(y=as_curve(curve))])
 
 
 def _controls(
@@ -121,8 +176,6 @@ def _controls(
         )
     ready: dict[sp.Symbol, Control] = {}
     for symbol, wanted in given.items():
-        if not isinstance(symbol, sp.Symbol):
-            raise InputError(f"The control {shorten(symbol)} is no symbol: use one of SymPy's.")
         control = wanted if isinstance(wanted, Control) else _ranged(symbol, wanted)
         if symbol in values:
             control = replace(control, start=values[symbol])
@@ -152,11 +205,11 @@ def _span(over: Any, by_name: Mapping[str, sp.Symbol]) -> tuple[sp.Symbol, tuple
             "for example (t, 0, 1)."
         )
     if ends:
-        low, high = map(as_expression, ends)
-        if low.is_number and high.is_number and not low < high:
+        low, high = map(as_curve, ends)
+        if variable in low.free_symbols | high.free_symbols:
             raise InputError(
-                f"The variable {variable} runs from {low} to {high}, which is no range: give the "
-                "lower end first."
+                f"The variable {variable} runs from {low} to {high}, which contain {variable} "
+                "itself: give ends that do not."
             )
         return variable, (low, high)
     if variable.name not in notation.RUNS_TO:

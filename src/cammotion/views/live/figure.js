@@ -10,7 +10,8 @@ function button(words, press) {
   return made;
 }
 
-/** The row of one control, and how it follows a new value; `set` is called with the reader's. */
+/** The row of one control, how it follows a new value, and how it forgets one that was refused;
+ * `set` is called with the reader's. */
 function rowOf(control, id, set) {
   const { name, unit, low, high, step, options } = control;
   const label = html("label", { for: id }, unit ? `${name}, ${unit}` : name);
@@ -26,6 +27,7 @@ function rowOf(control, id, set) {
       follow: (value) => {
         select.value = value;
       },
+      settle: () => {},
     };
   }
   const field = html("input", {
@@ -57,17 +59,20 @@ function rowOf(control, id, set) {
         `“${field.value}” was not taken: ${name} goes from ${plain(low)} to ${plain(high)}${unit && ` ${unit}`}.`,
       );
   });
-  slider.addEventListener("input", () => {
+  slider.addEventListener("input", () => set(Number(slider.valueAsNumber.toPrecision(12))));
+  let words = "";
+  const settle = () => {
+    if (!error.textContent) return;
     judge("");
-    set(Number(slider.valueAsNumber.toPrecision(12)));
-  });
+    field.value = words;
+  };
   const follow = (value) => {
-    const words = plain(value);
+    words = plain(value);
     if (parse(field.value) !== parse(words) && !error.textContent) field.value = words;
     slider.value = value;
     put(slider, { "aria-valuetext": unit ? `${words} ${unit}` : words });
   };
-  return { row: html("div", {}, label, field, slider, error), follow };
+  return { row: html("div", {}, label, field, slider, error), follow, settle };
 }
 
 /** The names of the lines, each beside a piece of it. */
@@ -103,7 +108,7 @@ class Figure {
   constructor(model) {
     const description = model.get("description"),
       { controls, clock, columns, shares, pin } = description;
-    const id = `cm${Math.random().toString(36).slice(2)}`; // each figure is a module of its own
+    const id = `cm${Math.random().toString(36).slice(2)}`; // a notebook loads a module per figure
     // `part` is where the clock stands, as a part of its range; `frame` the next one, if it runs
     Object.assign(this, {
       model,
@@ -116,8 +121,10 @@ class Figure {
     this.rows = controls.map((control, i) =>
       rowOf(control, `${id}c${i}`, (value) => this.set({ [i]: value })),
     );
-    this.panels = columns.map((column) =>
-      column.map((panel, i) => new Panel(panel, `${id}p${panel.id}`, i === column.length - 1, pin)),
+    this.panels = columns.map((column, place) =>
+      column.map(
+        (panel, i) => new Panel(panel, `${id}p${place}x${i}`, i === column.length - 1, pin),
+      ),
     );
     this.play = button("Play", () => (this.frame ? this.pause() : this.start()));
     this.slider = html("input", {
@@ -157,7 +164,7 @@ class Figure {
         ...this.panels.map((column, i) =>
           html(
             "div",
-            { class: "cm-column", style: `flex:${shares[i]} 1 17em` },
+            { class: "cm-column", style: `flex:${Number(shares[i])} 1 17em` },
             ...column.map(({ root }) => root),
           ),
         ),
@@ -208,6 +215,7 @@ class Figure {
   }
 
   set(changes, isKept = true) {
+    for (const i in changes) this.rows[i].settle(); // what was refused there is over
     this.model.set("settings", change(this.description, this.make, this.settings, changes));
     if (isKept) this.model.save_changes();
   }
@@ -220,11 +228,11 @@ class Figure {
     if (Object.values(changes).every(Number.isFinite)) this.set(changes);
   }
 
-  /** Move a panel's point to where the pointer is, or by a hundredth. */
+  /** Move a panel's point to where the pointer is, or by a step. */
   drag({ point, at, by }) {
     const [x, y] = at ?? [
-      this.now[point.x](this.place) + by[0] / 100,
-      this.now[point.y](this.place) + by[1] / 100,
+      this.now[point.x](this.place) + by[0],
+      this.now[point.y](this.place) + by[1],
     ];
     this.setAll(point.drags, x, y);
   }

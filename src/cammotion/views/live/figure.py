@@ -61,10 +61,17 @@ class LiveFigure(anywidget.AnyWidget):
     @values.setter
     def values(self, values: Mapping[sp.Symbol, float]) -> None:
         changes = {}
+        if not isinstance(values, Mapping):
+            raise InputError(
+                f"The values are {shorten(values)}: give a mapping from controls to numbers."
+            )
         for symbol, value in values.items():
             if symbol not in self._symbols:
                 known = ", ".join(map(str, self._symbols))
-                raise InputError(f"{symbol} is no control of this figure: set one of {known}.")
+                raise InputError(
+                    f"{shorten(symbol)} is no control of this figure: set one of the symbols "
+                    f"{known}."
+                )
             number = self._symbols.index(symbol)
             changes[number] = self._checked(number, value)
         self._change(changes)
@@ -79,6 +86,7 @@ class LiveFigure(anywidget.AnyWidget):
         }
 
     @property
+    @np.errstate(all="ignore")
     def text(self) -> str:
         """The figure's sentences with its present numbers, one a line."""
         now, clock = self._now, self._clock
@@ -86,18 +94,20 @@ class LiveFigure(anywidget.AnyWidget):
         for alternatives in self.description["sentences"]:
             for one in alternatives:
                 if one["when"] is None or bool(now[one["when"]](clock)):
-                    said.append("".join(self._written(piece) for piece in one["pieces"]))
+                    said.append("".join(self._written(piece, now) for piece in one["pieces"]))
                     break
         return "\n".join(line for line in said if line)
 
+    @np.errstate(all="ignore")
     def press(self, text: str) -> None:
         """Press the button with that text, as the reader would.
 
         Raises InputError where the figure has no such button.
         """
+        now, clock = self._now, self._clock
         for button in self.description["buttons"]:
             if button["text"] == text:
-                sets = {number: float(self._now[f](self._clock)) for number, f in button["sets"]}
+                sets = {number: float(now[f](clock)) for number, f in button["sets"]}
                 if all(map(math.isfinite, sets.values())):
                     self._change(sets)
                 return
@@ -108,11 +118,11 @@ class LiveFigure(anywidget.AnyWidget):
         """Make the present settings the reference, drawn dashed."""
         self.pinned = list(self.settings)
 
+    @np.errstate(all="ignore")
     def picture(self) -> bytes:
         """Return a PNG of the figure as it stands."""
         then = self._formulas.at(self.pinned, self.pinned)
-        with np.errstate(all="ignore"):
-            return draw(self.description, self._now, then, self._clock)
+        return draw(self.description, self._now, then, self._clock)
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a page with the living figure, which needs neither kernel nor network.
@@ -132,10 +142,18 @@ class LiveFigure(anywidget.AnyWidget):
         return self._formulas.at(self.settings, self.pinned)
 
     @property
-    def _clock(self) -> float:
-        low, high = (float(self._now[end]()) for end in self.description["range"])
+    def _clock(self) -> Any:
+        """Where the variable stands: NumPy's number, which divides by zero as JavaScript does."""
+        low, high = self._ends
         return low + CLOCK * (high - low)
 
+    @property
+    @np.errstate(all="ignore")
+    def _ends(self) -> list[Any]:
+        now = self._now
+        return [np.float64(now[end]()) for end in self.description["range"]]
+
+    @np.errstate(all="ignore")
     def _change(self, changes: Mapping[int, float]) -> None:
         """Change settings, kept in their ranges; others give way, by the steps of `formulas.js`."""
         controls = self.description["controls"]
@@ -149,16 +167,17 @@ class LiveFigure(anywidget.AnyWidget):
         for number, control in enumerate(controls):
             if control["most"] is not None and not (number in changes and len(changes) == 1):
                 most = float(self._formulas.at(changed, changed)[control["most"]]())
-                changed[number] = within(number, min(changed[number], most))
+                if most < changed[number]:  # and not where it is no number
+                    changed[number] = within(number, most)
         self.settings = changed
 
-    def _written(self, piece: str | dict[str, Any]) -> str:
+    def _written(self, piece: str | dict[str, Any], now: Any) -> str:
         if isinstance(piece, str):
             return piece
         if "choice" in piece:
             number = piece["choice"]
             return str(self.description["controls"][number]["options"][int(self.settings[number])])
-        value = float(self._now[piece["formula"]](self._clock))
+        value = float(now[piece["formula"]](self._clock))
         if math.isinf(value):
             return "∞" if value > 0 else "−∞"
         return format(value, piece["spec"]).replace("-", "−")
@@ -172,14 +191,19 @@ class LiveFigure(anywidget.AnyWidget):
             checked = math.nan
         if not low <= checked <= high:
             raise InputError(
-                f"The {control['name']} is {shorten(value)}: it goes from {low:g} to {high:g}"
-                f"{' ' * bool(control['unit'])}{control['unit']} in this figure."
+                f"The value of {control['name']} is {shorten(value)}: it goes from {low:g} to "
+                f"{high:g}{' ' * bool(control['unit'])}{control['unit']} in this figure."
             )
         return checked
 
     def _check_drawn(self) -> None:
         """Raise InputError if a panel would be blank, since nothing in it is a real number."""
-        now = self._now
+        now, (low, high) = self._now, self._ends
+        if not low < high < np.inf or low == -np.inf:
+            raise InputError(
+                f"The running variable goes from {low:g} to {high:g}, which is no range: give two "
+                "finite ends, the lower one first."
+            )
         for panel in (panel for column in self.description["columns"] for panel in column):
             lines = [line for line in panel["lines"] if line["role"] == "own"]
             if lines and not any(_is_real(line, now) for line in lines):

@@ -9,15 +9,22 @@ const SAMPLES = 200,
   GOLDEN = (Math.sqrt(5) - 1) / 2;
 const TICKS = 4,
   SPIKE = 20,
-  NEAR = 1e-9;
-const MATH = Object.getOwnPropertyNames(Math).join();
-// nothing else is ever run, whoever has written a description
-const FORMULA = new RegExp(
-  `^(?:[\\s()+\\-*/%,?:<>=!&|]|\\d+(?:\\.\\d*)?(?:e[+-]?\\d+)?|[cpqf]\\d+|[xyz]\\d*|(?:${MATH.replaceAll(
-    ",",
-    "|",
-  )}|NaN|Infinity|largest|place_of_largest|inverse)\\b)*$`,
-);
+  NEAR = 1e-9,
+  HUGE = 1e300;
+const MATH = Object.getOwnPropertyNames(Math);
+// nothing else is ever run, whoever has written a description: numbers, these words and signs,
+// the names of the figure's values, and functions of one z; no dot, bracket, quote, or lone =
+const WORDS = new Set([...MATH, "NaN", "Infinity", "largest", "place_of_largest", "inverse"]);
+const SIGNS = new Set("+ - * / % < > <= >= == != === !== ! && || ( ) , ? :".split(" ").concat(" "));
+const PARTS = /\d[\d.]*(?:e[+-]?\d+)?|\(z\d+\)=>|[\w$]+|[-=<>!&|+*\/]+|[^]/g;
+const OWN = /^(?:\d+(?:\.\d*)?(?:e[+-]?\d+)?|\(z\d+\)=>|[cpqfz]\d+|[xy])$/;
+
+function check(formula) {
+  for (const part of String(formula).match(PARTS) ?? []) {
+    if (!OWN.test(part) && !WORDS.has(part) && !SIGNS.has(part))
+      throw new Error(`This is no formula of a figure, since ${part} is in it: ${formula}`);
+  }
+}
 
 /** Where f is largest from low to high, and how large: the best of the samples, then narrowed. */
 function search(f, low, high) {
@@ -58,9 +65,7 @@ export function inverse(f, low, high, value) {
 
 /** A function of settings and pinned settings that returns the formulas as functions of x, y. */
 export function compile({ quantities, formulas, controls }) {
-  for (const formula of [...quantities, ...formulas]) {
-    if (!FORMULA.test(formula)) throw new Error(`This is no formula of a figure: ${formula}`);
-  }
+  [...quantities, ...formulas].forEach(check);
   const names = (letter) => `[${controls.map((_, i) => letter + i)}]`;
   const body =
     quantities.map((q, i) => `const q${i}=${q};`).join("") +
@@ -76,25 +81,28 @@ export function compile({ quantities, formulas, controls }) {
 export function format(value, spec) {
   if (Number.isNaN(value)) return "nan";
   if (!Number.isFinite(value)) return value < 0 ? "−∞" : "∞";
-  const [, digits = 6, kind] = spec.match(/^(?:\.(\d+))?([fg])$/),
-    p = Number(digits);
-  if (kind === "f") return fixed(value, p).replace("-", "−");
-  const figures = Math.max(p, 1),
-    short = (text) => text.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
-  const [mantissa, power] = value.toExponential(figures - 1).split("e");
-  const isPlain = power >= -4 && power < figures;
-  const text = isPlain
-    ? short(fixed(value, figures - 1 - power))
-    : `${short(mantissa)}e${power[0]}${power.slice(1).padStart(2, 0)}`;
-  return text.replaceAll("-", "−");
+  const [, digits = 6, kind] = spec.match(/^(?:\.(\d+))?([fg])$/);
+  const size = Math.abs(value),
+    isBelow = value < 0 || Object.is(value, -0);
+  return (isBelow ? "−" : "") + (kind === "f" ? fixed : general)(size, Number(digits));
 }
-/** Like toFixed, but a half is rounded to even: is there a 5 and nothing behind what stays? */
-function fixed(value, digits) {
-  const text = value.toFixed(digits),
-    [, decimals = ""] = value.toFixed(100).split(".");
-  const isHalf = /^50*$/.test(decimals.slice(digits)),
-    isOdd = Number(text.at(-1)) % 2;
-  return isHalf && isOdd ? (value - (Math.sign(value) * 10 ** -digits) / 2).toFixed(digits) : text;
+function fixed(size, digits) {
+  if (size >= 1e21) return BigInt(size) + (digits ? `.${"0".repeat(digits)}` : "");
+  return toEven(size.toFixed(digits), size.toFixed(100), digits);
+}
+function general(size, digits) {
+  const last = Math.max(digits, 1) - 1,
+    short = (text) => text.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  const [rounded, power] = size.toExponential(last).split("e");
+  if (power >= -4 && power <= last) return short(fixed(size, last - power));
+  const mantissa = toEven(rounded, size.toExponential(100).split("e")[0], last);
+  return `${short(mantissa)}e${power[0].replace("-", "−")}${power.slice(1).padStart(2, 0)}`;
+}
+/** What JavaScript has rounded, or the even neighbour, as Python rounds a half. */
+function toEven(rounded, exact, digits) {
+  const end = exact.indexOf(".") + 1 + digits,
+    kept = digits ? exact.slice(0, end) : exact.slice(0, end - 1);
+  return /^50*$/.test(exact.slice(end)) && kept.at(-1) % 2 === 0 ? kept : rounded;
 }
 export const plain = (value) => format(Number(value.toPrecision(12)), ".12g");
 
@@ -125,14 +133,15 @@ export function change({ controls }, make, settings, changes) {
   const isAlone = Object.keys(changes).length === 1;
   controls.forEach(({ most }, i) => {
     if (most === null || (isAlone && i in changes)) return;
-    changed[i] = within(i, Math.min(changed[i], make(changed, changed)[most]()));
+    const high = make(changed, changed)[most]();
+    if (high < changed[i]) changed[i] = within(i, high); // and not where it is no number
   });
   return changed;
 }
 
 /** Round limits for an axis, and a step: they hold the values, but no spikes beside a pole. */
 export function limits(values) {
-  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b),
+  const sorted = values.filter((value) => Math.abs(value) < HUGE).sort((a, b) => a - b),
     last = sorted.length - 1;
   if (last < 0) return [0, 1, 0.25];
   let [low, high] = [sorted[0], sorted[last]];
@@ -145,7 +154,7 @@ export function limits(values) {
   const isFlat = high - low <= NEAR * Math.max(Math.abs(low), Math.abs(high));
   if (low > 0 && (isFlat || low < high / 2)) low = 0;
   if (high < 0 && (isFlat || high > low / 2)) high = 0;
-  if (low === high) [low, high] = [0, 1];
+  if (!(high - low > 1 / HUGE)) [low, high] = [0, 1];
   const step = tick(high - low);
   return [Math.floor(low / step + NEAR) * step, Math.ceil(high / step - NEAR) * step, step];
 }
@@ -155,6 +164,8 @@ export function tick(width) {
     decade = 10 ** Math.floor(Math.log10(size));
   return [1, 2, 2.5, 5, 10].find((step) => step * decade >= size) * decade;
 }
+/** How far an arrow key moves a point: a power of ten, of which 50 to 500 make an axis. */
+export const nudge = ([low, high]) => 10 ** Math.floor(Math.log10((high - low) / 50));
 
 /** The points of a line: its joints from both sides, and the ends of what is real, by halving. */
 export function trace({ over, where, y, x, joints }, now) {

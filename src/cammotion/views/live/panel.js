@@ -112,6 +112,7 @@ class Panel {
     put(root, { class: "cm-pad", role: "group" });
     put(dot, { tabindex: 0, role: "application", "aria-label": point.label });
     root.addEventListener("pointerdown", (event) => {
+      if (event.button) return;
       event.preventDefault();
       root.setPointerCapture(event.pointerId);
       dot.focus();
@@ -123,7 +124,9 @@ class Panel {
     dot.addEventListener("keydown", (event) => {
       if (!(event.key in KEYS)) return;
       event.preventDefault();
-      move({ point, by: KEYS[event.key] });
+      const { x, y } = this.view,
+        [across, up] = KEYS[event.key];
+      move({ point, by: [across * nudge(x), up * nudge(y)] });
     });
   }
 
@@ -295,4 +298,3 @@ class Panel {
     return d;
   }
 }
-

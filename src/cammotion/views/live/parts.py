@@ -11,7 +11,8 @@ from typing import Any
 
 import sympy as sp
 
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.views.live.expressions import as_curve, as_expression
 
 OWN, REFERENCE, ALARM, FRAME = "own", "reference", "alarm", "frame"
 
@@ -63,6 +64,16 @@ class Line:
     colour: int | None = None
     role: str = OWN
 
+    def __post_init__(self) -> None:
+        """Raise InputError for an unknown role or colour, and for a span of other than two ends."""
+        roles = (OWN, REFERENCE, ALARM, FRAME)
+        if self.role not in roles:
+            raise InputError(
+                f"The role of a line is {shorten(self.role)}: give one of {', '.join(roles)}."
+            )
+        _check_colour(self.colour)
+        _check_ends("span of a line", self.over)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Point:
@@ -80,6 +91,11 @@ class Point:
     name: str = ""
     colour: int = 1
     drags: tuple[sp.Symbol, sp.Symbol] | None = None
+
+    def __post_init__(self) -> None:
+        """Raise InputError for an unknown colour, and for other than two controls to drag."""
+        _check_colour(self.colour)
+        _check_ends("pair of controls that a point drags", self.drags)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,6 +142,17 @@ class Panel:
     height: float = 150
     title: str = ""
 
+    def __post_init__(self) -> None:
+        """Raise InputError for limits, ticks, heights and words that cannot be drawn."""
+        for name in ("x_limits", "y_limits"):
+            _check_ends(name, getattr(self, name))
+        for name in ("x_ticks", "y_ticks", "height"):
+            if getattr(self, name) is not None:
+                Quantity(f"{name} of a panel", "", example=100).number(getattr(self, name))
+        for words in self.words:
+            if not isinstance(words, tuple) or len(words) != 3:  # noqa: PLR2004
+                raise InputError(f"The words {shorten(words)} have no place: give (text, x, y).")
+
 
 @dataclass(frozen=True)
 class Say:
@@ -158,6 +185,16 @@ class Button:
 
     text: str
     sets: Mapping[sp.Symbol, Any]
+
+
+def _check_colour(colour: Any) -> None:
+    if colour is not None and not (isinstance(colour, int) and colour >= 0):
+        raise InputError(f"The colour is {shorten(colour)}: count the colours from 0.")
+
+
+def _check_ends(name: str, ends: Any) -> None:
+    if ends is not None and not (isinstance(ends, tuple | list) and len(ends) == 2):  # noqa: PLR2004
+        raise InputError(f"The {name} is {shorten(ends)}: give two, for example (0, 1).")
 
 
 class Choice(sp.Dummy):  # type: ignore[misc]
@@ -199,7 +236,7 @@ def choice(name: str, options: Mapping[str, Any]) -> Any:
 
 
 def _chosen(symbol: Choice, expressions: list[Any]) -> sp.Expr:
-    *others, last = map(sp.sympify, expressions)
+    *others, last = map(as_curve, expressions)
     pieces = [(expression, sp.Eq(symbol, number)) for number, expression in enumerate(others)]
     return sp.Piecewise(*pieces, (last, True), evaluate=False)
 
@@ -218,4 +255,4 @@ def pinned(expression: Any) -> sp.Expr:
     >>> (a / pinned(a)).has(Pinned)
     True
     """
-    return Pinned(sp.sympify(expression))
+    return Pinned(as_expression(expression))

@@ -8,7 +8,8 @@ from typing import Any
 import sympy as sp
 
 from cammotion.views import notation
-from cammotion.views.live.formulas import largest, shortly
+from cammotion.views.live.expressions import as_curve, check_computable, shortly
+from cammotion.views.live.formulas import largest
 from cammotion.views.live.parts import Line, Panel, Say
 
 _LONGEST_LABEL = 30
@@ -20,7 +21,7 @@ def labelled_panel(panel: Panel) -> Panel:
     if panel.y or not panel.lines:
         return panel
     first, *others = panel.lines
-    symbol, text = quantity_of(first.y), shortly(sp.sympify(first.y))
+    symbol, text = quantity_of(first.y), shortly(first.y)
     if symbol:
         return replace(panel, y=notation.labelled(symbol))
     name = first.name if not others else ""
@@ -35,7 +36,7 @@ def usual_sentences(
 ) -> list[Say]:
     """Return three sentences: what follows, what is at the clock's place, and the peaks."""
     lines = [line for column in columns for panel in column for line in panel.lines]
-    followed = [symbol for symbol, value in values.items() if sp.sympify(value).free_symbols]
+    followed = [symbol for symbol, value in values.items() if as_curve(value).free_symbols]
     unit = notation.meaning(variable.name).unit
     where = "at {place:.4g} " + unit if unit else f"at {variable.name} = {{place:.4g}}"
     says = [
@@ -68,9 +69,9 @@ def quantity_of(expression: Any) -> str | None:
     >>> quantity_of(h_m / t_m**2 * sp.sin(t / t_m)), quantity_of(sp.sin(t / t_m))
     ('a', None)
     """
-    metres, seconds = (
-        _power(sp.sympify(expression), unit) for unit in (notation.METRES, notation.SECONDS)
-    )
+    expression = as_curve(expression)
+    check_computable(expression)
+    metres, seconds = (_power(expression, unit) for unit in (notation.METRES, notation.SECONDS))
     return None if metres is None or seconds is None else notation.BY_POWERS.get((metres, seconds))
 
 
@@ -81,9 +82,11 @@ def _power(expression: sp.Expr, unit: Mapping[str, int]) -> int | None:
     grown = {symbol: value * 2.0 ** unit.get(symbol.name, 0) for symbol, value in at.items()}
     try:
         before, after = (float(expression.subs(values)) for values in (at, grown))
-    except TypeError:  # not a number at all
+    except (TypeError, ValueError, OverflowError):  # not a number at all
         return None
     if not before or not math.isfinite(before):
         return None
-    power = math.log2(after / before) if after / before > 0 else math.nan
+    if not 0 < after / before < math.inf:
+        return None
+    power = math.log2(after / before)
     return round(power) if abs(power - round(power)) < _ROUNDING else None

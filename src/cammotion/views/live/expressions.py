@@ -1,0 +1,91 @@
+"""What may stand in a live figure: expressions of SymPy, and what is said of those that may not."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import sympy as sp
+
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.quantities import InputError, shorten
+
+_LONGEST = 70  # of an expression in a sentence
+_MOST = 10**300  # beyond it a number is none in a page
+_UNDONE = sp.Derivative, sp.Integral, sp.Sum, sp.Product, sp.Limit, sp.Subs
+_ATOMS = sp.Symbol, sp.Number, sp.NumberSymbol, sp.logic.boolalg.BooleanAtom
+
+
+def as_expression(value: Any) -> sp.Basic:
+    """Return a number or an expression as SymPy has it; raise InputError for anything else.
+
+    Text is refused, since reading it as a formula would run it.
+    """
+    if isinstance(value, sp.Expr | sp.logic.boolalg.Boolean):
+        return value
+    if isinstance(value, MotionLaw):
+        raise InputError(
+            f"{shorten(value)} is a law and no expression: take its s, v, a or j, like law.s."
+        )
+    try:
+        if isinstance(value, str | bool):
+            raise TypeError
+        return sp.Float(float(value)) if isinstance(value, float) else sp.Integer(int(value))
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(
+            f"A live figure cannot draw {shorten(value)}: give an expression of SymPy, "
+            "for example sp.sin(t), or a number."
+        ) from None
+
+
+def as_curve(value: Any) -> sp.Expr:
+    """Return an expression that can be drawn; raise InputError for a condition too."""
+    curve = as_expression(value)
+    if not isinstance(curve, sp.Expr):
+        raise InputError(
+            f"{shortly(curve)} is a condition and no curve: draw sp.Piecewise((1, condition), "
+            "(0, True)), which is 1 where it holds."
+        )
+    return curve
+
+
+def shortly(expression: Any) -> str:
+    """Return an expression as text, cut where it is too long for a sentence."""
+    text = str(expression)
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
+
+
+def check_computable(expression: sp.Basic) -> None:
+    """Raise InputError for what no formula can be made of, whatever its functions are."""
+    for undone in expression.atoms(*_UNDONE):
+        raise InputError(
+            f"{shortly(undone)} is not worked out, and a live figure cannot do that: call .doit() "
+            "on the expression, and look whether it has become a formula."
+        )
+    if expression.has(sp.I, sp.zoo):
+        raise InputError(
+            f"{shortly(expression)} is not real: a live figure draws real numbers only, take "
+            "its real part or its magnitude."
+        )
+    for atom in expression.atoms() | expression.atoms(sp.core.expr.AtomicExpr):
+        if not isinstance(atom, _ATOMS):
+            raise InputError(
+                f"A live figure cannot compute {shortly(atom)}, which is in "
+                f"{shortly(expression)}: write a number or a symbol in its place."
+            )
+        if isinstance(atom, sp.Rational) and max(abs(atom.p), atom.q) > _MOST:
+            raise InputError(
+                "An expression contains a number of more than 300 digits, which a live figure "
+                "cannot compute: choose larger units."
+            )
+
+
+@contextmanager
+def refusing_the_endless() -> Iterator[None]:
+    """Raise InputError where an expression is nested so deeply that Python gives up."""
+    try:
+        yield
+    except (RecursionError, SyntaxError, MemoryError):
+        raise InputError(
+            "An expression of this live figure is nested too deeply: simplify it, or give parts of "
+            "it a symbol of their own in values."
+        ) from None

@@ -1,0 +1,197 @@
+"""Live figures as pages from a file, in a real Chromium without a network and in a real Firefox."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from firefox import running_firefox
+from lab import require_chromium, running_browser
+from live_page import (
+    ERRORS,
+    FIELDS,
+    FIGURES,
+    LISTEN,
+    OUTSIDE,
+    PHONE_PX,
+    RESTS_MS,
+    SLIDE,
+    TWICE,
+    TYPE,
+    WAIT,
+    Reader,
+    built,
+)
+from playwright.sync_api import Browser
+
+from cammotion.views.live import page
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Browser]:
+    require_chromium()
+    with running_browser() as browser:
+        yield browser
+
+
+@pytest.fixture(scope="module", params=["chromium", "firefox"])
+def reader(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Reader]:
+    """Give a page in each browser; of Chromium's, what goes wrong is collected."""
+    folder = tmp_path_factory.mktemp("live")
+    if request.param == "firefox":
+        with running_firefox(folder) as firefox:
+            yield Reader(firefox.goto, firefox.evaluate, firefox.press, folder, built("move"))
+        return
+    opened = request.getfixturevalue("chromium").new_page(offline=True)
+    wrong: list[str] = []
+    opened.on("console", lambda said: wrong.append(said.text))
+    opened.on("pageerror", lambda error: wrong.append(str(error)))
+    yield Reader(opened.goto, opened.evaluate, opened.keyboard.press, folder, built("move"))
+    opened.close()
+    assert wrong == []
+
+
+def test_a_move_under_the_readers_hand(reader: Reader) -> None:
+    figure = reader.open("move")
+    rate, angle, _, law = figure.values
+    reader.assert_as_in_python()
+    reader.evaluate(SLIDE, "rate N")
+    reader.press("ArrowRight")
+    reader.press("ArrowRight")
+    figure.values = {rate: 2100}
+    reader.assert_as_in_python()
+    reader.type("angle Bm", "55,5")
+    figure.values = {angle: 55.5}
+    reader.assert_as_in_python()
+    reader.push("Pin this design")
+    figure.pin()
+    reader.evaluate(TYPE, {"label": "motion law"})
+    reader.press("ArrowDown")
+    figure.values = {law: 1}
+    reader.assert_as_in_python()
+    assert figure.chosen == {"motion law": "constant acceleration"}
+    reader.push("Start again")
+    figure.values = {rate: 2000, angle: 55, law: 0}
+    reader.assert_as_in_python()
+    resources = "() => performance.getEntriesByType('resource').map((each) => each.name)"
+    assert all(name.startswith("blob:") for name in reader.evaluate(resources))
+
+
+def test_a_number_that_is_not_taken_is_told_and_changes_nothing(reader: Reader) -> None:
+    figure = reader.open("move")
+    reader.type("angle Bm", "300")
+    error = "“300” was not taken: angle Bm goes from 20 to 220 deg."
+    assert reader.evaluate(ERRORS) == error
+    assert reader.evaluate(FIELDS)[1] == "300"
+    assert reader.said() == figure.text
+    reader.type("stroke hm", "abc")
+    assert "“abc” was not taken: stroke hm goes from 5 to 100 mm." in reader.evaluate(ERRORS)
+    reader.type("angle Bm", "60")
+    assert "angle" not in reader.evaluate(ERRORS)
+    reader.push("Start again")
+    assert reader.evaluate(ERRORS) == ""
+    assert reader.evaluate(FIELDS) == ["2000", "55", "50"]
+
+
+def test_the_sentences_are_read_out_when_the_hand_rests(reader: Reader) -> None:
+    reader.open("move")
+    reader.evaluate(WAIT, RESTS_MS)
+    reader.evaluate(LISTEN)
+    reader.evaluate(SLIDE, "angle Bm")
+    for _ in range(5):
+        reader.press("ArrowRight")
+        assert reader.evaluate("() => heard") == []
+    reader.evaluate(WAIT, RESTS_MS)
+    assert reader.evaluate("() => heard") == [reader.said()]
+
+
+def test_the_clock_plays_and_stands(reader: Reader) -> None:
+    figure = reader.open("clock")
+    assert reader.said() == figure.text
+    reader.evaluate(WAIT, RESTS_MS)
+    reader.evaluate(LISTEN)
+    reader.push("Play")
+    before = reader.said()
+    reader.evaluate(WAIT, 200)
+    during = reader.said()
+    reader.evaluate(WAIT, RESTS_MS)
+    assert before.splitlines()[0] != during.splitlines()[0] != reader.said().splitlines()[0]
+    assert reader.evaluate("() => heard") == []
+    reader.push("Pause")
+    paused = reader.said()
+    reader.evaluate(WAIT, RESTS_MS)
+    assert reader.said() == paused
+    assert reader.evaluate("() => heard") == [paused]
+    place, sine = map(float, re.findall(r"[-\d.]+", paused.replace("−", "-"))[:2])
+    assert sine == pytest.approx(np.sin(5 * place), abs=0.002)
+    assert reader.evaluate("() => document.querySelector('h1').textContent").startswith("<b>A sine")
+
+
+def test_the_pad_follows_the_arrow_keys(reader: Reader) -> None:
+    figure = reader.open("scca")
+    b, c = figure.values
+    reader.assert_as_in_python()
+    reader.evaluate("() => document.querySelector('[role=application]').focus()")
+    for key in ["ArrowUp", "ArrowUp", "ArrowUp", "ArrowRight"]:
+        reader.press(key)
+    up = 0.03 / (3**0.5 / 2)
+    figure.values = {b: 0.5 - 0.01 - up / 2, c: up}
+    reader.assert_as_in_python()
+
+
+def test_figures_of_one_notebook_share_no_id(reader: Reader) -> None:
+    datas = [reader.open("move")._data, built("scca")._data]
+    found = reader.evaluate(TWICE, {"script": page.module(), "datas": [*datas, datas[0]]})
+    assert len(set(found["ids"])) == len(found["ids"]) > 20
+    assert found["missing"] == []
+    reader.open("move")
+
+
+def test_the_pad_follows_the_mouse(chromium: Browser, tmp_path: Path) -> None:
+    opened = chromium.new_page(viewport={"width": 1000, "height": 900}, offline=True)
+    reader = Reader(opened.goto, opened.evaluate, opened.keyboard.press, tmp_path, built("scca"))
+    reader.open("scca")
+    dots = opened.locator(".cm-column").first.locator("circle")
+    place = {at: dots.nth(at).bounding_box() for at in range(6)}
+    here, there = (
+        box and (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        for box in (place[5], place[1])
+    )
+    assert here
+    assert there
+    opened.mouse.move(*here)
+    opened.mouse.down()
+    opened.mouse.move(here[0], there[1], steps=3)
+    opened.mouse.move(*there, steps=3)
+    opened.mouse.up()
+    opened.mouse.move(10, 10)
+    moved = [float(value.replace("−", "-")) for value in reader.evaluate(FIELDS)]
+    assert moved == pytest.approx([0, 0], abs=1e-6)  # the corner of the simple harmonic law
+    opened.close()
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_phone_in_the_dark(chromium: Browser, tmp_path: Path, name: str) -> None:
+    context = chromium.new_context(
+        viewport={"width": PHONE_PX, "height": 740}, color_scheme="dark", offline=True
+    )
+    opened = context.new_page()
+    reader = Reader(opened.goto, opened.evaluate, opened.keyboard.press, tmp_path, built(name))
+    figure = reader.open(name)
+    assert reader.evaluate(OUTSIDE) == []
+    assert reader.said() == figure.text
+    style = "(place) => getComputedStyle(document.querySelector(place))"
+    ink, paper = (
+        sum(
+            map(
+                int,
+                re.findall(r"\d+", reader.evaluate(f"() => ({style})('.cm-figure').{part}"))[:3],
+            )
+        )
+        for part in ("color", "backgroundColor")
+    )
+    assert (ink > 600, paper < 150) == (True, True)
+    context.close()
