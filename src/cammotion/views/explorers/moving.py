@@ -72,7 +72,8 @@ class Moving:
         if not self.is_indexing:
             return self.position()
         pitch = sum(part.change_mm for part in self.parts)
-        return sp.Min(sp.Abs(self.position()), sp.Abs(pitch - self.position()))
+        way = self.position() if pitch > 0 else -self.position()
+        return sp.Min(way, abs(pitch) - way)
 
     def acceleration(self, rate: Any) -> sp.Expr:
         """Return the acceleration in m/s² at a machine rate in pieces per hour."""

@@ -1,11 +1,13 @@
 """The explorer of the overlap: how far one motion may go while the other is on its way."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
 
 from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
@@ -131,11 +133,11 @@ def _mill(mill: Motion, angle: Any) -> Moving:
 def _window(mill: Motion, limit_mm: float) -> dict[sp.Symbol, sp.Expr]:
     """Return from which to which angle the mill is too far from a stop."""
     (index,) = mill.moves
-    law, share = as_law(index.law).s, max(limit_mm / abs(mill.pitch_mm), _NOTHING)
+    law, share = as_law(index.law), sp.Float(limit_mm / abs(mill.pitch_mm))
     start = (index.from_deg + index.to_deg) / 2 - B_MILL / 2
     return {
-        _OUT: start + B_MILL * inverse(law, (x, 0, 1), sp.Float(share)),
-        _IN: start + B_MILL * inverse(law, (x, 0, 1), sp.Float(1 - share)),
+        _OUT: start + B_MILL * _place_in(law, share),
+        _IN: start + B_MILL * _place_in(law, 1 - share),
     }
 
 
@@ -146,13 +148,20 @@ def _widest(die: Motion, work: float, most: float) -> sp.Expr:
     up: the one has to come after the mill is in, the other to be over before it is out again.
     """
     down, up = die.moves
-    span, share = (x, 0, 1), (_LIMIT - die.start_mm) / down.change_mm
-    share = sp.Max(sp.Min(share, 1 - _NOTHING, evaluate=False), _NOTHING, evaluate=False)
-    deep_down = 1 - inverse(as_law(down.law).s, span, share)
-    deep_up = inverse(as_law(up.law).s, span, 1 - share)
+    share = (_LIMIT - die.start_mm) / down.change_mm
+    deep_down = 1 - _place_in(as_law(down.law), share)
+    deep_up = _place_in(as_law(up.law), 1 - share)
     before = sp.Mod(_END - _IN, DEG_PER_TURN)  # from where the mill is in to the dwell
     behind = DEG_PER_TURN - (_IN - _OUT) - before - work
-    return sp.Min(before / deep_down, behind / deep_up, most, evaluate=False)
+    free = sp.Min(before / deep_down, behind / deep_up, most, evaluate=False)
+    return sp.Piecewise((most, share > 1 - _NOTHING), (free, True))  # never deep
+
+
+def _place_in(law: MotionLaw, way: sp.Expr) -> sp.Expr:
+    """Return the x at which a law has come a share of its way; at an end of it, that end."""
+    between = inverse(law.s, (x, 0, 1), way)
+    start = sp.Float(_NOTHING**2)  # no 0, since a number is divided by it
+    return sp.Piecewise((start, way < _NOTHING), (1, way > 1 - _NOTHING), (between, True))
 
 
 def _timing(
@@ -259,7 +268,7 @@ def _verdict(die: Motion, moving: Moving, rule: ClearanceRule, least: float) -> 
 
 def _checked(diagram: Any, rule: Any, contact_mm: Any) -> float:
     as_rules(diagram, rule)
-    contact = Quantity("position of contact", "mm", example=20).number(contact_mm)
+    contact = Quantity("position of contact", "mm", example=20, low=-math.inf).number(contact_mm)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
     shapes = [segment.kind for segment in die.moves] == ["rise", "return"] and mill.is_indexing
     sides = rule.when.is_beyond and not rule.only_while.is_beyond

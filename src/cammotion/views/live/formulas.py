@@ -33,13 +33,13 @@ class PlaceOfLargest(sp.Function):  # type: ignore[misc]
     nargs, is_real = 3, True
 
 
-class Inverse(sp.Function):  # type: ignore[misc]
+class PlaceOfValue(sp.Function):  # type: ignore[misc]
     """Where a monotone function has a value, between two places; made by `inverse`."""
 
     nargs, is_real = 4, True
 
 
-_SEARCHES = {Largest: "largest", PlaceOfLargest: "place_of_largest", Inverse: "inverse"}
+_SEARCHES = {Largest: "largest", PlaceOfLargest: "place_of_largest", PlaceOfValue: "inverse"}
 
 
 def largest(expression: Any, span: tuple[Any, Any, Any]) -> sp.Expr:
@@ -81,7 +81,7 @@ def inverse(expression: Any, span: tuple[Any, Any, Any], value: Any) -> sp.Expr:
     >>> inverse(x**2, (x, 0, 1), depth).free_symbols
     {depth}
     """
-    return Inverse(*_bound(expression, span), sp.sympify(value))
+    return PlaceOfValue(*_bound(expression, span), sp.sympify(value))
 
 
 def _bound(expression: Any, span: tuple[Any, Any, Any]) -> tuple[sp.Lambda, sp.Expr, sp.Expr]:
@@ -126,7 +126,7 @@ class _Printer:
         self.names = outside
         return f"{_SEARCHES[type(search)]}({', '.join([body, *map(self._print, others)])})"
 
-    _print_Largest = _print_PlaceOfLargest = _print_Inverse = _print_search  # noqa: N815
+    _print_Largest = _print_PlaceOfLargest = _print_PlaceOfValue = _print_search  # noqa: N815
 
     def _print_Mod(self, mod: sp.Mod) -> str:  # noqa: N802 - the % of JavaScript keeps the sign
         value, turn = mod.args
