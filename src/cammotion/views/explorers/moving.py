@@ -73,7 +73,7 @@ class Moving:
             return self.position()
         pitch = sum(part.change_mm for part in self.parts)
         way = self.position() if pitch > 0 else -self.position()
-        return sp.Min(way, abs(pitch) - way)
+        return sp.Min(way, abs(pitch) - way, evaluate=False)
 
     def acceleration(self, rate: Any) -> sp.Expr:
         """Return the acceleration in m/s² at a machine rate in pieces per hour."""
@@ -128,7 +128,10 @@ def heights(motions: Iterable[Motion], moving: Iterable[Moving]) -> tuple[sp.Exp
     low, high = min(map(min, ranges)), max(map(max, ranges))
     room = (high - low) / 16
     over_zero = [m.movement().xreplace({ALPHA: at}) for m in moving for at in (_0, _360)]
-    return sp.Min(low, *over_zero) - room, sp.Max(high, *over_zero) + 2 * room
+    lowest, highest = (
+        f(*over_zero, end, evaluate=False) for f, end in ((sp.Min, low), (sp.Max, high))
+    )
+    return lowest - room, highest + 2 * room
 
 
 def check_rests(motions: Iterable[Motion]) -> None:

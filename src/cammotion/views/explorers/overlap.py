@@ -247,7 +247,12 @@ def _verdict(die: Motion, moving: Moving, rule: ClearanceRule, least: float) -> 
     window = (ALPHA, _OUT, _IN)
     room = _LIMIT - largest(moving.position(), window)
     place = sp.Mod(place_of_largest(moving.position(), window), DEG_PER_TURN)
-    numbers = {"room": sp.Max(room, 0), "excess": -room, "at": place, "die": die.name}
+    numbers = {
+        "room": sp.Max(room, 0, evaluate=False),
+        "excess": -room,
+        "at": place,
+        "die": die.name,
+    }
     numbers |= {"mill": rule.only_while.motion, "within": str(rule.only_while)}
     return [
         Say(

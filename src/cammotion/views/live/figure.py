@@ -86,7 +86,9 @@ class LiveFigure(anywidget.AnyWidget):
         for alternatives in self.description["sentences"]:
             for one in alternatives:
                 if one["when"] is None or bool(now[one["when"]](clock)):
-                    said.append("".join(self._written(piece) for piece in one["pieces"]))
+                    said.append(
+                        "".join(self._written(piece, now, clock) for piece in one["pieces"])
+                    )
                     break
         return "\n".join(line for line in said if line)
 
@@ -97,7 +99,8 @@ class LiveFigure(anywidget.AnyWidget):
         """
         for button in self.description["buttons"]:
             if button["text"] == text:
-                sets = {number: float(self._now[f](self._clock)) for number, f in button["sets"]}
+                now, clock = self._now, self._clock
+                sets = {number: float(now[f](clock)) for number, f in button["sets"]}
                 if all(map(math.isfinite, sets.values())):
                     self._change(sets)
                 return
@@ -133,7 +136,8 @@ class LiveFigure(anywidget.AnyWidget):
 
     @property
     def _clock(self) -> float:
-        low, high = (float(self._now[end]()) for end in self.description["range"])
+        now = self._now
+        low, high = (float(now[end]()) for end in self.description["range"])
         return low + CLOCK * (high - low)
 
     def _change(self, changes: Mapping[int, float]) -> None:
@@ -152,13 +156,13 @@ class LiveFigure(anywidget.AnyWidget):
                 changed[number] = within(number, min(changed[number], most))
         self.settings = changed
 
-    def _written(self, piece: str | dict[str, Any]) -> str:
+    def _written(self, piece: str | dict[str, Any], now: Any, clock: float) -> str:
         if isinstance(piece, str):
             return piece
         if "choice" in piece:
             number = piece["choice"]
             return str(self.description["controls"][number]["options"][int(self.settings[number])])
-        value = float(self._now[piece["formula"]](self._clock))
+        value = float(now[piece["formula"]](clock))
         if math.isinf(value):
             return "∞" if value > 0 else "−∞"
         return format(value, piece["spec"]).replace("-", "−")
