@@ -62,7 +62,8 @@ class Moving:
         if not self.is_indexing:
             return self.position()
         pitch = sum(part.change_mm for part in self.parts)
-        way = self.position() + pitch * sp.floor((ALPHA - self.start) / DEG_PER_TURN)
+        turns = (ALPHA - self.start - self._since(ALPHA)) / DEG_PER_TURN
+        way = self.position() + pitch * turns
         return way - pitch * sp.floor(
             way.xreplace({ALPHA: sp.Integer(0)}) / pitch + 1 / sp.Integer(2)
         )
@@ -89,9 +90,13 @@ class Moving:
         ]
         return sp.Max(*peaks, evaluate=False) if len(peaks) > 1 else peaks[0]
 
+    def _since(self, angle: Any) -> sp.Expr:
+        """Return how far the turn that begins at the start has come at a cam angle, in deg."""
+        return sp.Mod(angle - self.start, DEG_PER_TURN, evaluate=False)
+
     def _over_parts(self, angle: Any, order: int, rate: Any = None) -> sp.Expr:
         """Return a derivative of the position, each part by its law since it began."""
-        since = sp.Mod(angle - self.start, DEG_PER_TURN, evaluate=False)
+        since = self._since(angle)
         pieces, come, begin = [], sp.Integer(0), sp.Integer(0)
         for part, end in zip(self.parts, self.ends, strict=True):
             value = come if order == 0 else sp.Integer(0)
