@@ -19,6 +19,7 @@ from cammotion.views.live.parts import Choice
 from cammotion.views.live.picture import draw
 
 MIME = "application/vnd.cammotion.figure+json"
+_QUIETLY = np.errstate(all="ignore")  # where a formula has no value, that is no news
 CLOCK = 0.25  # of the variable's range: where the cursor stands at first
 
 
@@ -79,6 +80,7 @@ class LiveFigure(anywidget.AnyWidget):
         }
 
     @property
+    @_QUIETLY
     def text(self) -> str:
         """The figure's sentences with its present numbers, one a line."""
         now, clock = self._now, self._clock
@@ -92,6 +94,7 @@ class LiveFigure(anywidget.AnyWidget):
                     break
         return "\n".join(line for line in said if line)
 
+    @_QUIETLY
     def press(self, text: str) -> None:
         """Press the button with that text, as the reader would.
 
@@ -140,6 +143,7 @@ class LiveFigure(anywidget.AnyWidget):
         low, high = (float(now[end]()) for end in self.description["range"])
         return low + CLOCK * (high - low)
 
+    @_QUIETLY
     def _change(self, changes: Mapping[int, float]) -> None:
         """Change settings, kept in their ranges; others give way, by the steps of `formulas.js`."""
         controls = self.description["controls"]
