@@ -248,7 +248,7 @@ def _verdict(die: Motion, moving: Moving, rule: ClearanceRule, least: float) -> 
     room = _LIMIT - largest(moving.position(), window)
     place = sp.Mod(place_of_largest(moving.position(), window), DEG_PER_TURN)
     numbers = {
-        "room": sp.Max(room, 0, evaluate=False),
+        "room": sp.Max(room - _ROUNDING_MM, 0, evaluate=False),
         "excess": -room,
         "at": place,
         "die": die.name,
