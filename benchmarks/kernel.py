@@ -62,16 +62,16 @@ def time_ticks_as_json() -> str:
     from rival import interact_with
 
     from cammotion.machine.kinematics import Move
-    from cammotion.views.explorers.move import explore_move
+    from cammotion.views.explorers.move import B_m, N, explore_move, h_m
 
     die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
-    explorer = explore_move(die)
+    figure, symbols = explore_move(die), {"angle": B_m, "rate": N, "stroke": h_m}
     *sliders, _ = interact_with(die).widget.children
     rivals = {slider.description: slider for slider in sliders}
     times: dict[str, list[float]] = {"own": [], "rival": []}
     for number in range(ROUNDS):
         for name, values in SWEEPS.items():
-            times["own"] += sweep(getattr(explorer, name), values)
+            times["own"] += sweep_figure(figure, symbols[name], values)
             times["rival"] += sweep(rivals[name], values[number * THIN // ROUNDS :: THIN])
     return json.dumps(times)
 
@@ -91,11 +91,24 @@ def time_explorers_as_json() -> str:
         "explore_scca": cm.explore_scca(),
     }
     times: dict[str, list[float]] = {name: [] for name in explorers}
-    for name, explorer in explorers.items():
-        for control in explorer.controls:
-            low, high = control.slider.min, control.slider.max
-            times[name] += sweep(control, [low + (high - low) * n / TICKS for n in range(TICKS)])
+    for name, figure in explorers.items():
+        for symbol, control in zip(figure.values, figure.description["controls"], strict=True):
+            low, high = control["low"], control["high"]
+            values = [low + (high - low) * n / TICKS for n in range(TICKS)]
+            times[name] += sweep_figure(figure, symbol, values)
     return json.dumps(times)
+
+
+def sweep_figure(figure: Any, symbol: Any, values: Iterable[float]) -> list[float]:
+    """Set a control of a live figure and let it say its sentences, as a script does: in ms."""
+    before, times = figure.values, []
+    for value in values:
+        started = time.perf_counter()
+        figure.values = {symbol: value}
+        assert figure.text
+        times.append((time.perf_counter() - started) * 1000)
+    figure.values = before
+    return times
 
 
 def sweep(control: Any, values: Iterable[float]) -> list[float]:

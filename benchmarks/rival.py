@@ -6,7 +6,6 @@ import ipywidgets
 import matplotlib.pyplot as plt
 
 from cammotion.machine.kinematics import Move
-from cammotion.views.explorers.move import compare
 from cammotion.views.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
 
 
@@ -16,7 +15,11 @@ def interact_with(reference: Move) -> Any:
     def draw(rate: float, angle: float, stroke: float) -> None:
         move = Move(stroke_mm=stroke, angle_deg=angle, rate_per_hour=rate)
         draw_figure(move, reference)
-        print(compare(move, reference))
+        for name, design in (("your design", move), ("reference", reference)):
+            print(
+                f"{name}: tm = {design.time_s:.4g} s, a_max = {design.peak_acceleration:.4g} m/s²"
+            )
+        print(f"ratio of the peaks: {move.peak_acceleration / reference.peak_acceleration:.4g}")
 
     return ipywidgets.interact(
         draw,

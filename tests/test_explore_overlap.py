@@ -167,7 +167,7 @@ MACHINES = {
         -8,
     ),
     "a mill through 0 deg, and back": (
-        *make(turret("$x^2$", -80, 100, "cubic", start_deg=310),
+        *make(turret("$\\frac$", -80, 100, "cubic", start_deg=310),
               DOWN, cm.dwell(80), UP, cm.dwell(170), start_deg=60, limit=30, within=0),
         30,
     ),

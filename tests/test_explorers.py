@@ -93,7 +93,7 @@ SHARED = {
             start_deg=-1000,
         ),
         cm.motion(
-            "$x^2$ {name}",
+            "$\\frac$ {name}",
             cm.rise(70, over_deg=60, law="constant acceleration"),
             cm.dwell(30),
             cm.return_(70, over_deg=40, law=SAMPLED),
