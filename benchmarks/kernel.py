@@ -105,7 +105,7 @@ def sweep_figure(figure: Any, symbol: Any, values: Iterable[float]) -> list[floa
     for value in values:
         started = time.perf_counter()
         figure.values = {symbol: value}
-        assert figure.text
+        figure.text.splitlines()
         times.append((time.perf_counter() - started) * 1000)
     figure.values = before
     return times

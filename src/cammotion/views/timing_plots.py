@@ -244,9 +244,8 @@ def _draw_path(
 ) -> dict[tuple[float, float], str]:
     """Draw a path with its dots; return where the cam angles belong that name some of them."""
     across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
-    angles = np.union1d(curve_angles(across), curve_angles(up))
-    path = ax.plot(across.offset_mm(angles), up.offset_mm(angles), label=name)
-    style_line(path[0], number)
+    close = np.union1d(curve_angles(across), curve_angles(up))
+    style_line(ax.plot(across.offset_mm(close), up.offset_mm(close), label=name)[0], number)
     angles = np.arange(0, DEG_PER_TURN, DOT_DEG)
     x, y = np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
     under_way = (x > 0) & (y > 0) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])

@@ -67,11 +67,8 @@ def explore_overlap(
         _END: START + B_m,
         _WIDEST: _widest(die, work, most),
     }
-    ways = down.angle_deg, up.angle_deg
-    before = {
-        mill.name: _mill(mill, index.angle_deg),
-        die.name: _die(die, ways, down.from_deg),
-    }
+    as_it_was = _die(die, (down.angle_deg, up.angle_deg), down.from_deg)
+    before = {mill.name: _mill(mill, index.angle_deg), die.name: as_it_was}
     angle = min(down.angle_deg, most)
     start = (down.to_deg - angle) % DEG_PER_TURN
     margin, most_margin = contact - rule.when.limit_mm, min(_MOST_MARGIN_MM, contact - die.start_mm)
