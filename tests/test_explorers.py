@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from explored import at_corners, control_of, drawn, limits_of, lines_of, panel_of, peaks_said
 from machines import make_diagram, make_die, make_mill
 
@@ -13,6 +14,7 @@ from cammotion.laws.scca_family import NAMED_PARTS, acceleration_factor
 from cammotion.views.explorers.scca import b, c
 from cammotion.views.explorers.shares import B_MILL, WORK
 from cammotion.views.live.figure import LiveFigure
+from cammotion.views.live.formulas import inverse
 
 DIAGRAM = make_diagram()
 X = np.linspace(0.0003, 0.9997, 401)
@@ -272,3 +274,10 @@ def test_the_other_part_gives_way(scca: LiveFigure) -> None:
     assert scca.values == pytest.approx({b: 0.123456789012345, c: 0.876543210987655})
     check_scca(scca)
     assert control_of(scca, b)["high"] == control_of(scca, c)["high"] == 1
+
+
+def test_what_is_searched_for_can_be_named_in_a_sentence() -> None:
+    """SymPy has functions of its own called Inverse, whose printing fails on others."""
+    x, depth = sp.symbols("x depth")
+    with pytest.raises(cm.InputError, match="contains depth, which is neither the variable nor"):
+        cm.explore(x + inverse(x**2, (x, 0, 1), depth), (x, 0, 1))
