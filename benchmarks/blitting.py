@@ -15,7 +15,6 @@ from PIL import Image
 
 from cammotion.machine.kinematics import Move
 from cammotion.views.plots import CURVES, REFERENCE_STYLE, sample_curve, style_axes, style_line
-from cammotion.views.scales import round_up
 
 NAMES = ("displacement", "velocity", "acceleration")
 CONTROLS = {"rate": (500, 5000, 50), "angle": (20, 220, 1), "stroke": (5, 100, 1)}
@@ -51,14 +50,19 @@ class BlittedExplorer(ipywidgets.VBox):  # type: ignore[misc]
         time, values = sample_curve(move, name)
         return time * (move.angle_deg / move.time_s), values
 
+    def top(self, name: str, *moves: Move) -> float:
+        """Return a coarse height that holds a curve of these moves, so that axes seldom change."""
+        peak = 1.05 * max(np.abs(self.curve(move, name)[1]).max() for move in moves)
+        decade = 10.0 ** np.floor(np.log10(peak))
+        return float(next(step * decade for step in (1, 2, 5, 10) if step * decade >= peak))
+
     def update(self) -> None:
         """Draw the move of the sliders: its lines, and the rest where an axis has to change."""
         rate, angle, stroke = (slider.value for slider in self.sliders)
         move = Move(stroke_mm=stroke, angle_deg=angle, rate_per_hour=rate)
         for line, name in zip(self.lines, NAMES, strict=True):
             line.set_data(*self.curve(move, name))
-        both = move, self.reference
-        top = [round_up(max(np.abs(self.curve(m, n)[1]).max() for m in both)) for n in NAMES[1:]]
+        top = [self.top(name, move, self.reference) for name in NAMES[1:]]
         if self.limits != (limits := tuple(top)):
             self.limits = limits
             self.axes[1].set_ylim(0, top[0])

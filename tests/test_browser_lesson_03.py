@@ -70,7 +70,7 @@ def test_a_collision_turns_up_at_once_and_is_named(output: Locator) -> None:
 def test_every_control_has_a_name(output: Locator) -> None:
     for name in ("die: angle Bm, deg", "die: start, deg", "mill: angle, deg", "margin, mm"):
         for role in ("textbox", "slider"):
-            expect(output.get_by_role(role, name=name)).to_be_visible()  # type: ignore[arg-type]
+            expect(output.get_by_role(role, name=name)).to_be_visible()
 
 
 def kept() -> dict[str, dict[str, dict[str, object]]]:

@@ -6,11 +6,12 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 import pytest
+from explored import control_of, peaks_said
 from machines import RULE, make_diagram, make_die, make_mill
 from matplotlib import pyplot as plt
 
 import cammotion as cm
-from cammotion.views.live import Explorer
+from cammotion.views.live.figure import LiveFigure
 
 mpl.use("agg")
 
@@ -120,66 +121,76 @@ def test_no_inverse_square_is_drawn_through_infinite_peaks() -> None:
     assert len(cm.plot_inverse_square(moves("constant acceleration")).lines) == 2
 
 
-def at_all_places(explorer: Explorer) -> Iterator[str]:
+def at_all_places(figure: LiveFigure) -> Iterator[str]:
     """Yield what is said with each control at its least, at its most, and as it was."""
-    for control in explorer.controls:
-        for value in (control.slider.min, control.slider.max, control.default):
-            control.value = value
-            yield explorer.text
+    for symbol in figure.values:
+        control = control_of(figure, symbol)
+        if control["options"]:
+            continue
+        for place in ("low", "high", "start"):
+            figure.values = {symbol: control[place]}
+            yield figure.text
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_the_explorer_of_a_move(law: str) -> None:
     (move, *_) = moves(law)
-    explorer = cm.explore_move(move)
-    for text in at_all_places(explorer):
+    figure = cm.explore_move(move)
+    for text in at_all_places(figure):
         assert_says(text, move.peak_acceleration)
-        for ax in explorer._axes:
-            assert_finite(ax.get_ylim())
-    assert ("ratio of the peaks: none, both are infinite" in explorer.text) == (law in INFINITE)
-    explorer.pin()
+        assert np.isinf(peaks_said(text)).all() == (law in INFINITE)
+    no_ratio = "ratio of the peaks: none, since the velocity of a law jumps"
+    assert (no_ratio in figure.text) == (law in INFINITE)
+    figure.pin()
+    assert (no_ratio in figure.text) == (law in INFINITE)
+    assert figure.picture()
+
+
+def test_from_a_law_with_a_peak_to_one_without_there_is_no_ratio() -> None:
+    (move, *_) = moves("line")
+    figure = cm.explore_move(move)
+    choice = next(symbol for symbol in figure.values if control_of(figure, symbol)["options"])
+    figure.values = {choice: control_of(figure, choice)["options"].index("cycloidal")}
+    assert peaks_said(figure.text) == pytest.approx([4.154, np.inf], abs=1e-3)
+    assert "ratio of the peaks: none" in figure.text
+    figure.pin()
+    assert "ratio of the peaks: 1 = 1 (rate" in figure.text
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_the_explorer_of_the_shares(law: str) -> None:
     diagram = DIAGRAMS[law]
-    explorer = cm.explore_shares(diagram)
-    for text in at_all_places(explorer):
+    figure = cm.explore_shares(diagram)
+    for text in at_all_places(figure):
         assert_says(text, diagram.peak_acceleration("die"))
-        low, high = explorer._axes[1].get_ylim()
-        for _, line in explorer._lines:
-            assert low <= np.min(line.get_ydata()) <= np.max(line.get_ydata()) <= high
+    assert figure.picture()
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_the_explorer_of_the_overlap(law: str) -> None:
     diagram = DIAGRAMS[law]
-    explorer = cm.explore_overlap(diagram, RULE, contact_mm=20)
-    for text in at_all_places(explorer):
+    figure = cm.explore_overlap(diagram, RULE, contact_mm=20)
+    for text in at_all_places(figure):
         assert_says(text, diagram.peak_acceleration("die"))
-    explorer.widen()
-    assert "No collision" in explorer.text
+        assert text.count(", as before") == 2 * (law in INFINITE)
+    figure.press("Widest move of the die")
+    assert "No collision" in figure.text
+    assert figure.picture()
 
 
 def test_a_conveyor_leaves_nothing_to_share() -> None:
-    with pytest.raises(cm.InputError, match=r"take 460 deg of the turn: leave 20 deg at least"):
+    with pytest.raises(cm.InputError, match=r"take 460 deg of the turn: leave more than 20 deg"):
         cm.explore_shares(DIAGRAMS["a conveyor"])
 
 
-def test_the_explorer_of_the_overlap_over_a_conveyor() -> None:
-    """A conveyor never rests at a stop: the die may never be down."""
-    explorer = cm.explore_overlap(DIAGRAMS["a conveyor"], rule_for("belt"), contact_mm=20)
-    assert "COLLISION" in explorer.text
-    assert "nan" not in explorer.text
-    explorer.widen()
-    assert "No move of the die is free of collision" in explorer.text
-
-
-def rule_for(belt: str) -> cm.ClearanceRule:
-    return cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within(belt, 0.65))
+def test_a_conveyor_never_rests_so_no_overlap_with_it_can_be_explored() -> None:
+    """Its velocity has no jump as it is, and one at any other angle."""
+    rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("belt", 0.65))
+    with pytest.raises(cm.InputError, match="'belt' goes from one move into the next without com"):
+        cm.explore_overlap(DIAGRAMS["a conveyor"], rule, contact_mm=20)
 
 
 def test_the_explorer_of_the_family_says_where_the_jerk_is_infinite() -> None:
-    explorer = cm.explore_scca()
-    explorer.choose("constant acceleration")
-    assert "Cj infinite (A jumps at the ends and in the middle)" in explorer.text
+    figure = cm.explore_scca()
+    figure.press("constant acceleration")
+    assert "Cj infinite (A jumps at the ends and in the middle)" in figure.text

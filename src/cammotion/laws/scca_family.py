@@ -83,15 +83,10 @@ def scca_expression(b: Any, c: Any, d: Any) -> tuple[sympy.Expr, ...]:
         sign = -1 if order % 2 == 0 else 1
         other = [int(order == 0) + sign * piece.xreplace({x: 1 - x}) for piece in half]
         pieces = [(piece, x < end) for piece, end in zip(half, ends, strict=True)]
-        mirrored_ends = [1 - end for end in ends[-2::-1]]
-        later = [(piece, x <= end) for piece, end in zip(other[:0:-1], mirrored_ends, strict=True)]
+        falls = (x <= 1 - ends[1]) & (d > 0)  # without a third zone the second goes to the middle
+        later = [(other[2], falls), (other[1], x <= 1 - ends[0])]
         curves.append(sympy.Piecewise(*pieces, *later, (other[0], True), evaluate=False))
     return tuple(curves)
-
-
-def scca_parts(b: float, c: float, d: float) -> tuple[float, ...]:
-    """Return b, c and d cleared of rounding; raise InputError unless they add up to 1."""
-    return tuple(map(float, _exact_parts(b, c, d)))
 
 
 def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:

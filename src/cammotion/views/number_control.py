@@ -57,7 +57,7 @@ class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
     def _follow_slider(self) -> None:
         """Take the slider's value, unless it only stands at the step nearest to the field's."""
         if not np.isclose(self.slider.value, self._nearest_step()):
-            self.field.value = self.slider.value
+            self.field.value = float(f"{self.slider.value:.12g}")  # 0.3, not 0.30000000000000004
 
     def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
         bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)

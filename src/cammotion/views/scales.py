@@ -7,7 +7,6 @@ from matplotlib.ticker import LogLocator
 from numpy.typing import ArrayLike
 
 _ONE_TWO_FIVE = LogLocator(subs=(1, 2, 5))
-_ROOM = 1.05
 
 
 def drawn_peak(peak: float, *curves: ArrayLike) -> float:
@@ -23,24 +22,14 @@ def drawn_peak(peak: float, *curves: ArrayLike) -> float:
     return max((float(np.abs(curve).max()) for curve in curves), default=0.0)
 
 
-def round_up(value: float) -> float:
-    """Return the next of ... 1, 2, 5, 10, 20 ... above a value, for an axis with a little room.
-
-    For 0, where nothing moves, it is 1.
-
-    >>> round_up(4.154), round_up(0)
-    (5.0, 1.0)
-    """
-    return _steps(_ROOM * value, 10 * _ROOM * value)[0] if value else 1.0
-
-
 def round_down(value: float) -> float:
     """Return the largest of ... 1, 2, 5, 10, 20 ... that is not above a value, itself above 0.
 
     >>> round_down(4.154)
     2.0
     """
-    return _steps(value / 10, value)[-1]
+    ticks = _ONE_TWO_FIVE.tick_values(value / 10, value)
+    return float(max(tick for tick in ticks if tick <= value))
 
 
 def as_text(value: float, digits: str) -> str:
@@ -50,12 +39,3 @@ def as_text(value: float, digits: str) -> str:
     ('4.15', '∞')
     """
     return format(value, digits) if math.isfinite(value) else "∞"
-
-
-def has_ratio(peak: float, reference: float) -> bool:
-    """Return whether a peak can be said as a multiple of another: 0 and infinity have none."""
-    return math.isfinite(peak) and math.isfinite(reference) and reference > 0
-
-
-def _steps(low: float, high: float) -> list[float]:
-    return [float(tick) for tick in _ONE_TWO_FIVE.tick_values(low, high) if low <= tick <= high]

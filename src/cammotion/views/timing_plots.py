@@ -16,7 +16,7 @@ from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.quantities import Floats, InputError, one_of
+from cammotion.quantities import InputError, one_of
 from cammotion.views.movement import SAMPLED_DEGS, curve_angles, movement
 from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
 
@@ -115,7 +115,7 @@ def plot_clearance(
     ]
     ax.set_xlim(0, span_mm or (widest if broken else near))  # no collision outside the picture
     ax.set_ylim(0, 1.1 * highest)
-    region = forbidden_region(rule, ax)
+    region = _forbidden_region(rule, ax)
     ax.add_patch(region)
     labels: dict[tuple[float, float], str] = {}
     for number, (name, diagram) in enumerate(named.items()):
@@ -127,27 +127,6 @@ def plot_clearance(
     middle_x, middle_y = region.get_center()
     write(ax, "forbidden", (middle_x, middle_y), COLLISION["edgecolor"], offset=(0, 0))
     return ax
-
-
-def forbidden_region(rule: ClearanceRule, ax: Axes) -> Rectangle:
-    """Return the rectangle of a clearance map in which both halves of the rule are broken."""
-    region = Rectangle((0, 0), 0, 0, **COLLISION, alpha=0.6, linewidth=1.5)
-    place_forbidden_region(region, rule, ax)
-    return region
-
-
-def place_forbidden_region(region: Rectangle, rule: ClearanceRule, ax: Axes) -> None:
-    """Move the rectangle of the clearance map to where another rule is broken."""
-    left, right = _side(rule.only_while.opposite, ax.get_xlim())
-    low, high = _side(rule.when, ax.get_ylim())
-    region.set_bounds(left, low, right - left, high - low)
-
-
-def clearance_path(diagram: TimingDiagram, rule: ClearanceRule) -> tuple[Floats, Floats]:
-    """Return the way through the clearance map: across and up, in mm, over one turn."""
-    across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
-    angles = np.union1d(curve_angles(across), curve_angles(up))
-    return np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
 
 
 def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) -> str:
@@ -264,8 +243,9 @@ def _draw_path(
     ax: Axes, diagram: TimingDiagram, rule: ClearanceRule, number: int, name: str
 ) -> dict[tuple[float, float], str]:
     """Draw a path with its dots; return where the cam angles belong that name some of them."""
-    style_line(ax.plot(*clearance_path(diagram, rule), label=name)[0], number)
     across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
+    close = np.union1d(curve_angles(across), curve_angles(up))
+    style_line(ax.plot(across.offset_mm(close), up.offset_mm(close), label=name)[0], number)
     angles = np.arange(0, DEG_PER_TURN, DOT_DEG)
     x, y = np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
     under_way = (x > 0) & (y > 0) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])
@@ -273,6 +253,13 @@ def _draw_path(
     named = under_way & (angles % LABELLED_DOT_DEG == 0)
     places = zip(x[named].round(6), y[named].round(6), strict=True)
     return {place: f"{angle}°" for place, angle in zip(places, angles[named], strict=True)}
+
+
+def _forbidden_region(rule: ClearanceRule, ax: Axes) -> Rectangle:
+    """Return the rectangle of a clearance map in which both halves of the rule are broken."""
+    left, right = _side(rule.only_while.opposite, ax.get_xlim())
+    low, high = _side(rule.when, ax.get_ylim())
+    return Rectangle((left, low), right - left, high - low, **COLLISION, alpha=0.6, linewidth=1.5)
 
 
 def _side(condition: Condition, limits: tuple[float, float]) -> tuple[float, float]:

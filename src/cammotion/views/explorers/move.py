@@ -6,14 +6,14 @@ from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.symbols import x
 from cammotion.machine.kinematics import STANDARD_GRAVITY, Move
 from cammotion.quantities import InputError
-from cammotion.views.explorers.moving import ALPHA, LARGEST
+from cammotion.views.explorers.moving import ALPHA, LARGEST, control
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
-from cammotion.views.live.parts import Control, Line, Panel, Say, choice, pinned
+from cammotion.views.live.parts import Line, Panel, Say, choice, pinned
 from cammotion.views.plots import CURVES
 
 N, B_m, h_m = sp.symbols("N B_m h_m", positive=True)
-WIDEST_DEG = 220
+_WIDEST_DEG, _LONGEST_MM = 220, 100
 
 
 def explore_move(reference: Move) -> LiveFigure:
@@ -40,15 +40,20 @@ def explore_move(reference: Move) -> LiveFigure:
     stroke = h_m / 1000
     at = {x: ALPHA / B_m}
     curves = h_m * s.xreplace(at), stroke / t_m * v.xreplace(at), stroke / t_m**2 * a.xreplace(at)
+    widest = max(_WIDEST_DEG, reference.angle_deg)
+    longest = max(_LONGEST_MM, reference.stroke_mm)
+    low, high = own.curve.extremes
     names = ("displacement", "velocity", "acceleration")
     panels = [
         Panel(
             lines=[Line(y=y, over=(0, B_m), name="your design")],
             y=CURVES[name],
             x="cam angle from the start of the move in deg",
-            x_limits=(0, WIDEST_DEG),
+            x_limits=(0, widest),
             x_ticks=20,
-            y_limits=(0, 100) if name == "displacement" else None,
+            y_limits=(
+                (longest * min(low, 0), longest * max(high, 1)) if name == "displacement" else None
+            ),
         )
         for name, y in zip(names, curves, strict=True)
     ]
@@ -75,11 +80,9 @@ def explore_move(reference: Move) -> LiveFigure:
         panels,
         (ALPHA, 0, B_m),
         {
-            N: Control(low=500, high=5000, step=50, start=reference.rate_per_hour, name="rate N"),
-            B_m: Control(low=20, high=220, step=1, start=reference.angle_deg, name="angle Bm"),
-            h_m: Control(
-                low=5, high=100, step=1, start=reference.stroke_mm, name="stroke hm", unit="mm"
-            ),
+            N: control("rate N", (500, 5000, 50), reference.rate_per_hour, "pieces/h"),
+            B_m: control("angle Bm", (20, _WIDEST_DEG, 1), reference.angle_deg),
+            h_m: control("stroke hm", (5, _LONGEST_MM, 1), reference.stroke_mm, "mm"),
         },
         says=[design, Say(design.text, before | {"whose": "reference"}), ratio],
         pin="Pin this design as the reference",

@@ -1,17 +1,24 @@
 """Motions of a live figure: what a mechanism does over the turn, in symbols of the controls."""
 
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
+from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.quantities import InputError
 from cammotion.views.live.describe import as_expression
+from cammotion.views.live.parts import Control
 
 ALPHA = sp.Symbol("alpha", real=True)  # the cam angle, in deg, over which a figure draws a turn
 SECONDS_BY_DEG_AND_RATE = 10  # tm = 10 Bm / N
+_0, _360 = sp.Integer(0), sp.Integer(DEG_PER_TURN)
 LARGEST = 1e300  # above it a peak is infinite
 
 
@@ -55,7 +62,8 @@ class Moving:
         if not self.is_indexing:
             return self.position()
         pitch = sum(part.change_mm for part in self.parts)
-        way = self.position() + pitch * sp.floor((ALPHA - self.start) / DEG_PER_TURN)
+        turns = (ALPHA - self.start - self._since(ALPHA)) / DEG_PER_TURN
+        way = self.position() + pitch * turns
         return way - pitch * sp.floor(
             way.xreplace({ALPHA: sp.Integer(0)}) / pitch + 1 / sp.Integer(2)
         )
@@ -65,7 +73,8 @@ class Moving:
         if not self.is_indexing:
             return self.position()
         pitch = sum(part.change_mm for part in self.parts)
-        return sp.Min(self.position(), pitch - self.position())
+        way = self.position() if pitch > 0 else -self.position()
+        return sp.Min(way, abs(pitch) - way, evaluate=False)
 
     def acceleration(self, rate: Any) -> sp.Expr:
         """Return the acceleration in m/s² at a machine rate in pieces per hour."""
@@ -81,9 +90,13 @@ class Moving:
         ]
         return sp.Max(*peaks, evaluate=False) if len(peaks) > 1 else peaks[0]
 
+    def _since(self, angle: Any) -> sp.Expr:
+        """Return how far the turn that begins at the start has come at a cam angle, in deg."""
+        return sp.Mod(angle - self.start, DEG_PER_TURN, evaluate=False)
+
     def _over_parts(self, angle: Any, order: int, rate: Any = None) -> sp.Expr:
         """Return a derivative of the position, each part by its law since it began."""
-        since = sp.Mod(angle - self.start, DEG_PER_TURN, evaluate=False)
+        since = self._since(angle)
         pieces, come, begin = [], sp.Integer(0), sp.Integer(0)
         for part, end in zip(self.parts, self.ends, strict=True):
             value = come if order == 0 else sp.Integer(0)
@@ -95,6 +108,46 @@ class Moving:
             come, begin = come + part.change_mm, end
         last = pieces.pop()[0]
         return sp.Piecewise(*pieces, (last, True), evaluate=False)
+
+
+def control(
+    name: str, span: tuple[float, float, float], start: float, unit: str = "deg"
+) -> Control:
+    """Return a control over a span (low, high, step), made as wide as its start and `high` need."""
+    low, high, step = span
+    low, high = min(low, high / 2, start), max(high, start)
+    return Control(
+        low=low, high=high, step=min(step, high - low), start=start, name=name, unit=unit
+    )
+
+
+def work_deg(motion: Motion) -> float:
+    """Return how long a motion that rises and returns stays at its far end, in deg."""
+    down, up = motion.moves
+    return round(up.from_deg - down.to_deg, 9)
+
+
+def heights(motions: Iterable[Motion], moving: Iterable[Moving]) -> tuple[sp.Expr, sp.Expr]:
+    """Return limits in mm of an axis for motions as they are drawn, whatever is their angle."""
+    ranges = [[end - m.start_mm * m.is_indexing for end in m.range_mm] for m in motions]
+    low, high = min(map(min, ranges)), max(map(max, ranges))
+    room = (high - low) / 16
+    over_zero = [m.movement().xreplace({ALPHA: at}) for m in moving for at in (_0, _360)]
+    lowest, highest = (
+        f(*over_zero, end, evaluate=False) for f, end in ((sp.Min, low), (sp.Max, high))
+    )
+    return lowest - room, highest + 2 * room
+
+
+def check_rests(motions: Iterable[Motion]) -> None:
+    """Raise InputError for moves that go on into the next, whose peaks no law says alone."""
+    for motion in motions:
+        factors = [as_law(move.law).Ca for move in motion.moves]
+        if math.isinf(max(factors)) and math.isfinite(motion.peak(2)):
+            raise InputError(
+                f"The motion '{motion.name}' goes from one move into the next without coming to "
+                "rest, which cannot be explored with other angles: give moves from rest to rest."
+            )
 
 
 def _per_time(angle: Any, rate: Any, order: int) -> sp.Expr:

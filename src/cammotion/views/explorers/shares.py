@@ -9,10 +9,18 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError
-from cammotion.views.explorers.moving import ALPHA, Moving, Part
+from cammotion.views.explorers.moving import (
+    ALPHA,
+    Moving,
+    Part,
+    check_rests,
+    control,
+    heights,
+    work_deg,
+)
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
-from cammotion.views.live.parts import Control, Line, Panel, Say
+from cammotion.views.live.parts import Line, Panel, Say
 from cammotion.views.plots import CURVES
 from cammotion.views.timing_plots import TICK_DEG
 
@@ -35,7 +43,7 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     """
     mill, die = _checked(diagram)
     (index,), (down, up) = mill.moves, die.moves
-    work = up.from_deg - down.to_deg
+    work = work_deg(die)
     most = min(max(_SHARED_DEG / 2, index.angle_deg), _SHARED_DEG - work)
     way = (DEG_PER_TURN - B_MILL - WORK) / 2
     first = Moving(
@@ -57,12 +65,11 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     names = (mill.name, die.name)
     both = list(zip(names, (first, second), strict=True))
     peaks = [moving.peak(rate) for _, moving in both]
-    highest = max(motion.range_mm[1] for motion in diagram.motions)
     panels = [
         Panel(
             lines=[Line(y=m.movement(), joints=m.joints, name=name) for name, m in both],
             y="movement in mm",
-            y_limits=(-0.06 * highest, 1.1 * highest),
+            y_limits=heights(diagram.motions, (first, second)),
             x_ticks=TICK_DEG,
             height=170,
         ),
@@ -80,8 +87,8 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
         panels,
         ALPHA,
         {
-            B_MILL: _control(f"{mill.name}: angle", most, index.angle_deg),
-            WORK: _control(f"{die.name}: at work", _SHARED_DEG - most, work),
+            B_MILL: control(f"{mill.name}: angle", (20, most, 1), index.angle_deg),
+            WORK: control(f"{die.name}: at work", (20, _SHARED_DEG - most, 1), work),
         },
         says=[
             Say(moves, {"name": mill.name, "angle": B_MILL, "peak": peaks[0]}),
@@ -105,18 +112,12 @@ def _checked(diagram: Any) -> tuple[Motion, Motion]:
             "The turn of this diagram cannot be shared out: give a TimingDiagram of an indexing "
             "motion with one rise and a motion with one rise and one return, in this order."
         )
-    (index,), (down, up) = (moved.moves for moved in motions)
-    taken = index.angle_deg + up.from_deg - down.to_deg
-    if taken > _SHARED_DEG:
-        raise InputError(
-            f"The move of the {motions[0].name} and the work of the {motions[1].name} take "
-            f"{taken:g} deg of the turn: leave 20 deg at least for the two ways of the latter."
-        )
     mill, die = motions
+    taken = mill.moves[0].angle_deg + work_deg(die)
+    if taken >= _SHARED_DEG:
+        raise InputError(
+            f"The move of the {mill.name} and the work of the {die.name} take "
+            f"{taken:g} deg of the turn: leave more than 20 deg for the two ways of the latter."
+        )
+    check_rests(motions)
     return mill, die
-
-
-def _control(name: str, high: float, start: float) -> Control:
-    return Control(
-        low=min(20, start), high=max(high, start), step=1, start=start, name=name, unit="deg"
-    )

@@ -94,7 +94,9 @@ class LiveFigure(anywidget.AnyWidget):
         for alternatives in self.description["sentences"]:
             for one in alternatives:
                 if one["when"] is None or bool(now[one["when"]](clock)):
-                    said.append("".join(self._written(piece, now) for piece in one["pieces"]))
+                    said.append(
+                        "".join(self._written(piece, now, clock) for piece in one["pieces"])
+                    )
                     break
         return "\n".join(line for line in said if line)
 
@@ -171,13 +173,13 @@ class LiveFigure(anywidget.AnyWidget):
                     changed[number] = within(number, most)
         self.settings = changed
 
-    def _written(self, piece: str | dict[str, Any], now: Any) -> str:
+    def _written(self, piece: str | dict[str, Any], now: Any, clock: Any) -> str:
         if isinstance(piece, str):
             return piece
         if "choice" in piece:
             number = piece["choice"]
             return str(self.description["controls"][number]["options"][int(self.settings[number])])
-        value = float(now[piece["formula"]](self._clock))
+        value = float(now[piece["formula"]](clock))
         if math.isinf(value):
             return "∞" if value > 0 else "−∞"
         return format(value, piece["spec"]).replace("-", "−")

@@ -10,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
+from matplotlib.text import Text
 
 from cammotion.quantities import Floats
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
@@ -56,6 +57,8 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
             drawn = _Drawn(figure.add_subplot(inner[place]), panel, now, clock)
             drawn.draw(then if description["pin"] else None, panel is column[-1])
     _add_legends(figure.axes)
+    for text in figure.findobj(Text):
+        text.set_parse_math(False)  # a name with $ is no formula
     picture = io.BytesIO()
     FigureCanvasAgg(figure).print_png(picture)  # type: ignore[no-untyped-call]
     return picture.getvalue()

@@ -1,0 +1,56 @@
+"""What a live figure draws and says, read off its description and its formulas."""
+
+import re
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from machines import Array
+
+from cammotion.views.live.figure import LiveFigure
+
+
+def control_of(figure: LiveFigure, symbol: sp.Symbol) -> dict[str, Any]:
+    """Return the description of a control."""
+    controls = figure.description["controls"]
+    return dict(zip(figure.values, controls, strict=True))[symbol]  # type: ignore[no-any-return]
+
+
+def at_corners(figure: LiveFigure, *symbols: sp.Symbol) -> Iterator[dict[sp.Symbol, float]]:
+    """Set controls to all of their least, first and largest numbers; yield the settings."""
+    controls = [control_of(figure, symbol) for symbol in symbols]
+    for places in product(["low", "start", "high"], repeat=len(symbols)):
+        numbers = [control[place] for control, place in zip(controls, places, strict=True)]
+        figure.values = dict(zip(symbols, numbers, strict=True))
+        yield figure.values
+
+
+def panel_of(figure: LiveFigure, title: str) -> dict[str, Any]:
+    """Return the panel whose title begins so."""
+    panels = [panel for column in figure.description["columns"] for panel in column]
+    (found,) = [panel for panel in panels if panel["title"].startswith(title)]
+    return found  # type: ignore[no-any-return]
+
+
+def lines_of(figure: LiveFigure, title: str, role: str = "own") -> list[dict[str, Any]]:
+    """Return the lines of a panel that have a role."""
+    return [line for line in panel_of(figure, title)["lines"] if line["role"] == role]
+
+
+def drawn(figure: LiveFigure, formula: int, at: Array) -> Array:
+    """Return what a formula is at places of the running variable."""
+    with np.errstate(all="ignore"):
+        return np.array(np.broadcast_to(figure._now[formula](at), np.shape(at)), dtype=float)
+
+
+def limits_of(figure: LiveFigure, title: str, axis: str = "y") -> list[float]:
+    """Return the limits of an axis of a panel, which has some."""
+    return [float(figure._now[end]()) for end in panel_of(figure, title)[f"{axis}_limits"]]
+
+
+def peaks_said(text: str) -> list[float]:
+    """Return all peak accelerations that a text names."""
+    found = re.findall(r"a_max = ([\d.e+]+|∞) m/s²", text)
+    return [float(number.replace("∞", "inf")) for number in found]
