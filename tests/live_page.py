@@ -18,7 +18,9 @@ MOST_BYTES = 30_000
 RESTS_MS = 750  # the hand: longer than the figure waits before it speaks
 PHONE_PX = 360
 FIGURES: dict[str, Callable[[], LiveFigure]] = {
-    "move": lambda: cm.explore_move(cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)),
+    "move": lambda: cm.explore_move(
+        cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000), laws=cm.LAWS
+    ),
     "scca": cm.explore_scca,
     "overlap": lambda: cm.explore_overlap(cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20),
     "clock": lambda: cm.explore(

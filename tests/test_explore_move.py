@@ -21,7 +21,7 @@ RATIO = r"ratio of the peaks: (.*) = (.*) \(rate, .*\) × (.*) \(angle, .*\) × 
 
 @pytest.fixture
 def figure() -> LiveFigure:
-    return cm.explore_move(DIE)
+    return cm.explore_move(DIE, laws=cm.LAWS)
 
 
 def move_of(figure: LiveFigure, law: str | cm.MotionLaw = "cycloidal") -> cm.Move:

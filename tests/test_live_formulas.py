@@ -51,7 +51,7 @@ def own_figure(curves: Any, **given: Any) -> LiveFigure:
 
 FIGURES: dict[str, Callable[[], LiveFigure]] = {
     "explore_move": lambda: cm.explore_move(
-        cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+        cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000), laws=cm.LAWS
     ),
     "explore_move, a law that jumps": lambda: cm.explore_move(
         cm.Move(

@@ -1,8 +1,11 @@
 """The explorer of one move: rate, angle, stroke and law, over a reference that stays."""
 
+from collections.abc import Iterable
+
 import sympy as sp
 
-from cammotion.laws.catalogue import LAWS, as_law
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.machine.kinematics import STANDARD_GRAVITY, Move
 from cammotion.quantities import InputError
@@ -16,17 +19,18 @@ N, B_m, h_m = sp.symbols("N B_m h_m", positive=True)
 _WIDEST_DEG, _LONGEST_MM = 220, 100
 
 
-def explore_move(reference: Move) -> LiveFigure:
-    """Return a live figure of rate, angle, stroke and law, drawn over the `reference` move.
+def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> LiveFigure:
+    """Return a live figure of rate, angle and stroke, drawn over the `reference` move.
 
     It shows displacement, velocity and acceleration over the cam angle, the peak acceleration and
     its ratio to the reference's. `figure.values` are N in pieces per hour, B_m in deg and h_m in
-    mm, as the learner has set them. Raises InputError for what is no Move.
+    mm, as the learner has set them. `laws`, names or laws, for example `cammotion.LAWS`, can be
+    chosen instead of the reference's. Raises InputError for what is no Move, and for an unknown law.
 
     >>> figure = explore_move(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000))
     >>> figure.values = {B_m: 110}
     >>> print(figure.text.splitlines()[-1])
-    ratio of the peaks: 0.25 = 1 (rate, squared) × 0.25 (angle, squared) × 1 (stroke) × 1 (law)
+    ratio of the peaks: 0.25 = 1 (rate, squared) × 0.25 (angle, squared) × 1 (stroke)
     """
     if not isinstance(reference, Move):
         raise InputError(
@@ -34,8 +38,9 @@ def explore_move(reference: Move) -> LiveFigure:
             "Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)."
         )
     own = as_law(reference.law)
-    laws = {own.name: own} | {name: law for name, law in LAWS.items() if name != own.name}
-    s, v, a, c_a = choice("motion law", {name: (q.s, q.v, q.a, q.Ca) for name, q in laws.items()})
+    known = {law.name: law for law in (own, *map(as_law, laws))}
+    known[own.name] = own
+    s, v, a, c_a = choice("motion law", {name: (q.s, q.v, q.a, q.Ca) for name, q in known.items()})
     t_m = sp.Symbol("t_m")
     stroke = h_m / 1000
     at = {x: ALPHA / B_m}
@@ -65,7 +70,7 @@ def explore_move(reference: Move) -> LiveFigure:
     before = {name: pinned(value) for name, value in design.numbers.items() if name != "whose"}
     ratio = Say(
         "ratio of the peaks: {ratio:.4g} = {rate:.4g} (rate, squared) × {angle:.4g} (angle, "
-        "squared) × {stroke:.4g} (stroke) × {law:.4g} (law)",
+        "squared) × {stroke:.4g} (stroke)" + " × {law:.4g} (law)" * (len(known) > 1),
         {
             "ratio": peak / pinned(peak),
             "rate": (N / pinned(N)) ** 2,

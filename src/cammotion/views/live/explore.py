@@ -57,7 +57,7 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
     >>> figure = explore(a, t, {B_m: (20, 220), N: (500, 5000)}, values={h_m: 0.05})
     >>> print(figure.text)
     indexing time tm = 0.275 s
-    at 0.06875 s: a = 4.154 m/s²
+    at 0 s: a = 0 m/s²
     largest: a = 4.154 m/s²
     """
     columns = _columns(curves)

@@ -1,107 +1,7 @@
 // A live figure where its reader is: in a notebook the model is the widget's, in a page the
-// page's own. It is the last of three files, which are one module.
+// page's own. It is the last of four files, which are one module.
 
 const PAUSE_MS = 600;
-
-/** A button; what it does is done at a press. */
-function button(words, press) {
-  const made = html("button", { type: "button" }, words);
-  made.addEventListener("click", press);
-  return made;
-}
-
-/** The row of one control, how it follows a new value, and how it forgets one that was refused;
- * `set` is called with the reader's. */
-function rowOf(control, id, set) {
-  const { name, unit, low, high, step, options } = control;
-  const label = html("label", { for: id }, unit ? `${name}, ${unit}` : name);
-  if (options) {
-    const select = html(
-      "select",
-      { id },
-      ...options.map((words, value) => html("option", { value }, words)),
-    );
-    select.addEventListener("change", () => set(Number(select.value)));
-    return {
-      row: html("div", {}, label, select),
-      follow: (value) => {
-        select.value = value;
-      },
-      settle: () => {},
-    };
-  }
-  const field = html("input", {
-    id,
-    type: "text",
-    inputmode: "decimal",
-    autocomplete: "off",
-    "aria-describedby": `${id}e`,
-  });
-  const slider = html("input", {
-    type: "range",
-    min: low,
-    max: high,
-    step,
-    "aria-label": label.textContent,
-  });
-  const error = html("span", { id: `${id}e`, class: "cm-error", role: "alert" });
-  const judge = (words) => {
-    write(error, words);
-    put(field, { "aria-invalid": words !== "" });
-  };
-  field.addEventListener("change", () => {
-    const value = parse(field.value);
-    if (value >= low && value <= high) {
-      judge("");
-      set(value);
-    } else
-      judge(
-        `“${field.value}” was not taken: ${name} goes from ${plain(low)} to ${plain(high)}${unit && ` ${unit}`}.`,
-      );
-  });
-  slider.addEventListener("input", () => set(Number(slider.valueAsNumber.toPrecision(12))));
-  let words = "";
-  const settle = () => {
-    if (!error.textContent) return;
-    judge("");
-    field.value = words;
-  };
-  const follow = (value) => {
-    words = plain(value);
-    if (parse(field.value) !== parse(words) && !error.textContent) field.value = words;
-    slider.value = value;
-    put(slider, { "aria-valuetext": unit ? `${words} ${unit}` : words });
-  };
-  return { row: html("div", {}, label, field, slider, error), follow, settle };
-}
-
-/** The names of the lines, each beside a piece of it. */
-function legendOf(columns, pin) {
-  const all = columns.flat().flatMap((panel) => panel.lines);
-  const lines = new Map(
-    [...all, ...(pin ? [{ name: "reference", role: "reference" }] : [])].map((line) => [
-      line.name,
-      line,
-    ]),
-  );
-  lines.delete("");
-  return html(
-    "div",
-    { class: "cm-legend" },
-    ...[...lines].map(([name, line]) =>
-      html(
-        "span",
-        {},
-        svg(
-          "svg",
-          { width: 34, height: 10, "aria-hidden": true },
-          svg("path", { class: `cm-line cm-${line.role}`, d: "M0 5H34", style: strokeOf(line) }),
-        ),
-        name,
-      ),
-    ),
-  );
-}
 
 /** The figure: controls, sentences, legend and panels, in line with the model's settings. */
 class Figure {
@@ -115,7 +15,7 @@ class Figure {
       description,
       clock,
       make: compile(description),
-      part: 0.25,
+      part: 0,
       frame: 0,
     });
     this.rows = controls.map((control, i) =>
@@ -126,6 +26,8 @@ class Figure {
         (panel, i) => new Panel(panel, `${id}p${place}x${i}`, i === column.length - 1, pin),
       ),
     );
+    const starts = controls.map(({ start }) => start);
+    for (const panel of this.panels.flat()) panel.keep(this.make(starts, starts));
     this.play = button("Play", () => (this.frame ? this.pause() : this.start()));
     this.slider = html("input", {
       type: "range",
@@ -139,7 +41,7 @@ class Figure {
       this.part = this.slider.valueAsNumber;
       this.draw();
     });
-    this.said = html("div", {});
+    this.said = html("div", { class: "cm-said" });
     this.spoken = html("div", { class: "cm-hidden", role: "status" });
     this.root = html(
       "div",

@@ -19,7 +19,7 @@ from cammotion.views.live.parts import Choice
 from cammotion.views.live.picture import draw
 
 MIME = "application/vnd.cammotion.figure"  # holds JSON as text, one line of a stored notebook
-CLOCK = 0.25  # of the variable's range: where the cursor stands at first
+CLOCK = 0.0  # of the variable's range: where the cursor stands at first
 
 
 class LiveFigure(anywidget.AnyWidget):

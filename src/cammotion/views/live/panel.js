@@ -1,41 +1,9 @@
 // A panel of a live figure: curves, points and boxes on axes, drawn in the page's own pixels, so
-// that its text is as large on a phone; before it the elements that all of the figure is made of.
+// that its text is as large on a phone.
 
-const STYLES = [
-  ["1", "none"],
-  ["2", "7 3"],
-  ["3", "9 3 2 3"],
-  ["4", "2 3"],
-  ["5", "9 3 2 3 2 3"],
-  ["6", "12 4"],
-];
 const BEYOND_PX = 9999,
   TALLEST_PX = 440,
   KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
-function put(element, attributes) {
-  for (const name in attributes) element.setAttribute(name, attributes[name]);
-  return element;
-}
-const html = (name, attributes, ...children) => {
-  const element = put(document.createElement(name), attributes);
-  element.append(...children);
-  return element;
-};
-const svg = (name, attributes, ...children) => {
-  const element = put(document.createElementNS("http://www.w3.org/2000/svg", name), attributes);
-  element.append(...children);
-  return element;
-};
-const text = (attributes, words) => svg("text", { "text-anchor": "middle", ...attributes }, words);
-const write = (element, words) => {
-  if (element.textContent !== words) element.textContent = words;
-};
-const strokeOf = ({ role, colour }) =>
-  role === "own"
-    ? `stroke:${paint(colour)};stroke-dasharray:${STYLES[colour % STYLES.length][1]}`
-    : "";
-const paint = (colour) => `var(--cm-${STYLES[colour % STYLES.length][0]})`;
 
 /** A scale from [low, high] to pixels, and back. */
 function axis(from, to, [low, high]) {
@@ -179,6 +147,21 @@ class Panel {
     return !own.length || own.some(({ own: points }) => points.length);
   }
 
+  /** What an axis has to hold: the curves as they are now, and as they were at the start. */
+  held(at, traced, now) {
+    const ends = at === 0 && this.panel.is_over_variable;
+    const values = traced.flatMap(({ line, own, twin }) =>
+      ends ? line.over.map((i) => now[i]()) : [...own, ...twin].map((point) => point[at]),
+    );
+    return [...(this.kept?.[at] ?? []), ...values];
+  }
+
+  /** Keep what the axes hold at the start, so that a curve that shrinks is seen to do so. */
+  keep(first) {
+    const traced = this.lines.map(({ line }) => ({ line, own: trace(line, first), twin: [] }));
+    this.kept = [0, 1].map((at) => limits(this.held(at, traced, first)).slice(0, 2));
+  }
+
   /** Take scales that hold what is traced, and draw the frame again where they are others. */
   scale(now, traced) {
     const { panel, root } = this,
@@ -191,17 +174,8 @@ class Panel {
           : limits(values());
       return [ends[0], ends[1], ticks ?? ends[2] ?? tick(ends[1] - ends[0])];
     };
-    const all = (at) =>
-      traced.flatMap(({ own, twin }) => [...own, ...twin].map((point) => point[at]));
-    const x = fitted(
-      panel.x_limits,
-      () =>
-        panel.is_over_variable
-          ? traced.flatMap(({ line }) => line.over.map((i) => now[i]()))
-          : all(0),
-      panel.x_ticks,
-    );
-    const y = fitted(panel.y_limits, () => all(1), panel.y_ticks);
+    const x = fitted(panel.x_limits, () => this.held(0, traced, now), panel.x_ticks);
+    const y = fitted(panel.y_limits, () => this.held(1, traced, now), panel.y_ticks);
     const key = [width, ...x, ...y].join();
     if (this.view.key === key) return;
     const top = 8,
