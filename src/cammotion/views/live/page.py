@@ -59,7 +59,7 @@ figure.render({{ model, el: place }});
 @cache
 def module() -> str:
     """Return the front-end module: what computes, what draws, what listens."""
-    parts = (_FOLDER / name for name in ("formulas.js", "panel.js", "figure.js"))
+    parts = (_FOLDER / name for name in ("formulas.js", "panel.js", "controls.js", "figure.js"))
     return "".join(part.read_text(encoding="utf-8") for part in parts)
 
 

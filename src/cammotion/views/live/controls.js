@@ -1,0 +1,105 @@
+// The controls of a live figure: buttons, choices, fields with their sliders; and its legend.
+
+/** A button; what it does is done at a press. */
+function button(words, press) {
+  const made = html("button", { type: "button" }, words);
+  made.addEventListener("click", press);
+  return made;
+}
+
+/** The row of one control, how it follows a new value, and how it forgets one that was refused;
+ * `set` is called with the reader's. */
+function rowOf(control, id, set) {
+  const { name, unit, low, high, step, options } = control;
+  const label = html("label", { for: id }, unit ? `${name}, ${unit}` : name);
+  if (options) {
+    const select = html(
+      "select",
+      { id },
+      ...options.map((words, value) => html("option", { value }, words)),
+    );
+    select.addEventListener("change", () => set(Number(select.value)));
+    return {
+      row: html("div", {}, label, select),
+      follow: (value) => {
+        select.value = value;
+      },
+      settle: () => {},
+    };
+  }
+  const field = html("input", {
+    id,
+    type: "text",
+    inputmode: "decimal",
+    autocomplete: "off",
+    "aria-describedby": `${id}e`,
+  });
+  const slider = html("input", {
+    type: "range",
+    min: low,
+    max: high,
+    step,
+    "aria-label": label.textContent,
+  });
+  const error = html("span", { id: `${id}e`, class: "cm-error", role: "alert" });
+  const judge = (words) => {
+    write(error, words);
+    put(field, { "aria-invalid": words !== "" });
+  };
+  field.addEventListener("change", () => {
+    isTyped = false;
+    const value = parse(field.value);
+    if (value >= low && value <= high) {
+      judge("");
+      set(value);
+    } else
+      judge(
+        `“${field.value}” was not taken: ${name} goes from ${plain(low)} to ${plain(high)}${unit && ` ${unit}`}.`,
+      );
+  });
+  slider.addEventListener("input", () => set(Number(slider.valueAsNumber.toPrecision(12))));
+  let words = "",
+    isTyped = false; // what is being typed stays, whatever is drawn meanwhile
+  field.addEventListener("input", () => (isTyped = true));
+  field.addEventListener("blur", () => (isTyped = false));
+  const settle = () => {
+    if (error.textContent) field.value = words;
+    judge("");
+  };
+  const follow = (value) => {
+    words = plain(value);
+    const isKept = isTyped || error.textContent || parse(field.value) === parse(words);
+    if (!isKept) field.value = words;
+    slider.value = value;
+    put(slider, { "aria-valuetext": unit ? `${words} ${unit}` : words });
+  };
+  return { row: html("div", {}, label, field, slider, error), follow, settle };
+}
+
+/** The names of the lines, each beside a piece of it. */
+function legendOf(columns, pin) {
+  const all = columns.flat().flatMap((panel) => panel.lines);
+  const lines = new Map(
+    [...all, ...(pin ? [{ name: "reference", role: "reference" }] : [])].map((line) => [
+      line.name,
+      line,
+    ]),
+  );
+  lines.delete("");
+  return html(
+    "div",
+    { class: "cm-legend" },
+    ...[...lines].map(([name, line]) =>
+      html(
+        "span",
+        {},
+        svg(
+          "svg",
+          { width: 34, height: 10, "aria-hidden": true },
+          svg("path", { class: `cm-line cm-${line.role}`, d: "M0 5H34", style: strokeOf(line) }),
+        ),
+        name,
+      ),
+    ),
+  );
+}
