@@ -164,8 +164,8 @@ def test_a_line_is_only_where_its_condition_holds() -> None:
 def test_without_node_it_is_said_that_nothing_is_tested(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "")
     monkeypatch.delenv("REQUIRE_BROWSER", raising=False)
-    with pytest.raises(pytest.skip.Exception, match="NOT TESTED: .* node is not on the PATH"):
+    with pytest.raises(pytest.skip.Exception, match=r"NOT TESTED: .* node is not on the PATH"):
         node.run("return 1")
     monkeypatch.setenv("REQUIRE_BROWSER", "1")
-    with pytest.raises(pytest.fail.Exception, match="NOT TESTED: .* node is not on the PATH"):
+    with pytest.raises(pytest.fail.Exception, match=r"NOT TESTED: .* node is not on the PATH"):
         node.run("return 1")
