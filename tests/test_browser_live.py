@@ -96,6 +96,21 @@ def test_a_number_that_is_not_taken_is_told_and_changes_nothing(reader: Reader) 
     assert reader.evaluate(FIELDS) == ["2000", "55", "50"]
 
 
+def test_what_is_being_typed_stays_while_the_figure_is_drawn(reader: Reader) -> None:
+    figure = reader.open("clock")
+    (k,) = figure.values
+    reader.push("Play")
+    reader.evaluate(TYPE, {"label": "k"})
+    for key in "7.5":
+        reader.press(key)
+        reader.evaluate(WAIT, 50)
+    assert reader.evaluate(FIELDS) == ["7.5"]
+    reader.press("Enter")
+    reader.push("Pause")
+    figure.values = {k: 7.5}
+    assert reader.said().splitlines()[1] == figure.text.splitlines()[1]
+
+
 def test_the_sentences_are_read_out_when_the_hand_rests(reader: Reader) -> None:
     reader.open("move")
     reader.evaluate(WAIT, RESTS_MS)

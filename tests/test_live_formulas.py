@@ -31,7 +31,9 @@ SEVERAL = [
     + 2**t
     + (t + 1) ** k
     + t ** sp.Rational(7, 3),
-    sp.sqrt(t - k) + sp.cbrt(t - n) + (t - n) ** sp.Rational(2, 3),
+    sp.sqrt(t - k),
+    sp.cbrt(t - n),
+    (t - n) ** sp.Rational(2, 3),
     sp.EulerGamma * sp.GoldenRatio * sp.Catalan * sp.E**t + sp.pi * 10**30 / sp.Integer(7) ** 30,
     1 / (t - k),
 ]

@@ -159,3 +159,13 @@ def test_a_line_is_only_where_its_condition_holds() -> None:
     assert points[gap - 1, 0] == pytest.approx(math.pi / 2, abs=1e-9)
     assert np.nanmax(points[:, 0]) == 6
     assert not ((points[:, 0] > math.pi / 2 + 1e-8) & (points[:, 0] < 1.5 * math.pi - 1e-8)).any()
+
+
+def test_without_node_it_is_said_that_nothing_is_tested(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("REQUIRE_BROWSER", raising=False)
+    with pytest.raises(pytest.skip.Exception, match=r"NOT TESTED: .* node is not on the PATH"):
+        node.run("return 1")
+    monkeypatch.setenv("REQUIRE_BROWSER", "1")
+    with pytest.raises(pytest.fail.Exception, match=r"NOT TESTED: .* node is not on the PATH"):
+        node.run("return 1")

@@ -80,6 +80,7 @@ function rowOf(control, id, set) {
     put(field, { "aria-invalid": words !== "" });
   };
   field.addEventListener("change", () => {
+    isTyped = false;
     const value = parse(field.value);
     if (value >= low && value <= high) {
       judge("");
@@ -90,15 +91,18 @@ function rowOf(control, id, set) {
       );
   });
   slider.addEventListener("input", () => set(Number(slider.valueAsNumber.toPrecision(12))));
-  let words = "";
+  let words = "",
+    isTyped = false; // what is being typed stays, whatever is drawn meanwhile
+  field.addEventListener("input", () => (isTyped = true));
+  field.addEventListener("blur", () => (isTyped = false));
   const settle = () => {
-    if (!error.textContent) return;
+    if (error.textContent) field.value = words;
     judge("");
-    field.value = words;
   };
   const follow = (value) => {
     words = plain(value);
-    if (parse(field.value) !== parse(words) && !error.textContent) field.value = words;
+    const isKept = isTyped || error.textContent || parse(field.value) === parse(words);
+    if (!isKept) field.value = words;
     slider.value = value;
     put(slider, { "aria-valuetext": unit ? `${words} ${unit}` : words });
   };
