@@ -14,6 +14,12 @@ t, k, b = sp.symbols("t k b")
 SPAN = (t, 0, 1)
 
 
+@pytest.fixture(autouse=True)
+def at_a_quarter(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the clock stand where a curve is neither at its start nor at its peak."""
+    monkeypatch.setattr("cammotion.views.live.figure.CLOCK", 0.25)
+
+
 def test_numbers_of_numpy_are_numbers() -> None:
     ends: Any = np.float32(0), np.int64(2), np.float64(0.5)
     figure = cm.explore(

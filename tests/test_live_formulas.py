@@ -149,6 +149,12 @@ def assert_same(page: Floats, python: Floats, words: str) -> None:
     assert same.all(), f"{words}: {page[~same][:3]} in a page, {python[~same][:3]} in Python"
 
 
+@pytest.fixture(autouse=True)
+def at_a_quarter(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the clock stand where a curve is neither at its start nor at its peak."""
+    monkeypatch.setattr("cammotion.views.live.figure.CLOCK", 0.25)
+
+
 def test_every_formula_in_a_page_and_in_python(figure: LiveFigure) -> None:
     formulas = figure.description["formulas"]
     is_search = ["largest(" in formula or "inverse(" in formula for formula in formulas]

@@ -12,7 +12,7 @@ from cammotion.quantities import InputError, shorten
 _LONGEST = 70  # of an expression in a sentence
 _MOST = 10**300  # beyond it a number is none in a page
 _UNDONE = sp.Derivative, sp.Integral, sp.Sum, sp.Product, sp.Limit, sp.Subs
-_ATOMS = sp.Symbol, sp.Number, sp.NumberSymbol, sp.logic.boolalg.BooleanAtom
+_ATOMS = sp.Symbol, sp.Lambda, sp.Number, sp.NumberSymbol, sp.logic.boolalg.BooleanAtom
 
 
 def as_expression(value: Any) -> sp.Basic:

@@ -182,7 +182,7 @@ class LiveFigure(anywidget.AnyWidget):
         value = float(now[piece["formula"]](clock))
         if math.isinf(value):
             return "∞" if value > 0 else "−∞"
-        return format(value, piece["spec"]).replace("-", "−")
+        return format(value + 0.0, piece["spec"]).replace("-", "−")  # -0 is 0
 
     def _checked(self, number: int, value: Any) -> float:
         control = self.description["controls"][number]

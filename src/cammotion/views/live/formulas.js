@@ -77,14 +77,13 @@ export function compile({ quantities, formulas, controls }) {
   )(Math, largest, place_of_largest, inverse);
 }
 
-/** A number as Python's format writes it, by ".3f", ".4g" or "g", but with a true minus sign. */
+/** A number as Python's format writes it, by ".3f" or ".4g", with a true minus; 0 has none. */
 export function format(value, spec) {
   if (Number.isNaN(value)) return "nan";
   if (!Number.isFinite(value)) return value < 0 ? "−∞" : "∞";
   const [, digits = 6, kind] = spec.match(/^(?:\.(\d+))?([fg])$/);
-  const size = Math.abs(value),
-    isBelow = value < 0 || Object.is(value, -0);
-  return (isBelow ? "−" : "") + (kind === "f" ? fixed : general)(size, Number(digits));
+  const size = (kind === "f" ? fixed : general)(Math.abs(value), Number(digits));
+  return value < 0 ? `−${size}` : size;
 }
 function fixed(size, digits) {
   if (size >= 1e21) return BigInt(size) + (digits ? `.${"0".repeat(digits)}` : "");
