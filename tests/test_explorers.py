@@ -77,7 +77,7 @@ def shared_out(given: cm.TimingDiagram, mill_deg: float, work_deg: float) -> cm.
 SHARED = {
     "the example": DIAGRAM,
     "unequal": make_diagram(make_mill(200, middle_deg=100), make_die(45, down_deg=(250, 300))),
-    "much work": make_diagram(make_mill(15, middle_deg=20), make_die(11, down_deg=(40, 360))),
+    "much work": make_diagram(make_mill(15, middle_deg=20), make_die(11, down_deg=(38, 360))),
     "a wide mill through 0 deg": make_diagram(
         make_mill(320, middle_deg=355), make_die(15, down_deg=(180, 190))
     ),
@@ -127,6 +127,11 @@ def test_the_best_share_of_a_turn_without_overlap(shares: LiveFigure) -> None:
 def test_shares_need_a_mill_and_a_die(diagram: Any) -> None:
     with pytest.raises(cm.InputError, match="cannot be shared out: give a TimingDiagram of an"):
         cm.explore_shares(diagram)
+
+
+def test_shares_leave_both_ways_their_angle() -> None:
+    with pytest.raises(cm.InputError, match="take 345 deg of the turn: leave more than 20 deg for"):
+        cm.explore_shares(make_diagram(make_mill(245), make_die(55)))
 
 
 def test_moves_that_go_on_into_one_another_are_not_shared_out() -> None:
