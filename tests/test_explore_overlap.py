@@ -299,3 +299,12 @@ def test_a_law_that_turns_back_is_refused() -> None:
     ):
         with pytest.raises(cm.InputError, match="turns back on its way, and this explorer looks"):
             cm.explore_overlap(diagram, RULE, contact_mm=20)
+
+
+def test_a_die_that_never_comes_to_its_limit_may_move_as_it_likes() -> None:
+    rule = cm.ClearanceRule(cm.beyond("die", 49), only_while=cm.within("mill", 0.65))
+    figure = cm.explore_overlap(DIAGRAM, rule, contact_mm=53)
+    figure.values = {START: 0, MARGIN: 0}  # at work in the middle of the mill's move
+    assert "no move" not in figure.text
+    figure.press("Widest move of the die")
+    assert figure.values[B_m] == 130
