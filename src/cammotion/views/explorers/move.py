@@ -25,7 +25,7 @@ def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> Li
     It shows displacement, velocity and acceleration over the cam angle, the peak acceleration and
     its ratio to the reference's. `figure.values` are N in pieces per hour, B_m in deg and h_m in
     mm, as the learner has set them. `laws`, names or laws, for example `cammotion.LAWS`, can be
-    chosen instead of the reference's. Raises InputError for what is no Move, and for an unknown law.
+    chosen instead of its own. Raises InputError for what is no Move, and for an unknown law.
 
     >>> figure = explore_move(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000))
     >>> figure.values = {B_m: 110}

@@ -147,7 +147,7 @@ class Formulas:
         ordered = sorted(settings, key=lambda name: int(name[1:]))
         arguments = ["f", *ordered, *(name.replace("c", "p") for name in ordered)]
         symbols = [sp.Symbol(argument) for argument in arguments]
-        return sp.lambdify(symbols, body, modules=[_FOUND_BY, "numpy"])  # type: ignore[no-any-return]
+        return sp.lambdify(symbols, body, modules=[_FOUND_BY, vars(np)])  # type: ignore[no-any-return]
 
     def _print(self, expression: sp.Expr) -> tuple[str, str]:
         """Return an expression in both languages."""

@@ -57,8 +57,6 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
             drawn = _Drawn(figure.add_subplot(inner[place]), panel, now, clock)
             drawn.draw(then if description["pin"] else None, panel is column[-1])
     _add_legends(figure.axes)
-    for text in figure.findobj(Text):
-        text.set_parse_math(False)  # a name with $ is no formula
     picture = io.BytesIO()
     FigureCanvasAgg(figure).print_png(picture)  # type: ignore[no-untyped-call]
     return picture.getvalue()
@@ -70,8 +68,14 @@ def _add_legends(axes: Sequence[Axes]) -> None:
     for ax in axes:
         _, names = ax.get_legend_handles_labels()
         if len(names) > 1 and names not in said:
-            ax.legend(fontsize=10)
+            _plain(*ax.legend(fontsize=10).get_texts())
         said.append(names)
+
+
+def _plain(*texts: Text) -> None:
+    """Let texts be drawn as they are: a name with $ is no formula."""
+    for text in texts:
+        text.set_parse_math(False)
 
 
 class _Drawn:
@@ -86,6 +90,7 @@ class _Drawn:
         has_numbers = is_last or not panel["shares_x"]
         label = panel["y_label"].replace(" in ", "\nin ")
         style_axes(ax, panel["x_label"] if has_numbers else "", label)
+        _plain(ax.xaxis.label, ax.yaxis.label)
         ax.tick_params(labelbottom=has_numbers)
         ax.margins(x=0.02)
         self._draw_lines(then)
@@ -93,7 +98,7 @@ class _Drawn:
         for box in panel["boxes"]:
             self._draw_box(box)
         for text, x, y in panel["words"]:
-            ax.text(x, y, text, fontsize=10, ha="center", va="center", path_effects=[_HALO])
+            _plain(ax.text(x, y, text, fontsize=10, ha="center", va="center", path_effects=[_HALO]))
         self._draw_points()
         if panel["equal"]:
             ax.set_aspect("equal")
@@ -118,7 +123,7 @@ class _Drawn:
             size = 12 if point["drags"] else 7
             self.ax.plot(*at, "o", color=colour(point["colour"]), markersize=size)
             if point["name"]:
-                write(self.ax, point["name"], at)
+                _plain(write(self.ax, point["name"], at))
         if self.panel["has_cursor"]:
             self.ax.axvline(self.clock, color="#555555", linewidth=1)
             for line in self.panel["lines"]:
@@ -137,7 +142,7 @@ class _Drawn:
         self.ax.set(xlim=edges[:2], ylim=edges[2:])
         if box["name"]:
             middle = (max(x0, edges[0]) + min(x1, edges[1])) / 2, (y0 + min(y1, edges[3])) / 2
-            write(self.ax, box["name"], middle, COLLISION["edgecolor"], offset=(0, 0))
+            _plain(write(self.ax, box["name"], middle, COLLISION["edgecolor"], offset=(0, 0)))
 
     def _set_limits(self) -> None:
         """Take the limits that are given; else let no spike beside a pole flatten the rest."""
