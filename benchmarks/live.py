@@ -21,7 +21,7 @@ from lab import LabPage, running_browser, running_lab  # noqa: E402
 WORK = "work-benchmark"
 NOTEBOOK, LESSON = "ticks.ipynb", "02_maximum_acceleration.ipynb"
 ROUNDS, TICKS = 20, 10  # over the angle's whole range, so that changes of the axes have their share
-FIRST_PICTURES = 6
+FIRST_PICTURES = 15
 IMPORTS = f"""\
 import sys
 sys.path.insert(0, {str(Path(__file__).parent)!r})
@@ -91,6 +91,8 @@ def _in_lab(browser: Browser) -> list[Finding]:
             say(f"keys in JupyterLab, round {number + 1} of {ROUNDS}")
             for whose, output in outputs.items():
                 times[whose] += press(output, TICKS)
+    for whose, taken in first.items():
+        say(f"first picture, {whose}: {', '.join(f'{time:.0f}' for time in taken)} ms")
     own, rival = times["own"], times["rival"]
     for whose, taken in times.items():
         say(f"{whose}: median {statistics.median(taken):.1f}, 95 % {percentile_95(taken):.1f} ms")
@@ -117,10 +119,11 @@ def _in_lab(browser: Browser) -> list[Finding]:
 
 
 def _in_page(browser: Browser) -> list[Finding]:
-    from cammotion import Move, explore_move
+    from cammotion import LAWS, Move, explore_move
 
     with tempfile.TemporaryDirectory() as folder:
-        figure = explore_move(Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000))
+        move = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+        figure = explore_move(move, laws=LAWS)
         path = figure.save(Path(folder) / "figure.html")
         size = path.stat().st_size
         page = browser.new_context(offline=True).new_page()

@@ -4,13 +4,13 @@ import contextlib
 import re
 
 from starter.errors import incomplete
-from starter.paths import ENVIRONMENT, NOTEBOOKS, PACKAGE, PROJECT, ROOT, SWITCHES
+from starter.paths import ENVIRONMENT, LAB_SETTING, NOTEBOOKS, PACKAGE, PROJECT, ROOT, SERVER_SWITCH
 
 
 def check() -> None:
     """Refuse to work with half a workbook."""
     pinned_packages()
-    for path in (PROJECT, PACKAGE, NOTEBOOKS, *SWITCHES):
+    for path in (PROJECT, PACKAGE, NOTEBOOKS, SERVER_SWITCH, LAB_SETTING):
         if not path.exists():
             raise incomplete(f"{path.relative_to(ROOT)} is missing")
 

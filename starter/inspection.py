@@ -6,7 +6,7 @@ import os
 import subprocess
 from typing import NamedTuple
 
-from starter.paths import ENVIRONMENT, SWITCHES, VENV, VENV_PYTHON
+from starter.paths import ENVIRONMENT, LAB_SETTING, SERVER_SWITCH, VENV, VENV_PYTHON
 
 STAMP = VENV / "installed.json"
 PROBE = """
@@ -72,7 +72,7 @@ def inspect() -> Environment | None:
     """Ask the environment's Python what it is and has; return None if it does not run."""
     files = {
         path.name: hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in (ENVIRONMENT, *SWITCHES)
+        for path in (ENVIRONMENT, SERVER_SWITCH, LAB_SETTING)
     }
     probe = [str(VENV_PYTHON), "-I", "-c", PROBE]
     try:

@@ -10,10 +10,9 @@ PACKAGE = ROOT / "src" / "cammotion"
 ENVIRONMENT = ROOT / "environment.txt"
 PROJECT = ROOT / "pyproject.toml"
 ETC = ROOT / "etc" / "jupyter"
-SWITCHES = (  # what the package lays into its environment for Jupyter
-    ETC / "jupyter_server_config.d" / "cammotion.json",
-    ETC / "labconfig" / "default_setting_overrides.d" / "cammotion_widgets.json",
-)
+# what the package lays into its environment for Jupyter
+SERVER_SWITCH = ETC / "jupyter_server_config.d" / "cammotion.json"
+LAB_SETTING = ETC / "labconfig" / "default_setting_overrides.d" / "cammotion_widgets.json"
 VENV = ROOT / ".venv"
 
 ON_WINDOWS = os.name == "nt"

@@ -70,7 +70,7 @@ def test_what_asks_for_an_installation(root: Path, monkeypatch: pytest.MonkeyPat
     assert inspection.judge() == ("ready", "")
     (root / "environment.txt").write_text("six==1.17.0\n")
     assert inspection.judge() == ("changed", "environment.txt changed")
-    paths.SWITCHES[0].write_text("{}")
+    paths.SERVER_SWITCH.write_text("{}")
     assert inspection.judge() == ("changed", "environment.txt and cammotion.json changed")
 
 

@@ -136,7 +136,8 @@ class Describer:
 
     def _joints_of(self, expression: sp.Expr) -> Iterable[sp.Expr]:
         """Return where the variable passes from one piece of an expression to the next."""
-        for relation in expression.atoms(sp.core.relational.Relational):
+        relations = expression.atoms(sp.core.relational.Relational)
+        for relation in sorted(relations, key=sp.default_sort_key):  # a set has no order
             difference = relation.lhs - relation.rhs
             slope = difference.diff(self.variable)
             if slope != 0 and self.variable not in slope.free_symbols:

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Text
+from matplotlib.ticker import MaxNLocator
 
 from cammotion.quantities import Floats
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
@@ -93,6 +94,8 @@ class _Drawn:
         _plain(ax.xaxis.label, ax.yaxis.label)
         ax.tick_params(labelbottom=has_numbers)
         ax.margins(x=0.02)
+        ax.xaxis.set_major_locator(MaxNLocator(6))  # few, since each number costs time
+        ax.yaxis.set_major_locator(MaxNLocator(5))
         self._draw_lines(then)
         self._set_limits()
         for box in panel["boxes"]:
