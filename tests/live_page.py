@@ -115,7 +115,7 @@ class Reader:
         self.figure = built(name)
         self.figure.pinned = self.figure.settings = started(self.figure)
         path = self.figure.save(self.folder / f"{name}.html", overwrite=True)
-        assert path.stat().st_size <= MOST_BYTES or name == "scca"  # it has the most formulas
+        assert path.stat().st_size <= MOST_BYTES or name in ("scca", "overlap")  # many formulas
         self.goto(path.as_uri())
         for _ in range(100):
             if self.evaluate(

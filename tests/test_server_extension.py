@@ -37,6 +37,8 @@ def load(settings: dict[str, Any], **config: Any) -> dict[str, Any]:
     """Load the extension into a server with these settings, and return what they are then."""
     server: Any = HubServer(config=Config(config))  # not started
     server.web_app = SimpleNamespace(settings=settings)
+    server.contents_manager = SimpleNamespace(get=None)
+    server.session_manager = None
     server.log = logging.getLogger(NAME)
     extension._load_jupyter_server_extension(server)
     return settings
@@ -88,7 +90,7 @@ def assert_one_sentence(caplog: pytest.LogCaptureFixture) -> None:
     said = record.getMessage()
     assert record.levelno == logging.WARNING
     assert record.exc_info is None
-    assert "does not know this jupyter_server and leaves its connections as they are" in said
+    assert "does not know this jupyter_server and leaves it as it is: what the kernel draws" in said
     assert "\n" not in said
 
 
