@@ -1,13 +1,15 @@
 """Live figures as pages from a file, in a real Chromium without a network and in a real Firefox."""
 
+import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import nbformat
 import numpy as np
 import pytest
 from firefox import running_firefox
-from lab import require_chromium, running_browser
+from lab import ROOT, require_chromium, running_browser
 from live_page import (
     ERRORS,
     FIELDS,
@@ -26,6 +28,7 @@ from live_page import (
 from playwright.sync_api import Browser
 
 from cammotion.views.live import page
+from cammotion.views.live.figure import MIME
 
 
 @pytest.fixture(scope="module")
@@ -210,3 +213,22 @@ def test_a_phone_in_the_dark(chromium: Browser, tmp_path: Path, name: str) -> No
     )
     assert (ink > 600, paper < 150) == (True, True)
     context.close()
+
+
+def test_a_page_from_a_stored_notebook_without_running_anything(
+    chromium: Browser, tmp_path: Path
+) -> None:
+    lesson = nbformat.read(ROOT / "notebooks" / "02_maximum_acceleration.ipynb", as_version=4)  # type: ignore[no-untyped-call]
+    outputs = [output for cell in lesson.cells for output in cell.get("outputs", [])]
+    stored = [output.data for output in outputs if MIME in output.get("data", {})]
+    assert len(stored) == 3
+    opened = chromium.new_page(offline=True)
+    for number, data in enumerate(stored):
+        path = tmp_path / f"{number}.html"
+        text = data["text/plain"]
+        path.write_text(page.write_page(json.loads(data[MIME]), text), encoding="utf-8")
+        opened.goto(path.as_uri())
+        said = opened.locator(".cm-said")
+        said.wait_for()
+        assert said.inner_text().splitlines() == text.splitlines()
+    opened.close()

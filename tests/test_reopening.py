@@ -57,7 +57,7 @@ def test_of_a_running_notebook_all_stays() -> None:
 
 
 def test_a_widget_whose_state_was_saved_stays() -> None:
-    state = {WIDGET_STATE: {"state": {"7f3a": {}}}}
+    state: dict[str, Any] = {WIDGET_STATE: {"state": {"7f3a": {}}}}
     saved = CONTENT | {"metadata": {"widgets": state}}
     assert read(content=saved) == saved
 

@@ -113,7 +113,7 @@ function rowOf(control, id, set) {
 function legendOf(columns, pin) {
   const all = columns
     .flat()
-    .flatMap(({ lines, y_label }) => lines.filter(({ name }) => name !== y_label));
+    .flatMap(({ lines, bare, y_label }) => lines.filter(({ name }) => bare || name !== y_label));
   const lines = new Map(
     [...all, ...(pin ? [{ name: "reference", role: "reference" }] : [])].map((line) => [
       line.name,
