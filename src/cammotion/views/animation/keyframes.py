@@ -36,6 +36,10 @@ class Trace:
         return Trace(self.angles_deg, start + factor * self.values)
 
 
+CAMSHAFT = Trace(*(np.array([0.0, DEG_PER_TURN]) for _ in range(2)))
+"""The cam angle itself."""
+
+
 def trace_position(motion: Motion) -> Trace:
     """Return the `movement` in mm, which of an indexing motion goes on over the end of its turn.
 
