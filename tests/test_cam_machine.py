@@ -116,7 +116,9 @@ def test_the_cam_pushes_the_lever_and_not_its_bearing() -> None:
     along = np.abs((push * (1j * lever).conj()).real) / np.abs(push * lever)
     found = np.degrees(np.arccos(along))
     plate = PlateCam.fitting(die_of(DIAGRAM))
-    assert np.abs(found - plate.pressure_angle_deg(ANGLES)).max() < 0.8
+    away = np.abs(found - plate.pressure_angle_deg(ANGLES))
+    assert away.max() < 1.2  # the drawn profile has a chord for each degree
+    assert away.mean() < 0.3
     assert 30 < found.max() < STEEPEST_DEG == 35
 
 
