@@ -81,6 +81,15 @@ class Design:
             return f"COLLISION from {' and from '.join(arcs_in_words)}"
         return "no collision" if self.rules else ""
 
+    def state(self, angle_deg: float) -> str:
+        """Return where each motion is at a cam angle, in words."""
+        return ", ".join(
+            f"{motion.name} {motion.offset_mm(angle_deg):.3g} mm from a stop"
+            if motion.is_indexing
+            else f"{motion.name} at {motion.position_mm(angle_deg):.4g} mm"
+            for motion in self.diagram.motions
+        )
+
     def describe(self) -> str:
         """Return the peaks, the verdict and every collision in words."""
         told = [self.peaks, self.verdict, *map(str, self.violations)]
@@ -103,10 +112,14 @@ class Design:
 class Layout:
     """What the columns have in common, so that they can be compared across."""
 
-    def __init__(self, designs: Iterable[Design], turn_s: float) -> None:
+    def __init__(
+        self, designs: Iterable[Design], turn_s: float, magnify: float | None = None
+    ) -> None:
         designs = list(designs)
         self.turn_s = turn_s
-        self._scenes = [Scene(design.diagram, design.rules, INNER_PX) for design in designs]
+        self._scenes = [
+            Scene(design.diagram, design.rules, INNER_PX, magnify) for design in designs
+        ]
         self.scene = max(scene.height for scene in self._scenes)
         self.alarm = ALARM_PX * max(len(design.violations[:ALARMS]) for design in designs)
         self.peak = max(_drawn_peak(d.diagram, n) for d in designs for n in d.accelerated)

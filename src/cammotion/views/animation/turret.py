@@ -92,8 +92,12 @@ class Turret:
     @cached_property
     def turning(self) -> Trace:
         """The angle in deg to which the turret has turned, away from a stop under the dies."""
+        return self.turned_by(trace_position(self.motion))
+
+    def turned_by(self, position: Trace) -> Trace:
+        """Return the angle to which it has turned by a trace of its position."""
         per_mm = 360 / (self.stops * abs(self.motion.pitch_mm))
-        return trace_position(self.motion).scaled(per_mm, self.degs[0] if self.degs else 0.0)
+        return position.scaled(per_mm, self.degs[0] if self.degs else 0.0)
 
     @property
     def seen(self) -> float:
