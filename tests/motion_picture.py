@@ -18,6 +18,8 @@ from cammotion.views.animation.cam_machine import cam_machine
 IMAGES = Path(__file__).parent.parent / "notebooks" / "images"
 PICTURE = IMAGES / "motion.svg"
 CAM = IMAGES / "cam.svg"
+STILL = IMAGES / "clearance.svg"
+STILL_DEG = 135
 
 
 def animation() -> Animation:
@@ -30,6 +32,16 @@ def animation() -> Animation:
 def cam() -> str:
     """Return the running example with the cam that drives its die."""
     return cam_machine(make_diagram(), RULE)
+
+
+def still() -> str:
+    """Return the moment of notebook 03 at which the clearance rule is just kept."""
+    before = make_diagram()
+    rule = cm.ClearanceRule(
+        cm.beyond("die", 19), only_while=cm.within("mill", before.offset_mm("mill", STILL_DEG))
+    )
+    after = cm.widest_move(before, "die", rule).diagram
+    return cm.animate(after, rules=rule, magnify=10).still(STILL_DEG).svg
 
 
 FINGERPRINTS = Path(__file__).parent / "data" / "pictures.json"
@@ -48,3 +60,4 @@ if __name__ == "__main__":
     FINGERPRINTS.write_text(json.dumps(fingerprints(), indent=1) + "\n", "utf-8")
     animation().save(PICTURE, overwrite=True)
     CAM.write_text(cam(), "utf-8", newline="")
+    STILL.write_text(still(), "utf-8", newline="")

@@ -15,7 +15,7 @@ import cammotion as cm
 from cammotion.quantities import Floats
 from cammotion.views.animation.cam_machine import cam_machine
 from cammotion.views.animation.dies import Die, find_dies
-from cammotion.views.animation.plate_cam import STEEPEST_DEG, PlateCam
+from cammotion.views.animation.plate_cam import STEEPEST_DEG, Places, PlateCam
 
 DIAGRAM = make_diagram()
 ROOT = parse(cam_machine(DIAGRAM, RULE))
@@ -49,11 +49,11 @@ def moved(name: str) -> Floats:
     assert animation is not None
     times = np.array(numbers(animation.attrib["keyTimes"]))
     values = [numbers(value)[-1] for value in animation.attrib["values"].split(";")]
-    return np.interp(ANGLES, 360 * times, values)
+    return np.asarray(np.interp(ANGLES, 360 * times, values))
 
 
 @cache
-def profile() -> Floats:
+def profile() -> Places:
     """Return points of the drawn profile in px about the shaft, 0.06 px apart at most."""
     points: list[complex] = []
     for command, text in re.findall(r"([MLA])([^MLAZ]+)", part("profile").attrib["d"]):
@@ -76,7 +76,7 @@ def profile() -> Floats:
 
 
 @cache
-def rolled() -> tuple[Floats, Floats]:
+def rolled() -> tuple[Places, Places]:
     """Return the roller's centre and the nearest point of the profile about the shaft, in px."""
     lever, roller = part("lever"), part("roller")
     at_zero = numbers(PARENTS[lever].attrib["transform"])[-1]

@@ -99,13 +99,15 @@ class Magnifier:
             yield cover
 
     def _texts(self, die: Die, side: str) -> Iterable[Any]:
-        name = f"{die.motion.name}, " if len(self.turret.dies) > 1 else ""
-        text, room = f"{name}{side} edge, {self.times:g} : 1", self.lens_width - 16
+        text = f"{side} edge, {self.times:g} : 1"
         bar = round_down(_BAR * self.lens_width / self.scale)
         outer, way = (8.0, 1) if side == "left" else (self.lens_width - 8, -1)
         low = LENS_PX - 8
         to: dict[str, Any] = {"size": svg.SMALL, "text_anchor": "start" if way > 0 else "end"}
-        yield svg.label(text, outer, 15, width=room, font_weight="bold", **to)
+        yield svg.label(text, outer, 15, font_weight="bold", **to)
+        if len(self.turret.dies) > 1:
+            bold: dict[str, Any] = {"fill": svg.dark(die.number), "font_weight": "bold"}
+            yield svg.label(die.motion.name, outer, 29, width=self.lens_width - 16, **bold, **to)
         ends = draw.Path(stroke=svg.INK, stroke_width=1.5, fill="none")
         yield ends.M(svg.px(outer), low - 5).v(5).h(svg.px(way * bar * self.scale)).v(-5)
         yield svg.label(f"{bar:g} mm", outer, low - 8, **to)

@@ -53,6 +53,7 @@ def stopped(svg: str, angle_deg: float) -> str:
     root = ElementTree.fromstring(svg)  # noqa: S314 - our own
     at = angle_deg / DEG_PER_TURN
     for group in root.iter(f"{{{_SVG}}}g"):
+        group.attrib.pop("class", None)  # the reader's wish for less motion is fulfilled
         for animation in list(group):
             if animation.tag == f"{{{_SVG}}}animateTransform":
                 group.set("transform", f"{animation.get('type')}({_between(animation, at)})")
@@ -63,7 +64,6 @@ def stopped(svg: str, angle_deg: float) -> str:
             else:
                 continue
             group.remove(animation)
-            group.attrib.pop("class", None)  # the reader's wish for less motion is fulfilled
     return ElementTree.tostring(root, encoding="unicode")
 
 
