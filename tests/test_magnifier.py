@@ -183,7 +183,7 @@ def test_magnified_designs_are_complete_and_not_large() -> None:
     for diagram, rules in ((AFTER, RULE), (COLLIDING, RULE), (DRUM, DRUM_RULE), (TWO, TWO_RULES)):
         svg = animate({"one": diagram, "two": diagram}, rules=rules, magnify=10).svg
         assert list(_svg_faults(svg)) == []
-        assert len(svg.encode()) < 120_000
+        assert len(svg.encode()) < 125_000  # of two designs with two dies each
         for element in parse(svg).iter():
             if name := element.get("id"):
                 content = ElementTree.tostring(element)
