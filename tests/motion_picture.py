@@ -1,4 +1,4 @@
-"""The moving picture of the README and of notebook 04; run this file to draw it anew.
+"""The moving pictures of the README and of the notebooks; run this file to draw them anew.
 
 With it go the fingerprints of other machines in motion, so that no change of a picture is an
 accident: look at the pictures before you run this file.
@@ -13,8 +13,13 @@ from test_animation import MACHINES
 
 import cammotion as cm
 from cammotion.views.animation import Animation
+from cammotion.views.animation.cam_machine import cam_machine
 
-PICTURE = Path(__file__).parent.parent / "notebooks" / "images" / "motion.svg"
+IMAGES = Path(__file__).parent.parent / "notebooks" / "images"
+PICTURE = IMAGES / "motion.svg"
+CAM = IMAGES / "cam.svg"
+STILL = IMAGES / "clearance.svg"
+STILL_DEG = 135
 
 
 def animation() -> Animation:
@@ -22,6 +27,21 @@ def animation() -> Animation:
     before = make_diagram()
     after = cm.widest_move(before, "die", RULE).diagram
     return cm.animate({"no overlap": before, "with overlap": after}, rules=RULE)
+
+
+def cam() -> str:
+    """Return the running example with the cam that drives its die."""
+    return cam_machine(make_diagram(), RULE)
+
+
+def still() -> str:
+    """Return the moment of notebook 03 at which the clearance rule is just kept."""
+    before = make_diagram()
+    rule = cm.ClearanceRule(
+        cm.beyond("die", 19), only_while=cm.within("mill", before.offset_mm("mill", STILL_DEG))
+    )
+    after = cm.widest_move(before, "die", rule).diagram
+    return cm.animate(after, rules=rule, magnify=10).still(STILL_DEG).svg
 
 
 FINGERPRINTS = Path(__file__).parent / "data" / "pictures.json"
@@ -39,3 +59,5 @@ def fingerprints() -> dict[str, str]:
 if __name__ == "__main__":
     FINGERPRINTS.write_text(json.dumps(fingerprints(), indent=1) + "\n", "utf-8")
     animation().save(PICTURE, overwrite=True)
+    CAM.write_text(cam(), "utf-8", newline="")
+    STILL.write_text(still(), "utf-8", newline="")

@@ -6,7 +6,6 @@ from functools import cached_property
 from typing import Any
 
 import drawsvg as draw
-import numpy as np
 
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.clearance import ClearanceRule, Violation, find_violations
@@ -23,8 +22,9 @@ from cammotion.views.animation.charts import (
     acceleration_lane,
     timing_lanes,
 )
+from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import find_dies
-from cammotion.views.animation.keyframes import Trace, trace_acceleration, trace_position
+from cammotion.views.animation.keyframes import CAMSHAFT, trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
 from cammotion.views.scales import as_text, drawn_peak
 
@@ -81,6 +81,15 @@ class Design:
             return f"COLLISION from {' and from '.join(arcs_in_words)}"
         return "no collision" if self.rules else ""
 
+    def state(self, angle_deg: float) -> str:
+        """Return where each motion is at a cam angle, in words."""
+        return ", ".join(
+            f"{motion.name} {motion.offset_mm(angle_deg):.3g} mm from a stop"
+            if motion.is_indexing
+            else f"{motion.name} at {motion.position_mm(angle_deg):.4g} mm"
+            for motion in self.diagram.motions
+        )
+
     def describe(self) -> str:
         """Return the peaks, the verdict and every collision in words."""
         told = [self.peaks, self.verdict, *map(str, self.violations)]
@@ -103,10 +112,14 @@ class Design:
 class Layout:
     """What the columns have in common, so that they can be compared across."""
 
-    def __init__(self, designs: Iterable[Design], turn_s: float) -> None:
+    def __init__(
+        self, designs: Iterable[Design], turn_s: float, magnify: float | None = None
+    ) -> None:
         designs = list(designs)
         self.turn_s = turn_s
-        self._scenes = [Scene(design.diagram, design.rules, INNER_PX) for design in designs]
+        self._scenes = [
+            Scene(design.diagram, design.rules, INNER_PX, magnify) for design in designs
+        ]
         self.scene = max(scene.height for scene in self._scenes)
         self.alarm = ALARM_PX * max(len(design.violations[:ALARMS]) for design in designs)
         self.peak = max(_drawn_peak(d.diagram, n) for d in designs for n in d.accelerated)
@@ -154,23 +167,10 @@ class Layout:
                 {"fill": svg.ALARM, "font_weight": "bold"} if design.violations else {}
             )
             header.append(svg.label(design.verdict, 0, 56, width=room, **alarmed))
-        header.append(svg.placed(INNER_PX - 27, 24, self._dial()))
+        header.append(svg.placed(INNER_PX - 27, 24, draw_dial(self.turn_s)))
         name: dict[str, Any] = {"size": svg.SMALL, "text_anchor": "middle"}
         header.append(svg.label("camshaft", INNER_PX - 27, 57, **name))
         return header
-
-    def _dial(self) -> Any:
-        """Draw the camshaft, whose hand goes round once a turn."""
-        dial = draw.Group()
-        dial.append(draw.Circle(0, 0, 19, fill="white", stroke=svg.GREY, stroke_width=1.2))
-        ticks = draw.Path(stroke=svg.GREY, stroke_width=1.5, fill="none")
-        for x, y in ((0, -1), (1, 0), (0, 1), (-1, 0)):
-            ticks.M(19 * x, 19 * y).L(14 * x, 14 * y)
-        hand = svg.moving(_LINEAR, self.turn_s, "rotate", data={"part": "hand"})
-        hand.append(draw.Path(fill=svg.INK).M(-2, 4).L(0, -16).L(2, 4).Z())
-        dial.extend([ticks, hand, draw.Circle(0, 0, 3, fill=svg.INK)])
-        dial.append_title("cam angle: one turn of the camshaft")
-        return dial
 
     def _alarm(self, design: Design, every: list[Arc]) -> Any:
         """Draw the word and the frame round the machine, and what collides below."""
@@ -196,7 +196,7 @@ class Layout:
 
     def _cursor(self, timing: Chart, timing_top: float, acceleration: Chart) -> Any:
         """Draw the cursor through both charts, with the dots on their curves."""
-        way = _LINEAR.scaled(self.chart / DEG_PER_TURN)
+        way = CAMSHAFT.scaled(self.chart / DEG_PER_TURN)
         cursor = svg.moving(way, self.turn_s, "x", data={"part": "cursor"})
         line = draw.Path(stroke=svg.INK, stroke_width=1.4, fill="none")
         for chart, top in ((timing, timing_top), (acceleration, self.acceleration_top)):
@@ -240,6 +240,3 @@ def _peak_label(peak: float, name: str) -> str:
 def _drawn_peak(diagram: TimingDiagram, name: str) -> float:
     drawn = trace_acceleration(diagram[name], diagram.rate_per_hour).values
     return drawn_peak(diagram.peak_acceleration(name), drawn)
-
-
-_LINEAR = Trace(*(np.array([0.0, DEG_PER_TURN]) for _ in range(2)))

@@ -8,6 +8,7 @@ much wider than the die the pocket is. Where the drawing shows a die in the rim 
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from cammotion.machine.arcs import Arc, complement
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
@@ -52,10 +53,21 @@ class Die:
     @property
     def depth(self) -> Trace:
         """How far down it is."""
+        return self.depth_by(trace_position(self.motion))
+
+    def depth_by(self, position: Trace) -> Trace:
+        """Return how far down it is by a trace of its position."""
         low, high = self.motion.range_mm
         rises = self.goes_down_as_it_rises
         sign, rest = (1, low) if rises else (-1, high)
-        return trace_position(self.motion).scaled(sign, -sign * rest)
+        return position.scaled(sign, -sign * rest)
+
+    def where_deeper(self, depth_mm: float) -> list[Arc]:
+        """Return the arcs of the turn over which it is deeper than this."""
+        low, high = self.motion.range_mm
+        if self.goes_down_as_it_rises:
+            return self.motion.where_beyond(low + depth_mm)
+        return complement(self.motion.where_beyond(high - depth_mm))
 
 
 def find_dies(diagram: TimingDiagram, rules: Iterable[ClearanceRule]) -> dict[str, list[Die]]:

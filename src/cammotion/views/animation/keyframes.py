@@ -36,17 +36,23 @@ class Trace:
         return Trace(self.angles_deg, start + factor * self.values)
 
 
-def trace_position(motion: Motion) -> Trace:
+CAMSHAFT = Trace(*(np.array([0.0, DEG_PER_TURN]) for _ in range(2)))
+"""The cam angle itself."""
+
+
+def trace_position(motion: Motion, finer: float = 1.0) -> Trace:
     """Return the `movement` in mm, which of an indexing motion goes on over the end of its turn.
+
+    It is so many times `finer` than a drawing needs that is not magnified.
 
     >>> import cammotion as cm
     >>> late = trace_position(cm.EXAMPLE.mill.shifted(300))
     >>> np.interp([0, 90, 300, 360], late.angles_deg, late.values).round(3)
     array([ 30.645, 100.   , 100.   , 130.645])
     """
-    angles = np.concatenate([_position_angles(segment) for segment in motion.segments])
+    angles = np.concatenate([_position_angles(segment, finer) for segment in motion.segments])
     in_turn = np.union1d(np.mod(angles, DEG_PER_TURN), [0.0, DEG_PER_TURN])
-    return _thinned(in_turn, movement(motion, in_turn))
+    return _thinned(in_turn, movement(motion, in_turn), finer)
 
 
 def trace_acceleration(motion: Motion, rate_per_hour: float) -> Trace:
@@ -71,18 +77,19 @@ def trace_acceleration(motion: Motion, rate_per_hour: float) -> Trace:
     return _thinned(angles, values)
 
 
-def _thinned(angles: Floats, values: Floats) -> Trace:
+def _thinned(angles: Floats, values: Floats, finer: float = 1.0) -> Trace:
     """Return the frames without those that say the same as the one before them."""
     frames = np.column_stack([angles, values])
-    is_new = np.any(np.abs(np.diff(frames, axis=0)) > TOLERANCE_SHARE * TOLERANCE_MM, axis=1)
+    least = TOLERANCE_SHARE * TOLERANCE_MM / finer
+    is_new = np.any(np.abs(np.diff(frames, axis=0)) > least, axis=1)
     return Trace(*frames[np.append(True, is_new)].T)
 
 
-def _position_angles(segment: Segment) -> Floats:
+def _position_angles(segment: Segment, finer: float) -> Floats:
     if segment.law is None:
         return np.array([segment.from_deg, segment.to_deg])
     law, way = as_law(segment.law), abs(segment.change_mm)
-    tolerance = min(TOLERANCE_MM, TOLERANCE_SHARE * way)
+    tolerance = min(TOLERANCE_MM, TOLERANCE_SHARE * way) / finer
     bend = law.curve.derived(2).largest  # where V jumps, a chord ends anyway
     chords = math.ceil(math.sqrt(way * bend / (8 * tolerance)))
     even = np.linspace(segment.from_deg, segment.to_deg, min(chords, MOST_CHORDS) + 1)

@@ -4,9 +4,7 @@ It moves by its own (SMIL) animation elements, with no script: in a page, in an 
 notebook's stored output. In the lab a player pauses, scrubs and slows down the same SVG.
 """
 
-import base64
-import html
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -20,12 +18,18 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, Quantity, shorten
 from cammotion.views.animation import svg
 from cammotion.views.animation.columns import INNER_PX, Design, Layout
-from cammotion.views.animation.player import Player
+from cammotion.views.animation.dies import find_dies
+from cammotion.views.animation.magnifier import MAGNIFICATION
+from cammotion.views.animation.player import SHOWN_ANGLE, Player
+from cammotion.views.animation.scene import Scene
+from cammotion.views.animation.still import Still, as_image, stopped
 
 TURN = Quantity("time of a turn in the animation", "s", example=9)
 COLUMNS = 2  # more designs come below: smaller, they could not be read
 MARGIN_PX = 12
 COLUMN_PX = INNER_PX + 2 * MARGIN_PX
+STILL_HEADER_PX = 52
+LARGE: dict[str, Any] = {"size": svg.LARGE, "font_weight": "bold"}
 UNTITLED = "One turn of the camshaft"
 
 
@@ -38,31 +42,46 @@ class Animation:
 
     designs: tuple[Design, ...]
     turn_s: float
+    magnify: float | None = None
 
     @cached_property
     def svg(self) -> str:
         """The SVG, which moves by itself; the same designs give the same text."""
-        rows = -(-len(self.designs) // COLUMNS)
-        width = COLUMN_PX * min(len(self.designs), COLUMNS)
-        layout = Layout(self.designs, self.turn_s)
-        drawing = draw.Drawing(
-            width,
-            layout.height * rows,
-            class_="cm-still",
-            role="img",
-            font_family=svg.FONT,
-            style="background: white",
-        )
-        drawing.append_css(svg.STYLE)
-        titles = ", ".join(svg.printable(design.title) for design in self.designs)
-        drawing.append_title(f"The machine in motion: {titles}")
-        drawing.append(svg.Description(svg.printable(self.description)))
-        drawing.append(svg.box(0, 0, width, layout.height * rows, fill="white"))
-        for number, design in enumerate(self.designs):
-            row, column = divmod(number, COLUMNS)
-            place = column * COLUMN_PX + MARGIN_PX, row * layout.height
-            drawing.append(svg.placed(*place, layout.draw_column(design, number)))
-        return str(drawing.as_svg(header=""))
+        layout = Layout(self.designs, self.turn_s, self.magnify)
+        titles = ", ".join(design.title for design in self.designs)
+        columns = [layout.draw_column(design, n) for n, design in enumerate(self.designs)]
+        title = f"The machine in motion: {titles}"
+        return _sheet(columns, layout.height, title, self.description)
+
+    def still(self, angle_deg: float) -> Still:
+        """Return a picture of the machines at a cam angle from 0 to 360 deg, without the charts.
+
+        Raises InputError for any other angle.
+
+        >>> import cammotion as cm
+        >>> animation = animate(cm.EXAMPLE.diagram, rules=cm.EXAMPLE.rule, magnify=10)
+        >>> print(animation.still(135).description)
+        At a cam angle of 135°: mill 0.645 mm from a stop, die at 0 mm
+        """
+        angle = SHOWN_ANGLE.number(angle_deg)
+        scenes = [Scene(d.diagram, d.rules, INNER_PX, self.magnify) for d in self.designs]
+        height = STILL_HEADER_PX + max(scene.height for scene in scenes)
+        columns, said = [], []
+        for design, scene in zip(self.designs, scenes, strict=True):
+            state = design.state(angle)
+            header = "" if design.title == UNTITLED else f"{design.title}: "
+            said.append(f"{header}{state}")
+            columns.append(
+                svg.placed(
+                    *(0, 0),
+                    svg.label(f"{header}cam angle {angle:g}°", 0, 20, width=INNER_PX, **LARGE),
+                    svg.label(state, 0, 39, width=INNER_PX),
+                    svg.placed(0, STILL_HEADER_PX, scene.draw(self.turn_s, design.collisions())),
+                )
+            )
+        description = f"At a cam angle of {angle:g}°: {'; '.join(said)}"
+        moving = _sheet(columns, height, f"The machine at {angle:g}°", description)
+        return Still(stopped(moving, angle), svg.printable(description))
 
     @property
     def description(self) -> str:
@@ -73,8 +92,15 @@ class Animation:
                 f"The machine in motion, {diagram.cycle_time_s:.4g} s a turn "
                 f"({diagram.rate_per_hour:g} pieces/h), shown in {self.turn_s:g} s.",
                 *(f"{design.title} ({design.describe()})" for design in self.designs),
+                *self._magnified,
             ]
         )
+
+    @property
+    def _magnified(self) -> list[str]:
+        if self.magnify is None:
+            return []
+        return [f"Both edges of a die at the rim are shown {self.magnify:g} times as large too."]
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the SVG to a file and return its path.
@@ -86,16 +112,14 @@ class Animation:
 
     def player(self) -> Player:
         """Return the SVG with a clock to play, pause and scrub, for the lab."""
-        picture = base64.b64encode(self.svg.encode()).decode("ascii")
-        image = (
-            f'<figure style="margin: 0"><img alt="{html.escape(self.description)}" '
-            f'style="max-width: 100%" src="data:image/svg+xml;base64,{picture}"></figure>'
-        )
         return Player(
             self.svg,
             turn_s=self.turn_s,
             cycle_s=self.designs[0].diagram.cycle_time_s,
-            reader={"text/html": image, "text/plain": self.description},
+            reader={
+                "text/html": as_image(self.svg, self.description),
+                "text/plain": self.description,
+            },
         )
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -107,13 +131,16 @@ def animate(
     *,
     rules: ClearanceRule | Iterable[ClearanceRule] = (),
     turn_s: float = 9.0,
+    magnify: float | None = None,
 ) -> Animation:
     """Show one or more designs in motion, side by side and all by one clock.
 
     `designs` is a timing diagram, or several by their titles; they have one machine rate. `rules`
     are the clearance rules, which hold for all of them: what a rule links with an indexing motion
     is drawn as a die over the turret, and where a rule is broken a collision is shown. `turn_s` is
-    how long one turn takes in the SVG, in s. Raises InputError for anything else.
+    how long one turn takes in the SVG, in s. `magnify`, from 1 to 50, shows both edges of each die
+    at the rim so many times as large, below the turret. Raises InputError for anything else, and
+    where there is no die to magnify.
 
     >>> import cammotion as cm
     >>> before, rule = cm.EXAMPLE.diagram, cm.EXAMPLE.rule
@@ -138,7 +165,40 @@ def animate(
             f"The machine rates of the designs are {rates[0]:g} and {rates[1]:g} pieces/h; they "
             "run by one clock: give all designs the same rate."
         )
-    return Animation(made, turn)
+    return Animation(made, turn, None if magnify is None else _magnification(magnify, made))
+
+
+def _magnification(magnify: Any, designs: Iterable[Design]) -> float:
+    times = MAGNIFICATION.number(magnify)
+    for design in designs:
+        if not any(find_dies(design.diagram, design.rules).values()):
+            raise InputError(
+                f"The design {design.title!r} has no die to magnify: give the clearance rules that "
+                "link a motion with an indexing one, or leave magnify out."
+            )
+    return times
+
+
+def _sheet(columns: Sequence[Any], height: float, title: str, description: str) -> str:
+    """Return the SVG of columns `height` px high, side by side and below one another."""
+    whole = height * -(-len(columns) // COLUMNS)
+    width = COLUMN_PX * min(len(columns), COLUMNS)
+    drawing = draw.Drawing(
+        width,
+        whole,
+        class_="cm-still",
+        role="img",
+        font_family=svg.FONT,
+        style="background: white",
+    )
+    drawing.append_css(svg.STYLE)
+    drawing.append_title(svg.printable(title))
+    drawing.append(svg.Description(svg.printable(description)))
+    drawing.append(svg.box(0, 0, width, whole, fill="white"))
+    for number, column in enumerate(columns):
+        row, place = divmod(number, COLUMNS)
+        drawing.append(svg.placed(place * COLUMN_PX + MARGIN_PX, row * height, column))
+    return str(drawing.as_svg(header=""))
 
 
 def _design(title: Any, diagram: Any, rules: Any) -> Design:

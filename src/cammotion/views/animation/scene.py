@@ -13,6 +13,7 @@ from cammotion.machine.arcs import Arc
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.views.animation import svg
+from cammotion.views.animation.magnifier import Magnifier
 from cammotion.views.animation.slide import Slide
 from cammotion.views.animation.turret import Turret
 
@@ -44,12 +45,20 @@ KINDS: Sequence[type[Drawing]] = (Turret, Slide)
 
 
 class Scene:
-    """The drawings of a machine, in rows that are `width` px wide."""
+    """The drawings of a machine, in rows that are `width` px wide.
+
+    Under each turret with dies its edges are seen `magnify` times as large, where that is given.
+    """
 
     def __init__(
-        self, diagram: TimingDiagram, rules: Iterable[ClearanceRule], width: float
+        self,
+        diagram: TimingDiagram,
+        rules: Iterable[ClearanceRule],
+        width: float,
+        magnify: float | None = None,
     ) -> None:
-        self._placed = [*_in_rows(_drawings(diagram, list(rules), width), width)]
+        drawings = _drawings(diagram, list(rules), width, magnify)
+        self._placed = [*_in_rows(drawings, width)]
         self.height = max(top + drawing.height for _, top, drawing in self._placed)
 
     def draw(self, turn_s: float, collisions: dict[str, list[Arc]]) -> Any:
@@ -61,16 +70,20 @@ class Scene:
 
 
 def _drawings(
-    diagram: TimingDiagram, rules: Iterable[ClearanceRule], width: float
-) -> Iterator[Drawing]:
+    diagram: TimingDiagram, rules: Iterable[ClearanceRule], width: float, magnify: float | None
+) -> Iterator["Drawing | Magnifier"]:
     left = list(diagram.names)
     for kind in KINDS:
         for drawing in kind.find(diagram, rules, left, width):
             yield drawing
+            if magnify is not None and isinstance(drawing, Turret) and drawing.dies:
+                yield Magnifier(drawing, magnify)
             left = [name for name in left if name not in drawing.names]
 
 
-def _in_rows(drawings: Iterable[Drawing], width: float) -> Iterator[tuple[float, float, Drawing]]:
+def _in_rows(
+    drawings: Iterable["Drawing | Magnifier"], width: float
+) -> Iterator[tuple[float, float, "Drawing | Magnifier"]]:
     """Yield each drawing after its place; a row is as high as the highest in it."""
     x: float = 0
     y: float = 0

@@ -171,19 +171,22 @@ def moving(
 ) -> Any:
     """Return a group that is drawn where it is at 0 deg, and moves from there by a trace.
 
-    The trace is in px along "x" or "y", or in deg about the origin for "rotate".
+    The trace is in px along "x" or "y", in deg about the origin for "rotate", or for "stretch" how
+    many times as high it is.
     """
     ways = trace.values - trace.values[0]
     write: Callable[[float], str] = {
         "x": lambda way: _short(way, 3),
         "y": lambda way: f"0 {_short(way, 3)}",
         "rotate": lambda way: _short(way, 4),
+        "stretch": lambda way: f"1 {_short(1 + way, 4)}",
     }[direction]
+    kinds = {"rotate": "rotate", "stretch": "scale"}
     group = draw.Group(class_="cm-moves", **{f"data_{key}": v for key, v in (data or {}).items()})
     if ways.any():
         group.append_anim(
             draw.AnimateTransform(
-                "rotate" if direction == "rotate" else "translate",
+                kinds.get(direction, "translate"),
                 f"{turn_s:g}s",
                 ";".join(map(write, ways)),
                 keyTimes=_key_times(trace.angles_deg),

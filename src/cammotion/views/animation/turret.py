@@ -1,5 +1,6 @@
 """The drawing of a turret, an indexing motion, with the dies above its stops."""
 
+import copy
 import math
 from collections.abc import Iterable, Sequence
 from functools import cached_property
@@ -52,6 +53,7 @@ class Turret:
         loose = self.tool_width + 2 * tolerance * self.pitch / true_pitch
         self.pocket_width = min(loose, 0.9 * self.pitch, 1.4 * self.radius)
         self.scale, self.centre = self._fit()
+        self.stroke_px = _STROKE_PX
 
     @classmethod
     def find(
@@ -90,8 +92,12 @@ class Turret:
     @cached_property
     def turning(self) -> Trace:
         """The angle in deg to which the turret has turned, away from a stop under the dies."""
+        return self.turned_by(trace_position(self.motion))
+
+    def turned_by(self, position: Trace) -> Trace:
+        """Return the angle to which it has turned by a trace of its position."""
         per_mm = 360 / (self.stops * abs(self.motion.pitch_mm))
-        return trace_position(self.motion).scaled(per_mm, self.degs[0] if self.degs else 0.0)
+        return position.scaled(per_mm, self.degs[0] if self.degs else 0.0)
 
     @property
     def seen(self) -> float:
@@ -108,23 +114,33 @@ class Turret:
         panel = draw.Group(clip_path=clip)
         panel.append(svg.box(0.5, 0.5, self.width - 1, self.panel - 1, fill="#fafafa"))
         about_centre = svg.placed(self.width / 2, self.centre)
-        turret = draw.Group(transform=f"rotate({svg.px(self.turning.values[0], 4):g})")
-        wheel = svg.moving(
-            self.turning, turn_s, "rotate", data={"part": "turret", "motion": self.number}
-        )
-        wheel.append(self._rim())
-        turret.append(wheel)
-        about_centre.append(turret)
+        about_centre.append(self.draw_wheel(self.turning, turn_s))
         for die, deg in zip(self.dies, self.degs, strict=True):
             about_centre.append(self._die(die, deg, turn_s, collisions.get(die.motion.name, [])))
         if self.turning.values.any():
-            about_centre.append(self._arrow())
+            about_centre.append(self.draw_arrow())
         panel.append(about_centre)
         panel.extend(self._texts())
         panel.append(
             svg.box(0.5, 0.5, self.width - 1, self.panel - 1, fill="none", stroke="#c8c8c8")
         )
         return panel
+
+    def at_scale(self, px_per_mm: float, width: float) -> "Turret":
+        """Return the turret for another drawing, of which it fills a part `width` px wide."""
+        other = copy.copy(self)
+        other.scale, other.width = px_per_mm, width
+        other.centre, other.panel = self.radius * px_per_mm, 0.0  # out of sight
+        return other
+
+    def draw_wheel(self, turning: Trace, turn_s: float) -> Any:
+        """Draw the rim about the turret's centre, turning by an angle in deg."""
+        turret = draw.Group(transform=f"rotate({svg.px(turning.values[0], 4):g})")
+        data = {"part": "turret", "motion": self.number}
+        wheel = svg.moving(turning, turn_s, "rotate", data=data)
+        wheel.append(self._rim())
+        turret.append(wheel)
+        return turret
 
     def _rim(self) -> Any:
         """Draw the rim with a pocket at each stop that comes into sight."""
@@ -138,7 +154,7 @@ class Turret:
         path = draw.Path(
             fill=svg.pale(self.number),
             stroke=colour(self.number),
-            stroke_width=_STROKE_PX,
+            stroke_width=self.stroke_px,
             stroke_linejoin="round",
         )
         half = math.degrees(math.asin(self.pocket_width / 2 / self.radius))
@@ -211,7 +227,7 @@ class Turret:
             )
         return group
 
-    def _arrow(self) -> Any:
+    def draw_arrow(self) -> Any:
         """Draw which way the turret turns."""
         way = 1 if self.motion.pitch_mm > 0 else -1
         outside = self.radius + 0.13 * self.unit
