@@ -12,6 +12,20 @@ from cammotion.teaching import session
 from cammotion.teaching.session import Session
 from cammotion.teaching.store import FILE, GRADING, LOCK, Store, work_folder
 
+STRANGERS = {
+    "empty": b"",
+    "cut off": b'{"exercises": {"01.1": {"sta',
+    "a list": b"[1, 2]",
+    "a number": b"3",
+    "null": b"null",
+    "a list within": b'{"exercises": [1]}',
+    "a number within": b'{"exercises": {"01.1": 3}}',
+    "not UTF-8": b"\xff\xfe\x00",
+    "nested beyond all bounds": b"[" * 100_000,
+    "a number of 5000 digits": b'{"exercises": {"01.1": {"tries": ' + b"9" * 5000 + b"}}}",
+}
+"""Files that cannot be read."""
+
 
 def sit_down(parent: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """Sit down in the folder of the copies of a workbook, for the time of a test."""

@@ -10,26 +10,12 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import pytest
-from desk import files_in, line_of, read_file, restart, sit_down
+from desk import STRANGERS, files_in, line_of, read_file, restart, sit_down
 
 import cammotion as cm
 from cammotion.teaching import session
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.store import FILE, GRADING, work_folder
-
-STRANGERS = {
-    "empty": b"",
-    "cut off": b'{"exercises": {"01.1": {"sta',
-    "a list": b"[1, 2]",
-    "a number": b"3",
-    "null": b"null",
-    "a list within": b'{"exercises": [1]}',
-    "a number within": b'{"exercises": {"01.1": 3}}',
-    "not UTF-8": b"\xff\xfe\x00",
-    "nested beyond all bounds": b"[" * 100_000,
-    "a number of 5000 digits": b'{"exercises": {"01.1": {"tries": ' + b"9" * 5000 + b"}}}",
-}
-"""Files that cannot be read."""
 
 
 @pytest.fixture(autouse=True)

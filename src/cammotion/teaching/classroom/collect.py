@@ -75,11 +75,11 @@ def read_class(folder: Path) -> SchoolClass:
         else:
             students[key] = student
     if not students:
-        raise InputError(
+        missing = (
             f"There is no {FILE} in the folder {clean(folder.name or str(folder))}, nor another "
-            "progress file of the workbook. Each student's is in the folder work. "
-            + " ".join(notices)
+            "progress file of the workbook. Each student's is in the folder work."
         )
+        raise InputError(" ".join([missing, *notices]))
     ordered = sorted(students.values(), key=lambda student: (_plain(student.name), student.place))
     return SchoolClass(tuple(ordered), (*notices, *_twice(ordered)))
 

@@ -86,7 +86,8 @@ def draw(values: Sequence[float], asked: str, true: float | None = None) -> str:
         texts.append(_text(_WIDTH - _SIDE - width / 2, _FOOT + 36, "more"))
     if true is not None:
         x = _SIDE + (before + true / bars.step - bars.first) * width
-        shapes.append(f'<path class="true" d="M{x:.1f} {_TOP - 22}V{_FOOT}"/>')
+        line = f"M{x:.1f} {_TOP - 22}V{_FOOT}"
+        shapes += [f'<path class="{kind}" d="{line}"/>' for kind in ("halo", "true")]
         texts.append(_text(x, _TOP - 28, f"true: {true:g}", "true"))
     parts = [*shapes, *texts]
     return (

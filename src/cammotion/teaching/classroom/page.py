@@ -61,7 +61,7 @@ def _overview(lessons: Sequence[str], students: Sequence[Student]) -> str:
     rows = "".join(
         f"<tr>{_row_head(student)}"
         + "".join(_share(_outcomes(student, lesson)) for lesson in lessons)
-        + (f"<td><bdi>{escape(student.place)}</bdi></td>" if student.place else "")
+        + (f'<td class="file"><bdi>{escape(student.place)}</bdi></td>' if student.place else "")
         + "</tr>\n"
         for student in students
     )
@@ -161,7 +161,8 @@ def _others(students: Sequence[Student]) -> str:
         )
     if not parts:
         return ""
-    return f"<section>\n<h2>Of other lessons</h2>\n{''.join(parts)}</section>\n"
+    heading = "<h2>Of other lessons</h2>\n<h3>What this workbook does not ask</h3>\n"
+    return f"<section>\n{heading}{''.join(parts)}</section>\n"
 
 
 def _row_head(student: Student) -> str:
