@@ -123,7 +123,7 @@ def test_the_same_file_twice_counts_once_if_it_says_whose_it_is(folder: Path) ->
     school = read_class(folder)
     assert len(school.students) == 3
     assert "it is the same file as" in school.notices[0]
-    for name in ("x", "y"):  # two who have done the same, and have given no name
+    for name in ("x/dora", "y/dora"):  # two who have done the same, and have given no name
         put(folder, f"{name}.json", DONE)
     assert len(read_class(folder).students) == 5
 
@@ -180,6 +180,12 @@ def test_one_odd_number_does_not_press_the_others_into_one_bar() -> None:
     assert (bars.edge(0), bars.step) == (50, 5)
     assert bars.counts == (2, 2, 1, 0, 1)
     assert (bars.below, bars.above) == (0, 1)
+
+
+def test_numbers_of_very_different_size() -> None:
+    bars = histogram.count([0.0, 0.0, 0.0, 1.8e10, 4.8e-298])
+    assert sum(bars.counts) == 4
+    assert bars.above == 1
 
 
 def test_a_value_on_an_edge_belongs_to_the_bar_above() -> None:

@@ -10,6 +10,7 @@ _WIDTH, _HEIGHT = 660, 230
 _TOP, _FOOT, _SIDE = 44, 190, 30
 _MOST_BARS = 10
 _FAR = 3.0  # so many quartile distances away a value gets no scale of its own
+_BEYOND = 1e15  # in steps; what is on the scale is within some millions
 _JUST = 1e-9  # a value on an edge belongs to the bar above it
 
 
@@ -36,12 +37,16 @@ def count(values: Sequence[float], shown: Sequence[float] = ()) -> Bars:
     """
     inside = [*_not_far(sorted(values)), *shown]
     step = _round_step(inside)
-    places = [math.floor(value / step + _JUST) for value in values]
-    scale = [math.floor(value / step + _JUST) for value in inside]
+    places = [_place(value, step) for value in values]
+    scale = [_place(value, step) for value in inside]
     first, last = min(scale), max(scale)
     counted = tuple(places.count(place) for place in range(first, last + 1))
     below = sum(place < first for place in places)
     return Bars(first, step, counted, below, sum(place > last for place in places))
+
+
+def _place(value: float, step: float) -> int:
+    return math.floor(max(-_BEYOND, min(value / step, _BEYOND)) + _JUST)
 
 
 def _not_far(values: list[float]) -> list[float]:

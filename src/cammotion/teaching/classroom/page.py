@@ -12,6 +12,7 @@ from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS
 from cammotion.teaching.messages import Outcome
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.store import FILE
 
 _SIGNS = {"right": "✓", "wrong": "✗", "open": "–"}
 _MOST_SLIPS = 5
@@ -61,7 +62,7 @@ def _overview(lessons: Sequence[str], students: Sequence[Student]) -> str:
     rows = "".join(
         f"<tr>{_row_head(student)}"
         + "".join(_share(_outcomes(student, lesson)) for lesson in lessons)
-        + (f'<td class="file"><bdi>{escape(student.place)}</bdi></td>' if student.place else "")
+        + _place(student)
         + "</tr>\n"
         for student in students
     )
@@ -71,6 +72,11 @@ def _overview(lessons: Sequence[str], students: Sequence[Student]) -> str:
         f'<th scope="col">Student</th>{head}{places}',
         rows,
     )
+
+
+def _place(student: Student) -> str:
+    place = student.place.removesuffix(f"/{FILE}")
+    return f'<td class="file"><bdi>{escape(place)}</bdi></td>' if place else ""
 
 
 def _share(outcomes: Sequence[Outcome]) -> str:
