@@ -151,6 +151,13 @@ def test_records_of_a_stranger_make_a_page(tmp_path: Path, value: object) -> Non
     assert len(table_of(show(read_class(tmp_path)), "Exercises that are right")) >= 3
 
 
+def test_counts_that_nobody_can_have_reached_are_none(tmp_path: Path) -> None:
+    record = {"tries": 3, "slips": {"x": int("9" * 4300)}}
+    for name in "ab":
+        put(tmp_path, f"{name}.json", {"exercises": {"01.1": record}})
+    assert "✗ not yet 3 tries" in str(table_of(show(read_class(tmp_path)), "Exercises of"))
+
+
 @pytest.mark.parametrize(
     ("text", "asked", "number"),
     [

@@ -24,6 +24,7 @@ from cammotion.teaching.lock import only_one
 FILE = "progress.json"
 LOCK = ".progress.lock"
 GRADING = "NBGRADER_EXECUTION"  # nbgrader sets it while it executes a notebook
+_MOST = 10**6
 _STALE_S = 60  # a part that is older was left behind by a kernel that was killed
 
 Record = dict[str, Any]
@@ -144,9 +145,9 @@ def count(record: Record, field: str) -> int:
 
 
 def counts(record: Any) -> dict[str, int]:
-    """Return those fields of a record, if it is one, that are counts above 0."""
+    """Return those fields of a record, if it is one, that are counts above 0 and believable."""
     fields = record.items() if isinstance(record, dict) else ()
-    return {name: value for name, value in fields if type(value) is int and value > 0}
+    return {name: value for name, value in fields if type(value) is int and 0 < value < _MOST}
 
 
 def _change(content: Content, changes: Content) -> None:
