@@ -142,7 +142,7 @@ def _slips(lesson: str, students: Sequence[Student]) -> str:
             for one in told[:_MOST_SLIPS]
         )
         more = len(told) - _MOST_SLIPS
-        rest = f"<p>{plural(more, 'other reason')}, met less often.</p>\n" if more > 0 else ""
+        rest = f"<p>And {plural(more, 'other reason')}.</p>\n" if more > 0 else ""
         question = escape(EXERCISES[number].question(EXAMPLE))
         parts.append(
             f"<h4>{number}</h4>\n<details><summary>The question of {number}</summary>"
