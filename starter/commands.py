@@ -6,6 +6,7 @@ import secrets
 import signal
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from starter import (
     browser,
@@ -93,6 +94,10 @@ def make_parser() -> argparse.ArgumentParser:
     added["lab"].add_argument("--no-browser", action="store_true", help="only print the address")
     added["refresh"].add_argument("notebooks", nargs="*", metavar="NN", help="such as 02; or all")
     added["fresh"].add_argument("notebook", metavar="NN", help="such as 02")
+    added["class"].add_argument("folder", metavar="FOLDER", help="where the files are collected")
+    added["class"].add_argument("--output", default="class.html", metavar="FILE", help="the page")
+    added["class"].add_argument("--anonymous", action="store_true", help="numbers for names")
+    added["class"].add_argument("--overwrite", action="store_true", help="write over an old page")
     added["lock"].add_argument("--upgrade", action="store_true", help="take the newest versions")
     return parser
 
@@ -167,6 +172,16 @@ def lay_fresh_copy(options: argparse.Namespace) -> int:
     return 0
 
 
+def show_class(options: argparse.Namespace) -> int:
+    """Write a page of what the students' progress files hold; their paths are from here."""
+    environment.ensure()
+    folder, page = (str(Path(path).absolute()) for path in (options.folder, options.output))
+    switches = [f"--{name}" for name in ("anonymous", "overwrite") if getattr(options, name)]
+    return maintain.run_module(
+        "cammotion.teaching.classroom", folder, f"--output={page}", *switches
+    )
+
+
 def lock(options: argparse.Namespace) -> int:
     """Write environment.txt anew from pyproject.toml."""
     maintain.lock(options.upgrade)
@@ -183,5 +198,6 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], int], str]] = {
     ),
     "refresh": (refresh_notebooks, "execute the workbook's own notebooks and their solutions anew"),
     "fresh": (lay_fresh_copy, "lay a fresh copy of a notebook beside yours"),
+    "class": (show_class, "write a page of what your students' progress files hold"),
     "lock": (lock, "write environment.txt anew from pyproject.toml (needs uv)"),
 }

@@ -3,66 +3,25 @@
 import errno
 import json
 import os
+import shutil
 import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NoReturn
 
 import pytest
+from desk import STRANGERS, files_in, line_of, read_file, restart, sit_down
 
 import cammotion as cm
 from cammotion.teaching import session
 from cammotion.teaching.lessons import EXERCISES
-from cammotion.teaching.session import Session
-from cammotion.teaching.store import FILE, GRADING, Store, work_folder
-
-STRANGERS = {
-    "empty": b"",
-    "cut off": b'{"exercises": {"01.1": {"sta',
-    "a list": b"[1, 2]",
-    "a number": b"3",
-    "null": b"null",
-    "a list within": b'{"exercises": [1]}',
-    "a number within": b'{"exercises": {"01.1": 3}}',
-    "not UTF-8": b"\xff\xfe\x00",
-    "nested beyond all bounds": b"[" * 100_000,
-    "a number of 5000 digits": b'{"exercises": {"01.1": {"tries": ' + b"9" * 5000 + b"}}}",
-}
-"""Files that cannot be read."""
+from cammotion.teaching.store import FILE, GRADING, work_folder
 
 
 @pytest.fixture(autouse=True)
 def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """Sit down in the folder of the copies of a workbook."""
-    folder = tmp_path / "book" / "work"
-    folder.mkdir(parents=True)
-    (folder.parent / "workbook.py").touch()
-    monkeypatch.chdir(folder)
-    monkeypatch.delenv(GRADING, raising=False)
-    before = session._SESSION
-    restart()
-    yield folder
-    session._SESSION = before
-
-
-def restart() -> Session:
-    """Begin anew, as a new kernel does."""
-    session._SESSION = Session(Store(work_folder))
-    return session._SESSION
-
-
-def read_file(folder: Path) -> Any:
-    return json.loads((folder / FILE).read_text(encoding="utf-8"))
-
-
-def line_of(number: str) -> str:
-    """Return what the progress says of an exercise."""
-    (line,) = (line for line in cm.progress().lines if line.number == number)
-    return line.said
-
-
-def files_in(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
+    yield from sit_down(tmp_path, monkeypatch)
 
 
 def refuse(error: BaseException) -> Any:
@@ -217,10 +176,11 @@ def test_a_thousandth_unreadable_file_raises_nothing(work: Path) -> None:
 def test_records_of_a_stranger_are_read_as_far_as_they_make_sense(work: Path) -> None:
     odd: list[Any] = [None, "x", [1], {"a": 1}, True, -3, 2.5, 10**30]
     for value in odd:
-        names = ("state", "tries", "hints", "who", "choice", "text")
+        names = ("state", "tries", "hints", "who", "choice", "text", "slips", "name")
         record = dict.fromkeys(names, value)
         content = {"exercises": dict.fromkeys((*EXERCISES, "99.9"), record), "else": {"x": {}}}
         content["predictions"] = {"k": record}
+        content["learner"] = {"variant": record}
         (work / FILE).write_text(json.dumps(content))
         restart()
         assert cm.progress().right == 0
@@ -257,8 +217,7 @@ def test_what_cannot_be_written_is_kept_in_memory_and_said(
 
 def test_a_folder_that_is_gone(work: Path) -> None:
     cm.check("01.1", 55)
-    (work / FILE).unlink()
-    work.rmdir()
+    shutil.rmtree(work)
     said = cm.check("01.2", 0.5)
     assert said.is_right
     assert cm.progress().right >= 1

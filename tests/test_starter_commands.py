@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from small_workbook import move_starter, raiser
 
-from starter import commands, copies, maintain
+from starter import commands, copies, environment, maintain
 
 
 @pytest.fixture(autouse=True)
@@ -94,3 +94,27 @@ def test_fresh_runs_machines_and_nothing_else(monkeypatch: pytest.MonkeyPatch) -
     assert maintain.test(["--fresh", "--seconds", "120", "--seed", "7f3a"]) == 1
     assert ran == [(str(maintain.FRESH), "--seconds", "120", "--seed", "7f3a")]
     assert "--fresh" in commands.COMMANDS["test"][1]
+
+
+def test_the_class_page_is_made_by_the_environment_from_where_the_user_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ran: list[tuple[str, ...]] = []
+
+    def run_module(*words: str) -> int:
+        ran.append(words)
+        return 3
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(environment, "ensure", lambda: ran.append(("ensure",)))
+    monkeypatch.setattr(maintain, "run_module", run_module)
+    assert commands.run(["class", "7b"]) == 3
+    assert commands.run(["class", "7b", "--output", "x/y.html", "--anonymous", "--overwrite"]) == 3
+    folder = str(tmp_path / "7b")
+    made = ("cammotion.teaching.classroom", folder)
+    assert ran == [
+        ("ensure",),
+        (*made, f"--output={tmp_path / 'class.html'}"),
+        ("ensure",),
+        (*made, f"--output={tmp_path / 'x' / 'y.html'}", "--anonymous", "--overwrite"),
+    ]

@@ -14,20 +14,27 @@ import sympy
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.quantities import shorten
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
+from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, short_name
 
 State = Literal["open", "right", "wrong"]
 _NEAR = 0.02  # so near to the right answer it is the rounding
+_CLOSE = (
+    "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
+    "until the end."
+)
+_SIGN_AND_SIZE = "The sign is wrong, and so is the size. Which way does it go?"
+_IN_G = "This is the acceleration in g. It is asked for in m/s²."
 _AROUND_A_LETTER = " \t\n().:'\""
 _NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What there is to say of an answer."""
+    """What there is to say of an answer, and the short name of the reason if it is wrong."""
 
     state: State
     text: str
+    reason: str = ""
 
 
 @dataclass(frozen=True)
@@ -61,12 +68,13 @@ class Exercise:
         try:
             if answer is None or answer is ... or (isinstance(answer, str) and not answer.strip()):
                 return Verdict("open", "not answered yet")
-            reason = self.find_fault(answer, machine)
+            fault = self.find_fault(answer, machine)
         except OddAnswerError as odd:
-            reason = str(odd)
+            return Verdict("wrong", str(odd), NO_ANSWER)
         except Exception:  # an object may do anything when it is looked at
-            reason = f"This cannot be read as an answer. What is asked for is {self.wanted}."
-        return Verdict("wrong", reason) if reason else Verdict("right", self.right)
+            text = f"This cannot be read as an answer. What is asked for is {self.wanted}."
+            return Verdict("wrong", text, NO_ANSWER)
+        return Verdict("wrong", fault, short_name(fault)) if fault else Verdict("right", self.right)
 
     @property
     def wanted(self) -> str:
@@ -79,6 +87,11 @@ class Exercise:
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why an answer is wrong, "" for a right one; raise OddAnswerError for no answer."""
+        raise NotImplementedError
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """All that `find_fault` may return, with … in the place of a number that it measures."""
         raise NotImplementedError
 
 
@@ -152,24 +165,30 @@ class NumberExercise(Exercise):
 
     def _in_g(self, given: float, right: float) -> str:
         if self.unit == "m/s²" and self._is(given * STANDARD_GRAVITY, right):
-            return "This is the acceleration in g. It is asked for in m/s²."
+            return _IN_G
         return ""
 
     def _far(self, given: float, right: float) -> str:
         """Say what there is to say of a number with no known history."""
         off = abs(given - right) / abs(right)
         if off <= _NEAR:
-            return (
-                f"Close, but off by {100 * off:.2g} %. That is often a number that was rounded on "
-                "the way: keep all digits until the end."
-            )
+            return _CLOSE.format(f"{100 * off:.2g}")
         if given * right < 0:
-            return "The sign is wrong, and so is the size. Which way does it go?"
-        size = "large" if abs(given) > abs(right) else "small"
+            return _SIGN_AND_SIZE
+        return self._too("large" if abs(given) > abs(right) else "small")
+
+    def _too(self, size: str) -> str:
         return (
             f'This is too {size}. Read the question once more; cm.hint("{self.number}") gives a '
             "hint."
         )
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """All that `find_fault` may return, with … in the place of a number that it measures."""
+        ratios = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
+        unknown = (_CLOSE.format("…"), _SIGN_AND_SIZE, self._too("large"), self._too("small"))
+        return (*(slip.reason for slip in self.slips), _IN_G, *ratios.values(), *unknown)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -199,6 +218,11 @@ class ChoiceExercise(Exercise):
         if not letter:
             raise OddAnswerError(f"There is no {shorten(answer[:60])} here. Write {self.wanted}.")
         return "" if letter == self.answer else self.reasons[letter]
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """All that `find_fault` may return."""
+        return tuple(self.reasons.values())
 
     def letter(self, answer: Any) -> str:
         """Return the letter of the option that an answer means, "" if it means none."""

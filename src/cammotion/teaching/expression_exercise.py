@@ -16,6 +16,15 @@ from cammotion.teaching.exercise import Exercise, OddAnswerError, Slip, to_numbe
 from cammotion.teaching.reasons import COMMON_RATIOS
 
 _PLACES = 24
+_FACTOR = (
+    "The form is right, but all of it is {} times what it should be. Which constant factor is "
+    "missing, or too many?"
+)
+_ENDS_ONLY = (
+    "It is right at both ends and wrong between. The ends alone do not prove a formula: try the "
+    "middle, or a quarter of the way."
+)
+_ANOTHER = "This is another formula. Put in numbers for which you know the result, and see."
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,11 +64,13 @@ class ExpressionExercise(Exercise):
         for slip in self.slips:
             if self._same(given, self._values(slip.answer(machine), places)):
                 return slip.reason
-        return (
-            _constant_factor(given, right)
-            or self._at_ends(answer)
-            or ("This is another formula. Put in numbers for which you know the result, and see.")
-        )
+        return _constant_factor(given, right) or self._at_ends(answer) or _ANOTHER
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """All that `find_fault` may return, with … in the place of a number that it measures."""
+        slips = (slip.reason for slip in self.slips)
+        return (*slips, *COMMON_RATIOS.values(), _FACTOR.format("…"), _ENDS_ONLY, _ANOTHER)
 
     def _at_ends(self, answer: Any) -> str:
         """Say so if a formula is right at both ends of the move."""
@@ -71,10 +82,7 @@ class ExpressionExercise(Exercise):
             places[along] = share * places[until]
             if not self._same(self._values(answer, places), self._values(self.answer, places)):
                 return ""
-        return (
-            "It is right at both ends and wrong between. The ends alone do not prove a formula: "
-            "try the middle, or a quarter of the way."
-        )
+        return _ENDS_ONLY
 
     def _places(self) -> Floats:
         """Return a row of values for each variable, the same ones each time."""
@@ -170,7 +178,4 @@ def _constant_factor(given: Floats, right: Floats) -> str:
     if not np.allclose(ratios, ratio, rtol=1e-6, atol=0) or ratio == 0:
         return ""
     known = (said for value, said in COMMON_RATIOS.items() if np.isclose(ratio, value, rtol=1e-6))
-    return next(known, "") or (
-        f"The form is right, but all of it is {ratio:.4g} times what it should be. Which constant "
-        "factor is missing, or too many?"
-    )
+    return next(known, "") or _FACTOR.format(f"{ratio:.4g}")

@@ -6,6 +6,7 @@ from html import escape
 from typing import Any
 
 from cammotion.teaching.exercise import State, Verdict
+from cammotion.teaching.store import Record, count
 
 # Dark text on a light ground, in every theme; the word says what the colour says.
 _COLOURS: dict[State, tuple[str, str]] = {
@@ -121,6 +122,13 @@ class Outcome:
     state: State
     tries: int = 0
     hints: int = 0
+
+    @classmethod
+    def of(cls, number: str, record: Record) -> "Outcome":
+        """Read what has become of an exercise out of its record."""
+        tries, hints = count(record, "tries"), count(record, "hints")
+        state: State = "right" if record.get("state") == "right" else "wrong" if tries else "open"
+        return cls(number, state, tries, hints)
 
     @property
     def said(self) -> str:

@@ -6,10 +6,10 @@ from typing import Any
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.controls import ChoiceControl, PredictionControl
 from cammotion.teaching.example import EXAMPLE, MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, State, Verdict
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
-from cammotion.teaching.store import GRADING, Record, Store, work_folder
+from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
 from cammotion.teaching.variants import machine_for
 
 
@@ -26,19 +26,22 @@ class Session:
 
         A choice that is shown or checked again is no new try.
         """
-        before, who = self.record(number), self.machine.who.casefold()
-        was_right = before.get("state") == "right" and before.get("who") == who
-        exercise = find_exercise(number)
+        who, exercise = self.machine.who.casefold(), find_exercise(number)
         choice = exercise.letter(answer) if isinstance(exercise, ChoiceExercise) else ""
-        again = choice and choice == self.choice(number)
-        self.store.update(
-            "exercises",
-            number,
-            state="right" if was_right else verdict.state,
-            tries=_count(before, "tries") + (not again),
-            who=who,
-            **({"choice": choice} if choice else {}),
-        )
+
+        def change(before: Record) -> Record:
+            was_right = before.get("state") == "right" and before.get("who") == who
+            changes: Record = {"who": who, "state": "right" if was_right else verdict.state}
+            if choice:
+                changes["choice"] = choice
+            if choice and choice == _letter(exercise, before):
+                return changes | {"tries": count(before, "tries")}
+            if verdict.reason:
+                slips = counts(before.get("slips"))
+                changes["slips"] = slips | {verdict.reason: slips.get(verdict.reason, 0) + 1}
+            return changes | {"tries": count(before, "tries") + 1}
+
+        self.store.change("exercises", number, change)
 
     def record(self, number: str) -> Record:
         """Return what is kept of an exercise."""
@@ -46,17 +49,21 @@ class Session:
 
     def choice(self, number: str) -> str | None:
         """Return the letter that was chosen, None if none was."""
-        exercise = find_exercise(number)
-        letter = self.record(number).get("choice")
-        return (isinstance(exercise, ChoiceExercise) and exercise.letter(letter)) or None
+        return _letter(find_exercise(number), self.record(number)) or None
 
     def next_hint(self, number: str, steps: int) -> int:
         """Return the step of the next hint, from 1 in each kernel; the furthest one is kept."""
         step = min(self.hints.get(number, 0) + 1, steps)
         self.hints[number] = step
-        shown = max(step, _count(self.record(number), "hints"))
-        self.store.update("exercises", number, hints=shown)
+        self.store.change(
+            "exercises", number, lambda before: {"hints": max(step, count(before, "hints"))}
+        )
         return step
+
+    def keep_name(self, name: str) -> None:
+        """Keep the name that was given for a variant; none is no name."""
+        if name and self.store.records("learner").get("variant", {}).get("name") != name:
+            self.store.update("learner", "variant", name=name)
 
 
 _SESSION = Session(Store(work_folder))
@@ -74,6 +81,7 @@ def variant(who: str | int = "") -> MillAndDie:
     2000
     """
     _SESSION.machine = machine_for(who)
+    _SESSION.keep_name(_SESSION.machine.who)
     return _SESSION.machine
 
 
@@ -164,7 +172,7 @@ def progress() -> Progress:
     '... exercises are right.'
     """
     records = _SESSION.store.records("exercises")
-    lines = tuple(_outcome(number, records.get(number, {})) for number in EXERCISES)
+    lines = tuple(Outcome.of(number, records.get(number, {})) for number in EXERCISES)
     return Progress(lines, _SESSION.store.complaint)
 
 
@@ -179,13 +187,7 @@ def _judge(number: str, answer: Any) -> Feedback:
     return Feedback(number, verdict, _SESSION.store.complaint)
 
 
-def _outcome(number: str, record: dict[str, Any]) -> Outcome:
-    tries, hints = _count(record, "tries"), _count(record, "hints")
-    state: State = "right" if record.get("state") == "right" else "wrong" if tries else "open"
-    return Outcome(number, state, tries, hints)
-
-
-def _count(record: dict[str, Any], field: str) -> int:
-    """Return a count; what a file holds that is none counts as 0."""
-    count = record.get(field)
-    return count if type(count) is int and count > 0 else 0
+def _letter(exercise: Exercise, record: Record) -> str:
+    """Return the letter that was chosen, "" if none was."""
+    chosen = record.get("choice")
+    return exercise.letter(chosen) if isinstance(exercise, ChoiceExercise) else ""

@@ -2,6 +2,12 @@
 
 The file is `progress.json` in the folder of the copies, `work` or another. Where a notebook runs
 elsewhere, as in a test or when it is graded, nothing is written and all is forgotten at the end.
+It holds records by kind and key, fields that are not known are left as they are:
+
+exercises    "01.1": state; tries; hints, the furthest one; who, whose numbers were asked for;
+             choice, a letter; slips, how often each reason was given, by its short name
+predictions  "01.angle": text, as it was typed
+learner      "variant": name, as it was given to cm.variant
 """
 
 import json
@@ -9,12 +15,16 @@ import os
 import tempfile
 import time
 from collections.abc import Callable
-from contextlib import suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from pathlib import Path
 from typing import Any
 
+from cammotion.teaching.lock import only_one
+
 FILE = "progress.json"
+LOCK = ".progress.lock"
 GRADING = "NBGRADER_EXECUTION"  # nbgrader sets it while it executes a notebook
+_MOST = 10**6
 _STALE_S = 60  # a part that is older was left behind by a kernel that was killed
 
 Record = dict[str, Any]
@@ -22,7 +32,10 @@ Content = dict[str, dict[str, Record]]
 
 
 class Store:
-    """Records by kind ("exercises", "predictions") and key; read anew before each change."""
+    """Records by kind ("exercises", "predictions") and key; read anew before each change.
+
+    Between reading and writing no other process does either, so that no change is lost.
+    """
 
     def __init__(self, find_folder: Callable[[], Path | None]) -> None:
         self._find_folder = find_folder
@@ -44,13 +57,29 @@ class Store:
 
     def records(self, kind: str) -> dict[str, Record]:
         """Return all records of a kind, from this kernel and from earlier ones."""
-        return dict(self._load().get(kind, {}))
+        with self._alone() if self._is_there() else nullcontext():
+            return dict(self._load().get(kind, {}))
 
     def update(self, kind: str, key: str, **changes: Any) -> None:
         """Change fields of one record, and write the file."""
-        _change(self._unwritten, {kind: {key: changes}})
-        self._known = self._load()
-        self._save(self._known)
+        self.change(kind, key, lambda _: changes)
+
+    def change(self, kind: str, key: str, how: Callable[[Record], Record]) -> None:
+        """Change the fields of one record that `how` returns for what it is now; write the file."""
+        with self._alone():
+            before = self._load().get(kind, {}).get(key, {})
+            _change(self._unwritten, {kind: {key: how(before)}})
+            self._known = self._load()
+            self._save(self._known)
+
+    def _is_there(self) -> bool:
+        with suppress(OSError):
+            return self.file is not None and self.file.exists()
+        return False
+
+    def _alone(self) -> AbstractContextManager[None]:
+        """Keep other processes from the file; Windows replaces no file that another one reads."""
+        return only_one(self.file.with_name(LOCK)) if self.file else nullcontext()
 
     def _load(self) -> Content:
         """Return what the file holds, with the changes that could not be written to it."""
@@ -108,6 +137,17 @@ class Store:
                     f"Your file {FILE} could not be read. It was kept as {aside.name}, and a new "
                     "one was begun."
                 )
+
+
+def count(record: Record, field: str) -> int:
+    """Return a count of a record; what a file holds that is none counts as 0."""
+    return counts(record).get(field, 0)
+
+
+def counts(record: Any) -> dict[str, int]:
+    """Return those fields of a record, if it is one, that are counts above 0 and believable."""
+    fields = record.items() if isinstance(record, dict) else ()
+    return {name: value for name, value in fields if type(value) is int and 0 < value < _MOST}
 
 
 def _change(content: Content, changes: Content) -> None:

@@ -1,4 +1,4 @@
-"""The exercises of every lesson; a file `lesson_NN.py` beside this one is found by its name."""
+"""Exercises and predictions of every lesson; a file `lesson_NN.py` beside this one is found."""
 
 import importlib
 import pkgutil
@@ -8,6 +8,7 @@ from typing import Any
 
 from cammotion.quantities import one_of
 from cammotion.teaching.exercise import Exercise
+from cammotion.teaching.prediction import Prediction
 
 LESSONS = tuple(
     importlib.import_module(f"{__name__}.{found.name}")
@@ -17,6 +18,10 @@ LESSONS = tuple(
 
 EXERCISES: Mapping[str, Exercise] = MappingProxyType(
     {exercise.number: exercise for lesson in LESSONS for exercise in lesson.EXERCISES}
+)
+
+PREDICTIONS: Mapping[str, Prediction] = MappingProxyType(
+    {made.key: made for lesson in LESSONS for made in getattr(lesson, "PREDICTIONS", ())}
 )
 
 

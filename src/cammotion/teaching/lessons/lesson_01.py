@@ -2,6 +2,7 @@
 
 from cammotion.machine.kinematics import DEG_PER_TURN, SECONDS_PER_HOUR, cycle_time, indexing_time
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.prediction import Prediction
 
 EXERCISES = (
     NumberExercise(
@@ -180,4 +181,10 @@ EXERCISES = (
             "those in the height of a curve?",
         ),
     ),
+)
+
+PREDICTIONS = (
+    Prediction("01.angle", "degrees for each way", 55),
+    Prediction("01.harder", "mill or die, and how many times", "the die, 3.72 times"),
+    Prediction("01.rate", "factors of movement, velocity, acceleration", "1, 2 and 4"),
 )

@@ -16,6 +16,7 @@ from cammotion.machine.kinematics import (
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.prediction import Prediction
 
 FASTER = 400  # pieces/h more, in 02.4
 ANGLE_FACTOR = 1.3  # in 02.5
@@ -285,4 +286,10 @@ EXERCISES = (
             "Compute 1 over the square of 1.3 and compare it with a half.",
         ),
     ),
+)
+
+PREDICTIONS = (
+    Prediction("02.fraction", "fraction of the time tm", 0.25),
+    Prediction("02.peak", "peak at 110 deg in m/s²", 1.039),
+    Prediction("02.factor", "how many times smaller", 16),
 )

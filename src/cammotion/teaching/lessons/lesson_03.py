@@ -6,6 +6,7 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, peak_acceleration
 from cammotion.teaching.example import QUIET_SHARE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.prediction import Prediction
 
 IN_DEGREES = (
     "This comes out if the sine counts in degrees. 2 pi x is in radians: let the sine count in "
@@ -311,4 +312,10 @@ EXERCISES = (
             "The depth is drawn vertically. Which edge of the region is the allowed depth?",
         ),
     ),
+)
+
+PREDICTIONS = (
+    Prediction("03.share", "percent of the stroke", 0.645),
+    Prediction("03.widest", "degrees for each way", 124.84),
+    Prediction("03.harder", "mill or die", "the mill"),
 )

@@ -6,6 +6,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, indexing_time
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
+from cammotion.teaching.prediction import Prediction
 
 BEFORE_DOWN_DEG = 30  # in 04.1
 TURN_S = 9  # in 04.2
@@ -176,5 +177,12 @@ EXERCISES = (
             "Do the positions in a timing diagram depend on the rate?",
             "Two options claim too much, one too little.",
         ),
+    ),
+)
+
+PREDICTIONS = (
+    Prediction("04.depths", "three depths in mm, at 135, 205 and 300 deg", "19.0, 50 and 50 mm"),
+    Prediction(
+        "04.collision", "first at which angle; down, up or both", "at 126.5 deg, on the way down"
     ),
 )

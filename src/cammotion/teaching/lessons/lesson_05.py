@@ -16,6 +16,7 @@ from cammotion.machine.kinematics import (
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.prediction import Prediction
 
 _CYCLOIDAL = LAWS["cycloidal"]
 _p = sympy.Symbol("p")
@@ -494,4 +495,9 @@ EXERCISES = (
             'The peaks come from the table: cm.LAWS["modified sine"].Ca.',
         ),
     ),
+)
+
+PREDICTIONS = (
+    Prediction("05.saves", "percent", 22.2),
+    Prediction("05.widest", "gently or quickly", "gently"),
 )

@@ -15,6 +15,7 @@ from cammotion.machine.kinematics import (
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.prediction import Prediction
 
 SCREW_LEAD_MM = 10
 MOTOR_INERTIA = 1e-4
@@ -489,4 +490,10 @@ EXERCISES = (
             "Can the best motion have a larger peak than one that was found?",
         ),
     ),
+)
+
+PREDICTIONS = (
+    Prediction("06.law", "Ca", 4),
+    Prediction("06.machine", "m/s²", 0.511),
+    Prediction("06.jerk", "percent", 3.3),
 )

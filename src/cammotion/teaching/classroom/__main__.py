@@ -1,0 +1,54 @@
+"""What ``workbook.py class FOLDER`` runs: read the files, write the page, say what is with both."""
+
+import argparse
+import io
+import sys
+from collections.abc import Sequence
+from datetime import date
+from pathlib import Path
+
+from cammotion.files import write_new
+from cammotion.quantities import InputError
+from cammotion.teaching.classroom import page
+from cammotion.teaching.classroom.clean import clean
+from cammotion.teaching.classroom.collect import read_class
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Write the page of a class; what stands in the way is said in a sentence."""
+    parser = argparse.ArgumentParser(prog="workbook.py class")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--output", type=Path, default=Path("class.html"))
+    parser.add_argument("--anonymous", action="store_true")
+    parser.add_argument("--overwrite", action="store_true")
+    options = parser.parse_args(arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+    try:
+        return _write(options.folder, options.output, options.anonymous, options.overwrite)
+    except InputError as wrong:
+        print(wrong, file=sys.stderr)
+    return 1
+
+
+def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> int:
+    if output.exists() and not overwrite:
+        raise InputError(
+            f"The file {clean(str(output), 200)} is there already and was left as it is: give "
+            "another name with --output, or add --overwrite."
+        )
+    school = read_class(folder)
+    shown = school.anonymous() if anonymous else school
+    write_new(output, page.write(shown, date.today()), overwrite=overwrite)
+    for notice in school.notices:
+        print(notice)
+    number = len(school.students)
+    print(
+        f"{output} shows {number} {'student' if number == 1 else 'students'}. Open it in a browser."
+    )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,178 @@
+"""Find and read the progress files that a teacher has collected; none of them is ever changed."""
+
+import json
+import os
+import unicodedata
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from cammotion.quantities import InputError
+from cammotion.teaching.classroom.clean import clean
+from cammotion.teaching.store import FILE, Record
+
+_LARGEST_BYTES = 5_000_000  # a hundred times what all lessons fill
+_KINDS = ("exercises", "predictions", "learner")
+_ASIDE = "progress-unreadable-"  # what the store itself has put aside
+
+
+@dataclass(frozen=True)
+class Student:
+    """What one progress file holds; `place` is where it lies within the folder."""
+
+    name: str
+    place: str
+    exercises: Mapping[str, Record]
+    predictions: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class SchoolClass:
+    """The students by their names, and what the teacher has to know of the files."""
+
+    students: tuple[Student, ...]
+    notices: tuple[str, ...]
+
+    def anonymous(self) -> "SchoolClass":
+        """Return the class with numbers for names, in an order that tells nothing of the names."""
+        mixed = sorted(self.students, key=lambda student: sha256(student.place.encode()).digest())
+        numbered = (
+            replace(student, name=f"{number}", place="") for number, student in enumerate(mixed, 1)
+        )
+        return replace(self, students=tuple(numbered))
+
+
+class _NoProgressError(Exception):
+    """A file that is no progress file; the message says what it is, after "it"."""
+
+
+def read_class(folder: Path) -> SchoolClass:
+    """Return what the progress files in a folder hold, at any depth and under any names.
+
+    Raises InputError where there is no folder, or no progress file in it.
+    """
+    if not folder.is_dir():
+        raise InputError(
+            f"There is no folder {clean(str(folder), 200)}: give the one into which you have "
+            "collected your students' progress files or work folders."
+        )
+    notices: list[str] = []
+    students: dict[tuple[str, bytes], Student] = {}
+    for file in _json_files(folder):
+        place = clean(file.relative_to(folder).as_posix(), 200)
+        try:
+            raw, content = _read(file)
+        except _NoProgressError as wrong:
+            notices.append(f"{place} was left out: it {wrong}.")
+            continue
+        student, told = _student(content, place, folder)
+        key = (student.name.casefold(), raw if told else os.fsencode(file))
+        if key in students:
+            notices.append(f"{place} was left out: it is the same file as {students[key].place}.")
+        else:
+            students[key] = student
+    if not students:
+        missing = (
+            f"There is no {FILE} in the folder {clean(folder.name or str(folder))}, nor another "
+            "progress file of the workbook. Each student's is in the folder work."
+        )
+        raise InputError(" ".join([missing, *notices]))
+    ordered = sorted(students.values(), key=lambda student: (_plain(student.name), student.place))
+    return SchoolClass(tuple(ordered), (*notices, *_twice(ordered)))
+
+
+def _plain(name: str) -> str:
+    """Return a name as it is sorted: without capitals and accents."""
+    parts = unicodedata.normalize("NFKD", name.casefold())
+    return "".join(c for c in parts if not unicodedata.combining(c))
+
+
+def _json_files(folder: Path) -> Iterator[Path]:
+    """Yield the JSON files in an order that is always the same; what is hidden is left."""
+    for here, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in sorted(names):
+            if name.lower().endswith(".json") and not name.startswith((".", _ASIDE)):
+                yield Path(here, name)
+
+
+def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
+    """Return the bytes of a progress file, and what they mean; raise _NoProgressError."""
+    try:
+        if not file.is_file():
+            raise _NoProgressError("is no file")
+        if file.stat().st_size > _LARGEST_BYTES:
+            raise _NoProgressError("is far too large")
+        raw = file.read_bytes()
+    except OSError as wrong:
+        raise _NoProgressError(f"cannot be opened ({wrong.strerror or wrong})") from None
+    if not raw.strip():
+        raise _NoProgressError("is empty")
+    try:
+        content = json.loads(raw.decode("utf-8-sig"))
+    except (ValueError, RecursionError):
+        raise _NoProgressError("is broken, and cannot be read") from None
+    if not isinstance(content, dict) or not any(_records(content, kind) for kind in _KINDS):
+        raise _NoProgressError("holds no exercises and no predictions of the workbook")
+    return raw, content
+
+
+def _records(content: dict[str, Any], kind: str) -> dict[str, Record]:
+    """Return the records of a kind, as far as they are records."""
+    records = content.get(kind)
+    items = records.items() if isinstance(records, dict) else ()
+    return {key: record for key, record in items if isinstance(record, dict)}
+
+
+def _student(content: dict[str, Any], place: str, folder: Path) -> tuple[Student, bool]:
+    """Return what a file holds, and whether it tells itself whose it is."""
+    exercises = _records(content, "exercises")
+    typed = {key: record.get("text") for key, record in _records(content, "predictions").items()}
+    texts = {key: text for key, text in typed.items() if isinstance(text, str) and text.strip()}
+    told = _told_name(content, exercises)
+    return Student(told or _name_of(place, folder), place, exercises, texts), bool(told)
+
+
+def _told_name(content: dict[str, Any], exercises: dict[str, Record]) -> str:
+    """Return the name that was given to cm.variant, "" if none was.
+
+    Files of earlier versions have it only with each exercise, in small letters.
+    """
+    name = clean(_records(content, "learner").get("variant", {}).get("name"))
+    whose = Counter(clean(record.get("who")) for record in exercises.values())
+    del whose[""]
+    return name or next((who for who, _ in whose.most_common(1)), "")
+
+
+def _name_of(place: str, folder: Path) -> str:
+    """Return a name by where a file lies: its own, or that of the folder nearest to it.
+
+    "Anna/work/progress.json" is Anna's, "work-ben/progress.json" ben's, "carla.json" carla's.
+    """
+    *folders, name = place.split("/")
+    stem = name.rpartition(".")[0]
+    parts = [stem, *reversed(folders), clean(folder.resolve().name)]
+    names = (part.removeprefix("work-") for part in parts if part.casefold() != "work")
+    return clean(next((name for name in names if name and not _is_ours(name)), "somebody"))
+
+
+def _is_ours(name: str) -> bool:
+    """Tell whether it is the file's usual name, or "progress (1)" as browsers make it."""
+    return name.casefold().rstrip(" ()-_0123456789") == Path(FILE).stem
+
+
+def _twice(students: list[Student]) -> Iterator[str]:
+    """Say so where several files are of one name."""
+    places: dict[str, list[Student]] = {}
+    for student in students:
+        places.setdefault(student.name.casefold(), []).append(student)
+    for same in places.values():
+        if len(same) > 1:
+            yield (
+                f"{len(same)} files are of the name {same[0].name}: "
+                f"{', '.join(student.place for student in same)}. All of them are shown; if one is "
+                "an older copy, take it out of the folder."
+            )

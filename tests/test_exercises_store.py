@@ -1,0 +1,169 @@
+"""What is kept of an answer, by which names; and two processes that write at once."""
+
+import errno
+import json
+import subprocess
+import sys
+import time
+import types
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from desk import files_in, line_of, read_file, restart, sit_down
+from judging import each_exercise
+
+import cammotion as cm
+from cammotion.teaching import lock
+from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.exercise import Exercise
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.reasons import NO_ANSWER, short_name
+from cammotion.teaching.store import FILE, LOCK
+
+
+@pytest.fixture(autouse=True)
+def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Sit down in the folder of the copies of a workbook."""
+    yield from sit_down(tmp_path, monkeypatch)
+
+
+BUSY = """
+import os, sys
+from pathlib import Path
+from cammotion.teaching.session import Session
+from cammotion.teaching.store import Store, work_folder
+from cammotion.teaching import session
+import cammotion as cm
+session._SESSION = Session(Store(work_folder))
+print("ready", flush=True)
+sys.stdin.readline()
+for i in range(60):
+    cm.check("01.1", 110)
+    cm.predict(f"{sys.argv[1]}.{i}", "mm").field.value = str(i)
+"""
+"""Checks one answer again and again, the same as its twin does, and makes its own predictions."""
+
+
+def test_two_processes_that_write_at_once_lose_nothing(work: Path) -> None:
+    twins = [
+        subprocess.Popen(
+            [sys.executable, "-c", BUSY, name],
+            cwd=work,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for name in ("one", "other")
+    ]
+    for twin in twins:
+        assert twin.stdout is not None
+        assert twin.stdout.readline() == "ready\n"
+    for twin in twins:
+        assert twin.stdin is not None
+        twin.stdin.write("go\n")
+        twin.stdin.flush()
+    for twin in twins:
+        twin.communicate(timeout=60)
+        assert twin.returncode == 0
+    content = read_file(work)
+    assert content["exercises"]["01.1"]["tries"] == 120
+    assert [*content["exercises"]["01.1"]["slips"].values()] == [120]
+    assert len(content["predictions"]) == 120
+    assert files_in(work) == [FILE]
+
+
+def test_a_lock_is_waited_for_and_not_for_ever(work: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    waited: list[float] = []
+    with lock.only_one(work / LOCK):
+        monkeypatch.setattr(lock, "_PATIENCE_S", 0.05)
+        monkeypatch.setattr(time, "sleep", waited.append)
+        assert cm.check("01.1", 55).is_right
+        assert waited
+    waited.clear()
+    restart()
+    assert cm.progress().right == 1
+    assert not waited  # nobody holds it
+
+
+def test_on_windows_the_lock_is_one_byte_of_the_file(
+    work: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With a stand-in for msvcrt, as there is no Windows here: first refused, then granted."""
+    taken: list[tuple[int, int]] = []
+
+    def locking(_: int, mode: int, size: int) -> None:
+        taken.append((mode, size))
+        if len(taken) == 1:
+            raise PermissionError(errno.EACCES, "Permission denied")
+
+    windows = types.SimpleNamespace(LK_NBLCK=2, locking=locking)
+    monkeypatch.setitem(sys.modules, "msvcrt", windows)
+    monkeypatch.setattr(lock, "sys", types.SimpleNamespace(platform="win32"))
+    with lock.only_one(work / LOCK):
+        assert taken == [(2, 1), (2, 1)]
+
+
+def test_each_reason_is_counted_by_its_short_name(work: Path) -> None:
+    for answer in (110, 110, 105, "x", [1], 55, 110):
+        cm.check("01.1", answer)
+    record = read_file(work)["exercises"]["01.1"]
+    assert record["tries"] == 7
+    assert record["slips"] == {
+        short_name(EXERCISES["01.1"].slips[0].reason): 3,  # type: ignore[attr-defined]
+        short_name(EXERCISES["01.1"].slips[1].reason): 1,  # type: ignore[attr-defined]
+        NO_ANSWER: 2,
+    }
+    assert set(record) == {"state", "tries", "who", "slips"}  # no answer, no text of ours
+    for _ in range(2):
+        cm.check("01.4", "a")
+    assert [*read_file(work)["exercises"]["01.4"]["slips"].values()] == [1]  # shown again
+
+
+def test_the_name_is_kept_as_it_was_given(work: Path) -> None:
+    cm.variant("")
+    assert files_in(work) == []
+    cm.variant(" Anna Groß ")
+    cm.variant("")
+    assert read_file(work) == {"learner": {"variant": {"name": "Anna Groß"}}}
+
+
+def test_a_file_of_the_version_before_is_read_and_nothing_in_it_is_lost(work: Path) -> None:
+    old = {
+        "exercises": {"01.1": {"state": "wrong", "tries": 2, "hints": 1, "who": "anna"}},
+        "predictions": {"01.angle": {"text": "60"}},
+    }
+    (work / FILE).write_text(json.dumps(old))
+    restart()
+    assert line_of("01.1") == "not yet, 2 tries, 1 hint"
+    cm.variant("Anna")
+    cm.check("01.1", 1)
+    new = read_file(work)
+    assert new["predictions"] == old["predictions"]
+    assert new["exercises"]["01.1"].items() >= {"tries": 3, "hints": 1, "who": "anna"}.items()
+
+
+@each_exercise
+def test_the_short_names_of_an_exercise_tell_its_reasons_apart(exercise: Exercise) -> None:
+    faults = {*exercise.faults}
+    assert len({short_name(fault) for fault in faults}) == len(faults) >= 2
+    assert all(len(short_name(fault)) < 60 for fault in faults)
+
+
+@each_exercise
+def test_a_reason_that_is_given_is_among_those_that_are_told_beforehand(exercise: Exercise) -> None:
+    names = {NO_ANSWER, *map(short_name, exercise.faults)}
+    right = exercise.solution(EXAMPLE)
+    factors = (0.985, 1.01, 3, 1 / 3, 7, -5, -1, 2, 1000, 0.001, 1 / 9.80665, 3600)
+    by_factor = [] if isinstance(right, str) else [factor * right for factor in factors]
+    for answer in (*by_factor, *"abcdef", 1, [1]):
+        verdict = exercise.judge(answer, EXAMPLE)
+        assert verdict.reason in names if verdict.state == "wrong" else not verdict.reason
+
+
+def test_what_is_measured_is_no_part_of_a_name() -> None:
+    for number, factors in {"01.1": (0.985, 1.01), "02.2": (3, 5.5)}.items():
+        right = EXERCISES[number].solution(EXAMPLE)
+        verdicts = [EXERCISES[number].judge(factor * right, EXAMPLE) for factor in factors]
+        assert verdicts[0].text != verdicts[1].text
+        assert verdicts[0].reason == verdicts[1].reason != NO_ANSWER
