@@ -65,30 +65,6 @@ def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
     return plain(np.asarray(scca_factor(*parts, pi=np.pi)))
 
 
-def scca_expression(b: Any, c: Any, d: Any) -> tuple[sympy.Expr, ...]:
-    """Return S, V, A and J of the family in `x`, for symbols b, c and d that add up to 1.
-
-    They hold at the sides of the triangle too, where a zone is empty and never asked for.
-
-    >>> b, c, d = sympy.symbols("b c d")
-    >>> s, *_ = scca_expression(b, c, d)
-    >>> s.subs({b: 0, c: 1, d: 0}).subs(x, sympy.Rational(1, 4))
-    1/8
-    """
-    ends = b / 2, (b + c) / 2, sympy.Rational(1, 2)
-    zones = [_expression(number, (b, c, d)) for number in range(len(ends))]
-    curves = []
-    for order in range(4):
-        half = [sympy.diff(zone, x, order) for zone in zones]
-        sign = -1 if order % 2 == 0 else 1
-        other = [int(order == 0) + sign * piece.xreplace({x: 1 - x}) for piece in half]
-        pieces = [(piece, x < end) for piece, end in zip(half, ends, strict=True)]
-        falls = (x <= 1 - ends[1]) & (d > 0)  # without a third zone the second goes to the middle
-        later = [(other[2], falls), (other[1], x <= 1 - ends[0])]
-        curves.append(sympy.Piecewise(*pieces, *later, (other[0], True), evaluate=False))
-    return tuple(curves)
-
-
 def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
     """Return b, c and d as fractions that add up to 1."""
     parts = [exact(_PART.number(part)) for part in (b, c, d)]
@@ -144,10 +120,11 @@ def _piece(number: int, parts: tuple[sympy.Rational, ...]) -> Series:
     in_floats = tuple(map(float, parts))
     powers, amplitude, frequency, is_cosine, low, high = _zone(number, in_floats, math.pi)
     waves = (Wave(amplitude, frequency, 0.0, int(is_cosine)),) if amplitude else ()
-    return Series(powers, waves, low, high, write=partial(_expression, number, parts))
+    return Series(powers, waves, low, high, write=partial(zone_expression, number, parts))
 
 
-def _expression(number: int, parts: tuple[sympy.Rational, ...]) -> sympy.Expr:
+def zone_expression(number: int, parts: tuple[Any, ...]) -> sympy.Expr:
+    """Return S in the first, second or third zone, for exact numbers or symbols b, c and d."""
     zone = _zone(number, parts, _pi)
     u = x - zone.low
     wave = (sympy.cos if zone.is_cosine else sympy.sin)(zone.frequency * u)

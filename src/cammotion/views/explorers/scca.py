@@ -12,8 +12,8 @@ from cammotion.laws.scca_family import (
     LEAST_CA,
     NAMED_PARTS,
     acceleration_factor,
-    scca_expression,
     scca_factor,
+    zone_expression,
 )
 from cammotion.laws.symbols import x
 from cammotion.views.live.explore import explore
@@ -42,7 +42,7 @@ def explore_scca() -> LiveFigure:
     >>> print(figure.text.splitlines()[0])
     b = 0.25, c = 0.5, d = 0.25: modified trapezoid, also called modified trapezoidal
     """
-    s, v, a, j = scca_expression(b, c, _d)
+    s, v, a, j = _family(_d)
     start_b, start_c, _ = NAMED_PARTS[_START]
     return explore(
         [[_triangle()], list(_curves(s, v, a, j))],
@@ -59,6 +59,22 @@ def explore_scca() -> LiveFigure:
         shares=(1.4, 1),
         title="The SCCA family",
     )
+
+
+def _family(d: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Return S, V, A and J over x for every b, c and d; an empty zone is never asked for."""
+    ends = b / 2, (b + c) / 2, sp.Rational(1, 2)
+    zones = [zone_expression(number, (b, c, d)) for number in range(len(ends))]
+    curves = []
+    for order in range(4):
+        half = [sp.diff(zone, x, order) for zone in zones]
+        sign = -1 if order % 2 == 0 else 1
+        other = [int(order == 0) + sign * piece.xreplace({x: 1 - x}) for piece in half]
+        pieces = [(piece, x < end) for piece, end in zip(half, ends, strict=True)]
+        falls = (x <= 1 - ends[1]) & (d > 0)  # without a third zone the second goes to the middle
+        later = [(other[2], falls), (other[1], x <= 1 - ends[0])]
+        curves.append(sp.Piecewise(*pieces, *later, (other[0], True), evaluate=False))
+    return tuple(curves)
 
 
 def _curves(s: sp.Expr, v: sp.Expr, a: sp.Expr, j: sp.Expr) -> Iterator[Panel]:
