@@ -8,6 +8,7 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
+import sympy as sp
 from firefox import running_firefox
 from lab import ROOT, require_chromium, running_browser
 from live_page import (
@@ -27,6 +28,7 @@ from live_page import (
 )
 from playwright.sync_api import Browser
 
+import cammotion as cm
 from cammotion.views.live import page
 from cammotion.views.live.figure import MIME
 
@@ -231,4 +233,40 @@ def test_a_page_from_a_stored_notebook_without_running_anything(
         said = opened.locator(".cm-said")
         said.wait_for()
         assert said.inner_text().splitlines() == text.splitlines()
+    opened.close()
+
+
+def test_of_two_pads_the_nearest_is_dragged_and_start_again_brings_all_back(
+    chromium: Browser, tmp_path: Path
+) -> None:
+    u, *ends = sp.symbols("u x_1 y_1 x_2 y_2")
+    x_1, y_1, x_2, y_2 = ends
+    controls = {
+        symbol: cm.Control(low=0, high=1, step=0.1, start=start)
+        for symbol, start in zip(ends, (0.2, 0.2, 0.8, 0.8), strict=True)
+    }
+    points = [cm.Point(x=x, y=y, drags=(x, y)) for x, y in ((x_1, y_1), (x_2, y_2))]
+    line = cm.Line(x=x_1 + u * (x_2 - x_1), y=y_1 + u * (y_2 - y_1))
+    panel = cm.Panel(lines=[line], points=points, x_limits=(0, 1), y_limits=(0, 1), is_equal=True)
+    path = cm.explore(panel, (u, 0, 1), controls).save(tmp_path / "two.html")
+    opened = chromium.new_page(offline=True)
+    opened.goto(path.as_uri())
+    second = opened.locator("circle[role=application]").nth(1)
+    box = second.bounding_box()
+    assert box
+    across, down = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    opened.mouse.move(across, down)
+    opened.mouse.down()
+    opened.mouse.move(across - 60, down + 60, steps=3)
+    opened.mouse.up()
+    fields = opened.locator("input[type=text]")
+    moved = [float(field.input_value()) for field in fields.all()]
+    assert moved[:2] == [0.2, 0.2]
+    assert max(moved[2:]) < 0.75
+    opened.get_by_role("button", name="Play").click()
+    opened.wait_for_timeout(300)
+    opened.get_by_role("button", name="Start again").click()
+    assert [float(field.input_value()) for field in fields.all()] == [0.2, 0.2, 0.8, 0.8]
+    assert opened.get_by_role("button", name="Play").is_visible()
+    assert opened.get_by_role("slider").last.input_value() == "0"
     opened.close()

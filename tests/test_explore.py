@@ -238,7 +238,33 @@ HANDS: list[tuple[Callable[[LiveFigure], object], str]] = [
 ]
 
 
-@pytest.mark.parametrize(("made", "said"), [*SYMBOLS, *FUNCTIONS, *CURVES, *RANGES, *PARTS])
+alpha = sp.Symbol("alpha")
+AS_A_STUDENT_WOULD: list[tuple[Callable[[], object], str]] = [
+    (
+        lambda: cm.explore(sp.sin(alpha), alpha),
+        r"alpha is in deg, and sin\(alpha\) takes it for rad",
+    ),
+    (
+        lambda: explore(
+            k * t, SPAN, {k: cm.Control(low=0, high=9)}, says=[cm.Say("", when=k == 1)]
+        ),
+        r"The condition of a sentence is False already: .*sp\.Eq\(k, 1\)",
+    ),
+    (
+        lambda: explore(
+            cm.choice("law", {"a": t})
+            + cm.choice("law", {"b": t, "c": 1})
+            + cm.choice("law", {"b": t, "c": 1})
+        ),
+        "There are several choices of one name among law, law: make one choice",
+    ),
+    (lambda: explore(cm.Panel(y=sp.sin(t))), r"The label of a panel's heights is sin\(t\): give a"),
+]
+
+
+@pytest.mark.parametrize(
+    ("made", "said"), [*SYMBOLS, *FUNCTIONS, *CURVES, *RANGES, *PARTS, *AS_A_STUDENT_WOULD]
+)
 def test_what_is_refused_is_refused_in_words(made: Callable[[], object], said: str) -> None:
     with pytest.raises(cm.InputError, match=said) as refused:
         made()

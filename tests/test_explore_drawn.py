@@ -31,7 +31,7 @@ def test_numbers_of_numpy_are_numbers() -> None:
 
 def test_a_pole_breaks_the_curve_and_spares_the_axes() -> None:
     figure = cm.explore(1 / (t - sp.Rational(1, 4)), SPAN)  # where the clock stands, too
-    assert figure.text == "at 0.25 s: curve 1 = ∞\nlargest: curve 1 = ∞"
+    assert figure.text == "at 0.25 s: curve 1 = ∞\nlargest: |curve 1| = ∞"
     flat = cm.explore(sp.Piecewise((4, t < sp.Rational(1, 4)), (-4, True)), SPAN)
     assert figure.picture() != flat.picture()
     shown = np.asarray(Image.open(io.BytesIO(figure.picture())).convert("L"))
@@ -40,7 +40,7 @@ def test_a_pole_breaks_the_curve_and_spares_the_axes() -> None:
 
 def test_what_is_real_in_places_only_is_drawn_and_told() -> None:
     pieces = cm.explore(sp.Piecewise((t, t > sp.Rational(1, 2))), SPAN)
-    assert pieces.text == "at 0.25 s: curve 1 = nan\nlargest: curve 1 = 1"
+    assert pieces.text == "at 0.25 s: curve 1 = –\nlargest: |curve 1| = 1"
     root = cm.explore(sp.cbrt(t - 2) + sp.sqrt(t - 1), (t, 0, 3))
     assert root.text.startswith("at 0.75 s: curve 1 = nan")
     for figure in (pieces, root):
@@ -72,3 +72,51 @@ def test_a_sentence_may_hold_braces_texts_and_conditions() -> None:
     assert figure.text == "small"
     figure.values = {k: 2.5}
     assert figure.text == "{k} = 2.50"
+
+
+def test_a_line_or_an_expression_is_a_panels_line() -> None:
+    alone = cm.Panel(lines=cm.Line(y=t))  # type: ignore[arg-type]
+    bare = cm.Panel(lines=[t])
+    described = [cm.explore(panel, (t, 0, 1)).description for panel in (alone, bare)]
+    assert described[0] == described[1]
+
+
+@pytest.mark.parametrize(
+    ("curve", "largest"),
+    [
+        (1 / (1 - t**2), "∞"),
+        (sp.tan(t), "∞"),
+        (2 * sp.exp(-(((t - 1.2345) / 0.001) ** 2)), "2"),
+        (sp.sin(t + 2), "1"),
+    ],
+)
+def test_what_grows_without_end_is_infinite_and_a_narrow_peak_not(curve: Any, largest: str) -> None:
+    assert cm.explore(curve, (t, 0, 3)).text.endswith(f"largest: |curve 1| = {largest}")
+
+
+def test_a_control_starts_on_a_step() -> None:
+    figure = cm.explore(k * t, (t, 0, 1), {k: (0, 5, 1)})
+    assert figure.values == {k: 2}
+
+
+def test_a_condition_may_be_an_expression_that_has_to_be_above_0() -> None:
+    figure = cm.explore(k * t, (t, 0, 1), {k: (-3, 5)}, says=[cm.Say("above", when=k)])
+    assert figure.text == "above"
+    figure.values = {k: -1}
+    assert figure.text == ""
+
+
+def test_a_symbol_with_another_range_has_another_meaning() -> None:
+    labels = [
+        cm.explore(over[0], over).description["columns"][0][0]["x_label"]
+        for over in ((cm.x, 0, 1), (cm.x, 0, 2), (sp.Symbol("phi"), 0, 1))
+    ]
+    assert labels == ["x = t/tm", "x", "φ"]
+
+
+def test_what_is_limited_gives_way_when_it_is_moved_itself() -> None:
+    limited = cm.Control(low=0, high=4, start=1, most=4 - k)
+    a = sp.Symbol("a_1")
+    figure = cm.explore(a * k * t, (t, 0, 1), {k: (0, 4), a: limited}, values={k: 3})
+    figure.values = {a: 4}
+    assert figure.values == {k: 3, a: 1}

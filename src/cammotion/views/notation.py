@@ -7,6 +7,8 @@ range, where a symbol is known.
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from sympy.printing.pretty.pretty_symbology import greek_unicode
+
 
 class Meaning(NamedTuple):
     """What a symbol stands for; `usual` is the value of the running example."""
@@ -49,10 +51,11 @@ def meaning(symbol: str) -> Meaning:
 
     >>> meaning("B_m")
     Meaning(name='indexing angle Bm', unit='deg', usual=55)
-    >>> meaning("k_1").name
-    'k1'
+    >>> meaning("omega_1").name
+    'ω1'
     """
-    return NOTATION.get(symbol, Meaning(symbol.replace("_", ""), ""))
+    letter, *index = symbol.split("_")
+    return NOTATION.get(symbol, Meaning("".join([greek_unicode.get(letter, letter), *index]), ""))
 
 
 def labelled(symbol: str) -> str:
@@ -63,3 +66,15 @@ def labelled(symbol: str) -> str:
     """
     known = meaning(symbol)
     return f"{known.name} in {known.unit}" if known.unit else known.name
+
+
+def axis_label(symbol: str, end: Any) -> str:
+    """Return the label of an axis over a symbol: where it does not end as usual, its name alone.
+
+    >>> axis_label("x", 1), axis_label("x", 2.5), axis_label("t", 2.5)
+    ('x = t/tm', 'x', 'time t in s')
+    """
+    usual = RUNS_TO.get(symbol)
+    if isinstance(usual, int) and str(end) not in (str(usual), f"{usual}.0"):
+        return meaning(f"{symbol}_").name
+    return labelled(symbol)

@@ -25,13 +25,14 @@ def complete(symbol: sp.Symbol, control: Control) -> Control:
             f"The control {name} goes from {low:g} to {high:g}: give a range (low, high) with the "
             "lower end first."
         )
-    start = _start(low, high, known.usual) if control.start is None else _bound(name, control.start)
+    step = _step(high - low) if control.step is None else _bound(name, control.step)
+    usual = _start(low, high, step, known.usual)
+    start = usual if control.start is None else _bound(name, control.start)
     if not low <= start <= high:
         raise InputError(
             f"The control {name} starts at {start:g}, outside its range from {low:g} to {high:g}: "
             "widen the range or start inside it."
         )
-    step = _step(high - low) if control.step is None else _bound(name, control.step)
     if not 0 < step <= high - low:
         raise InputError(
             f"The step of the control {name} is {step:g}: give one above 0 that fits into its "
@@ -59,8 +60,11 @@ def _bound(name: str, value: Any) -> float:
     return number
 
 
-def _start(low: float, high: float, usual: float | None) -> float:
-    return (low + high) / 2 if usual is None or not low <= usual <= high else usual
+def _start(low: float, high: float, step: float, usual: float | None) -> float:
+    """Return the usual value, or the middle, on a step of the slider."""
+    if usual is not None and low <= usual <= high:
+        return usual
+    return low + math.floor((high - low) / 2 / step) * step if step > 0 else low
 
 
 def _step(width: float) -> float:

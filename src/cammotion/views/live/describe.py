@@ -23,7 +23,7 @@ from cammotion.views.live.parts import (
     Point,
     Say,
 )
-from cammotion.views.notation import labelled
+from cammotion.views.notation import axis_label, labelled
 
 Description = dict[str, Any]
 
@@ -86,8 +86,9 @@ class Describer:
 
     def panel(self, panel: Panel, shares_x: bool) -> Description:
         """Return the description of a panel, whose axis over the variable may be another's too."""
-        x_label = labelled(self.variable.name) if panel.x is None else panel.x
         is_over_variable = all(line.x is None for line in panel.lines)
+        over = axis_label(self.variable.name, self.span[1]) if is_over_variable else ""
+        x_label = over if panel.x is None else panel.x
         return {
             "title": panel.title or f"{panel.y or 'Curves'} over {x_label}",
             "lines": [self._line(at, line) for at, line in enumerate(panel.lines)],
@@ -110,7 +111,7 @@ class Describer:
 
     def sentence(self, say: Say) -> list[Description]:
         """Return the alternatives of a sentence, each with the formula of its condition."""
-        when = None if say.when is None else self.formula(say.when)
+        when = None if say.when is None else self.formula(_as_condition(say.when))
         first = {"when": when, "pieces": list(self._pieces(say))}
         return [first, *(self.sentence(say.otherwise) if say.otherwise else [])]
 
@@ -243,6 +244,17 @@ def _in_order(values: Mapping[sp.Symbol, Any]) -> dict[sp.Symbol, sp.Expr]:
             )
         ordered |= {symbol: waiting.pop(symbol) for symbol in ready}
     return ordered
+
+
+def _as_condition(given: Any) -> sp.Basic:
+    """Return what has to hold; of a number or an expression, that it is above 0."""
+    if isinstance(given, bool):
+        raise InputError(
+            f"The condition of a sentence is {given} already: compare symbols by <, > or "
+            "sp.Eq(k, 1), since k == 1 asks whether two expressions look alike."
+        )
+    condition = as_expression(given)
+    return condition > 0 if isinstance(condition, sp.Expr) else condition
 
 
 def describe(  # noqa: PLR0913 - the parts of a figure, each once

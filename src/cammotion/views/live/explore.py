@@ -47,6 +47,10 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
     (the running symbol unless sentences are given), once through in `seconds`. With `pin`, the
     text of a button, the reader keeps the present settings as a dashed reference.
 
+    The figure has `values`, which follow the hand and can be set, `text`, `chosen`, `press`, `pin`,
+    `picture` and `save`. The notation knows N, B_m, h_m, t_m, t, x, alpha, h, v, a and j; give a
+    Control a name and a unit where you mean something else. Sines take rad.
+
     Raises InputError, which says how to mend it, for a symbol that is neither variable nor control
     nor value, for a function that a page cannot compute, for an empty range, and for curves that
     have no real value.
@@ -58,7 +62,7 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
     >>> print(figure.text)
     indexing time tm = 0.275 s
     at 0 s: a = 0 m/s²
-    largest: a = 4.154 m/s²
+    largest: |a| = 4.154 m/s²
     """
     columns = _columns(curves)
     given = {
@@ -79,6 +83,7 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
             f"{variable} is the running variable, and a control or value too: take it from one of "
             "them."
         )
+    _refuse_bare_degrees(_expressions_in(parts), variable, span, ready)
     describer = Describer(variable, span, ready, fixed)
     if says is None:
         clock = variable if clock is None else clock
@@ -94,6 +99,26 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
         title=title,
     )
     return LiveFigure(describer, description)
+
+
+def _refuse_bare_degrees(
+    expressions: Iterable[sp.Basic],
+    variable: sp.Symbol,
+    span: tuple[Any, Any],
+    controls: Mapping[sp.Symbol, Control],
+) -> None:
+    """Raise InputError where an angle in deg stands in a sine as if it were in rad."""
+    angles = {symbol for symbol, control in controls.items() if control.unit == "deg"}
+    if notation.axis_label(variable.name, span[1]).endswith(" in deg"):
+        angles.add(variable)
+    for expression in expressions:
+        for wave in expression.atoms(sp.sin, sp.cos, sp.tan):
+            factor, angle = wave.args[0].as_coeff_Mul()
+            if angle in angles and factor.is_Rational:
+                raise InputError(
+                    f"{angle} is in deg, and {wave} takes it for rad: write "
+                    f"{wave.func(sp.pi * wave.args[0] / 180)}, or use another symbol."
+                )
 
 
 def _mapping(name: str, given: Any, example: str) -> Mapping[sp.Symbol, Any]:
@@ -156,7 +181,14 @@ def _columns(curves: Any) -> list[list[Panel]]:
 
 def _panel(curve: Any) -> Panel:
     if isinstance(curve, Panel):
-        return curve
+        given: Any = curve.lines
+        lines = given if isinstance(given, list | tuple) else [given]
+        if not isinstance(curve.y, str):
+            raise InputError(
+                f"The label of a panel's heights is {shorten(curve.y)}: give a text, and what is "
+                "drawn as lines, Panel(lines=[...])."
+            )
+        return replace(curve, lines=[each for line in lines for each in _panel(line).lines])
     if isinstance(curve, Mapping):
         lines = [Line(y=as_curve(y), name=str(name)) for name, y in curve.items()]
         return Panel(lines=lines)
@@ -181,6 +213,12 @@ def _controls(
             control = replace(control, start=values[symbol])
         ready[symbol] = complete(symbol, control)
     choices = sorted((s for s in symbols if isinstance(s, Choice)), key=lambda s: s.dummy_index)
+    names = [symbol.name for symbol in choices]
+    if len({*names}) < len(names):
+        raise InputError(
+            f"There are several choices of one name among {', '.join(names)}: make one choice, "
+            "whose options are tuples of expressions, so that they go together."
+        )
     return ready | {symbol: chosen_control(symbol) for symbol in choices}
 
 

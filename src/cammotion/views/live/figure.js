@@ -102,9 +102,14 @@ class Figure {
         }),
       );
     }
-    if (controls.length)
-      made.push(button("Start again", () => this.set({ ...controls.map(({ start }) => start) })));
+    if (controls.length) made.push(button("Start again", () => this.startAgain()));
     return made;
+  }
+
+  startAgain() {
+    this.pause();
+    this.part = 0;
+    this.set({ ...this.description.controls.map(({ start }) => start) });
   }
 
   get settings() {
@@ -148,8 +153,9 @@ class Figure {
       this.frame = requestAnimationFrame(step);
       if (control === null) this.draw();
       else {
-        const { low, high } = this.description.controls[control];
-        this.set({ [control]: low + this.part * (high - low) }, false);
+        const { low, high, step: by } = this.description.controls[control];
+        const value = low + Math.round((this.part * (high - low)) / by) * by;
+        this.set({ [control]: Number(value.toPrecision(12)) }, false);
       }
     };
     write(this.play, "Pause");

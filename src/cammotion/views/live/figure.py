@@ -166,11 +166,12 @@ class LiveFigure(anywidget.AnyWidget):
         changed = list(self.settings)
         for number, value in changes.items():
             changed[number] = within(number, value)
-        for number, control in enumerate(controls):
-            if control["most"] is not None and not (number in changes and len(changes) == 1):
-                most = float(self._formulas.at(changed, changed)[control["most"]]())
-                if most < changed[number]:  # and not where it is no number
-                    changed[number] = within(number, most)
+        limited = [n for n, control in enumerate(controls) if control["most"] is not None]
+        others = [number for number in limited if number not in changes]
+        for number in [*others, *limited]:  # the others first, then what has been moved
+            most = float(self._formulas.at(changed, changed)[controls[number]["most"]]())
+            if most < changed[number]:  # and not where it is no number
+                changed[number] = within(number, most)
         self.settings = changed
 
     def _written(self, piece: str | dict[str, Any], now: Any, clock: Any) -> str:
@@ -180,8 +181,8 @@ class LiveFigure(anywidget.AnyWidget):
             number = piece["choice"]
             return str(self.description["controls"][number]["options"][int(self.settings[number])])
         value = float(now[piece["formula"]](clock))
-        if math.isinf(value):
-            return "∞" if value > 0 else "−∞"
+        if not math.isfinite(value):
+            return "–" if math.isnan(value) else "∞" if value > 0 else "−∞"
         return format(value + 0.0, piece["spec"]).replace("-", "−")  # -0 is 0
 
     def _checked(self, number: int, value: Any) -> float:

@@ -6,6 +6,7 @@
 const SAMPLES = 200,
   HALVINGS = 60,
   NARROWINGS = 48,
+  POLE = 1e-7,
   GOLDEN = (Math.sqrt(5) - 1) / 2;
 const TICKS = 4,
   SPIKE = 20,
@@ -45,7 +46,10 @@ function search(f, low, high) {
   }
   const between = (a + b) / 2,
     there = f(between);
-  return there > value ? [between, there] : [at(best), value];
+  if (!(there > value)) return [at(best), value];
+  const near = POLE * (high - low),
+    beside = Math.max(f(between - near), f(between + near));
+  return [between, there > 100 * Math.abs(beside) ? Infinity : there]; // it grows without end
 }
 export const largest = (f, low, high) => search(f, low, high)[1];
 export const place_of_largest = (f, low, high) => search(f, low, high)[0];
@@ -79,7 +83,7 @@ export function compile({ quantities, formulas, controls }) {
 
 /** A number as Python's format writes it, by ".3f" or ".4g", with a true minus; 0 has none. */
 export function format(value, spec) {
-  if (Number.isNaN(value)) return "nan";
+  if (Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value < 0 ? "−∞" : "∞";
   const [, digits = 6, kind] = spec.match(/^(?:\.(\d+))?([fg])$/);
   const size = (kind === "f" ? fixed : general)(Math.abs(value), Number(digits));
@@ -129,12 +133,13 @@ export function sentences({ sentences, controls }, now, settings, clock) {
 export function change({ controls }, make, settings, changes) {
   const within = (i, value) => Math.min(controls[i].high, Math.max(controls[i].low, value));
   const changed = settings.map((value, i) => (i in changes ? within(i, changes[i]) : value));
-  const isAlone = Object.keys(changes).length === 1;
-  controls.forEach(({ most }, i) => {
-    if (most === null || (isAlone && i in changes)) return;
-    const high = make(changed, changed)[most]();
+  const limited = controls.map((_, i) => i).filter((i) => controls[i].most !== null);
+  const others = limited.filter((i) => !(i in changes));
+  for (const i of [...others, ...limited]) {
+    // the others first, then what has been moved
+    const high = make(changed, changed)[controls[i].most]();
     if (high < changed[i]) changed[i] = within(i, high); // and not where it is no number
-  });
+  }
   return changed;
 }
 

@@ -4,6 +4,7 @@ What has no closed form can still stand in an expression: `largest`, `place_of_l
 `inverse` are searched for where the formula is evaluated, by the same steps in both languages.
 """
 
+import math
 from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
 from typing import Any
@@ -18,6 +19,7 @@ from cammotion.views.live.printers import JavaScript, Python, SearchBase, is_sea
 
 SAMPLES, HALVINGS, NARROWINGS = 200, 60, 48
 _GOLDEN = (5**0.5 - 1) / 2
+_POLE, _ENDLESS = 1e-7, 100  # so near a peak a value a hundred times as small: it has no end
 
 
 class Largest(SearchBase):
@@ -226,7 +228,9 @@ def _search(function: Callable[[Any], Any], low: float, high: float) -> tuple[fl
     between = (a + b) / 2
     there = float(function(between))
     if there > values[best]:
-        return float(between), there
+        near = _POLE * (high - low)
+        beside = max(float(function(between - near)), float(function(between + near)))
+        return float(between), math.inf if there > _ENDLESS * abs(beside) else there
     return float(places[best]), float(values[best])
 
 

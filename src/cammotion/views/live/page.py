@@ -20,7 +20,7 @@ _PAGE = """\
 :root{{color-scheme:light dark}}
 body{{font-family:system-ui,sans-serif;max-width:960px;margin:auto;padding:.5em}}
 pre{{white-space:pre-wrap;font:inherit}}
-{style}</style>
+</style>
 </head>
 <body>
 <main>
@@ -32,13 +32,14 @@ pre{{white-space:pre-wrap;font:inherit}}
 </body>
 </html>
 """
-# the module is packed, since it is the same in each page and the formulas are what is read
+# module and style are packed, the same in each page; the formulas are what is read
 _SCRIPT = """
 const unpacked = new Blob([Uint8Array.from(atob("{packed}"), (letter) => letter.charCodeAt(0))])
   .stream().pipeThrough(new DecompressionStream("gzip"));
 const source = await new Response(unpacked).text();
 const address = URL.createObjectURL(new Blob([source], {{ type: "text/javascript" }}));
-const {{ default: figure }} = await import(address);
+const {{ default: figure, style }} = await import(address);
+document.head.append(Object.assign(document.createElement("style"), {{ textContent: style }}));
 const data = JSON.parse(document.getElementById("figure").textContent), listeners = {{}};
 const model = {{
   get: (key) => data[key],
@@ -75,10 +76,10 @@ def write_page(data: dict[str, Any], text: str) -> str:
     `text` is what a reader without JavaScript sees.
     """
     stored = as_text(data).replace("<", "\\u003c")
-    packed = base64.b64encode(gzip.compress(module().encode(), mtime=0)).decode("ascii")
+    whole = f"{module()}export const style = {json.dumps(style())};\n"
+    packed = base64.b64encode(gzip.compress(whole.encode(), mtime=0)).decode("ascii")
     return _PAGE.format(
         title=escape(data["description"]["title"]),
-        style=style(),
         text=escape(text),
         data=stored,
         script=_SCRIPT.format(packed=packed),

@@ -12,6 +12,13 @@ function axis(from, to, [low, high]) {
   return at;
 }
 
+/** The round numbers of an axis. */
+function steps([low, high, step]) {
+  const first = Math.ceil(low / step - NEAR),
+    count = Math.floor(high / step + NEAR) - first;
+  return Array.from({ length: count + 1 }, (_, i) => (first + i) * step);
+}
+
 /** A panel: what it is made of, still without a place; `draw` gives it one. */
 class Panel {
   constructor(panel, id, isLast, pin) {
@@ -69,33 +76,42 @@ class Panel {
   /** Let the reader move a point that drags controls, by pointer and by arrow key. */
   letDrag(move) {
     const { root } = this,
-      pad = this.points.find(({ point }) => point.drags);
-    if (!pad) return;
-    const { point, dot } = pad;
-    const follow = ({ clientX, clientY }) => {
-      const box = root.getBoundingClientRect(),
+      pads = this.points.filter(({ point }) => point.drags);
+    if (!pads.length) return;
+    let held; // the pad that is nearest to where the pointer has been pressed
+    const place = ({ clientX, clientY }) => {
+      const box = root.getBoundingClientRect();
+      return [clientX - box.left, clientY - box.top];
+    };
+    const follow = (event) => {
+      const [x, y] = place(event),
         { X, Y } = this.view;
-      move({ point, at: [X.back(clientX - box.left), Y.back(clientY - box.top)] });
+      move({ point: held.point, at: [X.back(x), Y.back(y)] });
     };
     put(root, { class: "cm-pad", role: "group" });
-    put(dot, { tabindex: 0, role: "application", "aria-label": point.label });
     root.addEventListener("pointerdown", (event) => {
       if (event.button) return;
       event.preventDefault();
+      const [x, y] = place(event),
+        away = ({ dot }) => Math.hypot(dot.getAttribute("cx") - x, dot.getAttribute("cy") - y);
+      held = pads.reduce((best, pad) => (away(pad) < away(best) ? pad : best));
       root.setPointerCapture(event.pointerId);
-      dot.focus();
+      held.dot.focus();
       follow(event);
     });
     root.addEventListener("pointermove", (event) => {
       if (root.hasPointerCapture(event.pointerId)) follow(event);
     });
-    dot.addEventListener("keydown", (event) => {
-      if (!(event.key in KEYS)) return;
-      event.preventDefault();
-      const { x, y } = this.view,
-        [across, up] = KEYS[event.key];
-      move({ point, by: [across * nudge(x), up * nudge(y)] });
-    });
+    for (const { point, dot } of pads) {
+      put(dot, { tabindex: 0, role: "application", "aria-label": point.label });
+      dot.addEventListener("keydown", (event) => {
+        if (!(event.key in KEYS)) return;
+        event.preventDefault();
+        const { x, y } = this.view,
+          [across, up] = KEYS[event.key];
+        move({ point, by: [across * nudge(x), up * nudge(y)] });
+      });
+    }
   }
 
   /** Draw it with these formulas, and these of the pinned settings; true if a curve is there. */
@@ -149,17 +165,24 @@ class Panel {
 
   /** What an axis has to hold: the curves as they are now, and as they were at the start. */
   held(at, traced, now) {
-    const ends = at === 0 && this.panel.is_over_variable;
-    const values = traced.flatMap(({ line, own, twin }) =>
-      ends ? line.over.map((i) => now[i]()) : [...own, ...twin].map((point) => point[at]),
-    );
+    const values =
+      at === 0 && this.panel.is_over_variable
+        ? this.ends(traced, now)
+        : traced.flatMap(({ own, twin }) => [...own, ...twin].map((point) => point[at]));
     return [...(this.kept?.[at] ?? []), ...values];
+  }
+
+  /** Where the variable begins and ends for each line. */
+  ends(traced, now) {
+    return traced.flatMap(({ line }) => line.over.map((i) => now[i]()));
   }
 
   /** Keep what the axes hold at the start, so that a curve that shrinks is seen to do so. */
   keep(first) {
     const traced = this.lines.map(({ line }) => ({ line, own: trace(line, first), twin: [] }));
     this.kept = [0, 1].map((at) => limits(this.held(at, traced, first)).slice(0, 2));
+    const ends = this.ends(traced, first).filter(Number.isFinite);
+    this.first = [Math.min(...ends), Math.max(...ends)];
   }
 
   /** Take scales that hold what is traced, and draw the frame again where they are others. */
@@ -175,9 +198,15 @@ class Panel {
       return [ends[0], ends[1], ticks ?? ends[2] ?? tick(ends[1] - ends[0])];
     };
     const x = fitted(panel.x_limits, () => this.held(0, traced, now), panel.x_ticks);
+    const isAsAtFirst =
+      panel.is_over_variable && !panel.x_limits && this.first[0] !== this.first[1];
+    const ends = isAsAtFirst ? this.ends(traced, now) : [];
+    if (ends.length && Math.min(...ends) >= this.first[0] && Math.max(...ends) <= this.first[1])
+      [x[0], x[1]] = this.first; // a turn ends at 360, not at 400
     const y = fitted(panel.y_limits, () => this.held(1, traced, now), panel.y_ticks);
     const key = [width, ...x, ...y].join();
     if (this.view.key === key) return;
+    if (panel.equal) this.kept = [x.slice(0, 2), y.slice(0, 2)]; // a mechanism that turns hops not
     const top = 8,
       below = panel.bare ? 8 : this.hasNumbers ? 44 : 10,
       edge = panel.bare ? 8 : 74;
@@ -221,16 +250,11 @@ class Panel {
       panel,
       view: { x, y, X, Y, left, right, top, bottom },
     } = this;
-    const places = ([low, high, step]) => {
-      const first = Math.ceil(low / step - NEAR),
-        count = Math.floor(high / step + NEAR) - first;
-      return Array.from({ length: count + 1 }, (_, i) => (first + i) * step);
-    };
-    const across = places(x),
+    const across = steps(x),
       every = Math.ceil((across.length * 34) / (right - left));
     const drawn = [
       ...across.map((value) => svg("path", { d: `M${X(value)} ${top}V${bottom}` })),
-      ...places(y).flatMap((value) => [
+      ...steps(y).flatMap((value) => [
         svg("path", { d: `M${left} ${Y(value)}H${right}`, class: value === 0 ? "cm-zero" : "" }),
         text({ x: left - 7, y: Y(value) + 4, "text-anchor": "end" }, plain(value)),
       ]),

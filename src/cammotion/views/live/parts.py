@@ -158,6 +158,7 @@ class Panel:
 class Say:
     """A sentence with numbers in it: a text like `format` takes, and what its names stand for.
 
+    `when` is a condition like `k > 1` or `sp.Eq(k, 1)`, or an expression, which has to be above 0.
     A number is formatted as Python does, by "g", ".4g" or ".3f"; a name may also stand for a text
     or for the symbol of a `choice`, and is the chosen name then. Where `when` does not hold, the
     `otherwise` is said instead, which is another Say.

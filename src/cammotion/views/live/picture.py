@@ -98,6 +98,7 @@ class _Drawn:
         ax.yaxis.set_major_locator(MaxNLocator(5))
         self._draw_lines(then)
         self._set_limits()
+        self._break_at_poles()
         for box in panel["boxes"]:
             self._draw_box(box)
         for text, x, y in panel["words"]:
@@ -145,7 +146,8 @@ class _Drawn:
         self.ax.set(xlim=edges[:2], ylim=edges[2:])
         if box["name"]:
             middle = (max(x0, edges[0]) + min(x1, edges[1])) / 2, (y0 + min(y1, edges[3])) / 2
-            _plain(write(self.ax, box["name"], middle, COLLISION["edgecolor"], offset=(0, 0)))
+            words = {"fontsize": 11, "color": COLLISION["edgecolor"], "path_effects": [_HALO]}
+            _plain(self.ax.text(*middle, box["name"], ha="center", va="center", **words))
 
     def _set_limits(self) -> None:
         """Take the limits that are given; else let no spike beside a pole flatten the rest."""
@@ -162,6 +164,15 @@ class _Drawn:
             if 0 < _SPIKE * (most - few) < np.ptp(values):
                 low, high = 2 * few - most, 2 * most - few
                 self.ax.set_ylim(max(values.min(), low), min(values.max(), high))
+
+    def _break_at_poles(self) -> None:
+        """Let no line go from above the picture to below it: there is a pole between."""
+        low, high = self.ax.get_ylim()
+        for line in self.ax.lines:
+            y = np.array(line.get_ydata(), dtype=float)
+            side = np.where(y > high, 1, np.where(y < low, -1, 0))
+            y[1:][side[1:] * side[:-1] < 0] = np.nan
+            line.set_ydata(y)
 
     def _at(self, formula: int) -> float:
         return float(self.now[formula](self.clock))

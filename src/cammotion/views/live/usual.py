@@ -12,7 +12,7 @@ from cammotion.views.live.expressions import as_curve, check_computable, shortly
 from cammotion.views.live.formulas import largest
 from cammotion.views.live.parts import Line, Panel, Say
 
-_LONGEST_LABEL = 30
+_LONGEST_LABEL = 20
 _ROUNDING = 1e-9
 
 
@@ -21,11 +21,10 @@ def labelled_panel(panel: Panel) -> Panel:
     if panel.y or not panel.lines:
         return panel
     first, *others = panel.lines
-    symbol, text = quantity_of(first.y), shortly(first.y)
-    if symbol:
+    if symbol := quantity_of(first.y):
         return replace(panel, y=notation.labelled(symbol))
-    name = first.name if not others else ""
-    return replace(panel, y=name or (text if len(text) <= _LONGEST_LABEL else "y"))
+    text = "" if others else first.name or shortly(first.y)
+    return replace(panel, y=text if len(text) <= _LONGEST_LABEL else "y")
 
 
 def usual_sentences(
@@ -37,7 +36,7 @@ def usual_sentences(
     """Return three sentences: what follows, what is at the clock's place, and the peaks."""
     lines = [line for column in columns for panel in column for line in panel.lines]
     followed = [symbol for symbol, value in values.items() if as_curve(value).free_symbols]
-    unit = notation.meaning(variable.name).unit
+    unit = notation.axis_label(variable.name, span[1]).partition(" in ")[2]
     where = "at {place:.4g} " + unit if unit else f"at {variable.name} = {{place:.4g}}"
     says = [
         Say(
@@ -50,14 +49,15 @@ def usual_sentences(
     says.append(Say(f"{where}: {', '.join(_readouts(lines))}", {"place": variable, **now}))
     ends = variable, *span
     peaks = {f"y{i}": largest(sp.Abs(line.y, evaluate=False), ends) for i, line in enumerate(lines)}
-    return [*says, Say(f"largest: {', '.join(_readouts(lines))}", peaks)]
+    return [*says, Say(f"largest: {', '.join(_readouts(lines, '|{}|'))}", peaks)]
 
 
-def _readouts(lines: Sequence[Line]) -> Iterator[str]:
+def _readouts(lines: Sequence[Line], written: str = "{}") -> Iterator[str]:
     for number, line in enumerate(lines):
         symbol = quantity_of(line.y)
         unit = f" {notation.meaning(symbol).unit}" if symbol else ""
-        yield f"{line.name or symbol or f'curve {number + 1}'} = {{y{number}:.4g}}{unit}"
+        name = written.format(line.name or symbol or f"curve {number + 1}")
+        yield f"{name} = {{y{number}:.4g}}{unit}"
 
 
 def quantity_of(expression: Any) -> str | None:
