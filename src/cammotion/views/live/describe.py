@@ -87,7 +87,8 @@ class Describer:
     def panel(self, panel: Panel, shares_x: bool) -> Description:
         """Return the description of a panel, whose axis over the variable may be another's too."""
         is_over_variable = all(line.x is None for line in panel.lines)
-        over = axis_label(self.variable.name, self.span[1]) if is_over_variable else ""
+        is_parametric = bool(panel.lines) and all(line.x is not None for line in panel.lines)
+        over = "" if is_parametric else axis_label(self.variable.name, self.span[1])
         x_label = over if panel.x is None else panel.x
         return {
             "title": panel.title or f"{panel.y or 'Curves'} over {x_label}",
