@@ -99,7 +99,8 @@ def test_the_pinned_design_becomes_the_reference(figure: LiveFigure) -> None:
 
 def test_a_reader_without_a_kernel_gets_picture_and_text(figure: LiveFigure) -> None:
     figure.values = {h_m: 25}
-    bundle, _ = figure._repr_mimebundle_()
+    bundle, metadata = figure._repr_mimebundle_()
+    assert metadata["image/png"]["alt"] == figure.text
     assert base64.b64decode(bundle["image/png"]) == figure.picture()
     assert bundle["text/plain"] == figure.text
     assert "application/vnd.jupyter.widget-view+json" in bundle

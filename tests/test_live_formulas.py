@@ -68,6 +68,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     "explore_overlap": lambda: cm.explore_overlap(
         cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20
     ),
+    "explore_ways": lambda: cm.explore_ways(cm.EXAMPLE.diagram, cm.EXAMPLE.rule),
     "all functions": lambda: own_figure(SEVERAL, says=[]),
     "a choice": lambda: own_figure(
         [CHOSEN / (2 + cm.pinned(CHOSEN)), sp.diff(CHOSEN, t), k + cm.pinned(w * n)],

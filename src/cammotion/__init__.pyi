@@ -36,6 +36,7 @@ from .views.explorers.move import explore_move
 from .views.explorers.overlap import explore_overlap
 from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
+from .views.explorers.ways import explore_ways
 from .views.law_plots import plot_laws
 from .views.live.explore import explore
 from .views.live.formulas import inverse, largest, place_of_largest
@@ -86,6 +87,7 @@ __all__ = [
     "explore_overlap",
     "explore_scca",
     "explore_shares",
+    "explore_ways",
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",

@@ -225,7 +225,7 @@ class LiveFigure(anywidget.AnyWidget):
             "image/png": base64.b64encode(self.picture()).decode("ascii"),
             "text/plain": self.text,
         }
-        return data | shown, metadata
+        return data | shown, metadata | {"image/png": {"alt": self.text}}
 
 
 def _is_real(line: dict[str, Any], now: Any) -> bool:

@@ -1,0 +1,104 @@
+"""Make a handout of lessons, to be printed: `python docs/handout.py 02` writes `02_....html`.
+
+The pages need no network and run no script: formulas are pictures, and what a lesson folds away
+stays folded. Answers to exercises are not in them.
+"""
+
+import argparse
+import base64
+import re
+from html import escape, unescape
+from io import BytesIO
+from pathlib import Path
+
+from bs4 import BeautifulSoup
+from matplotlib.font_manager import FontProperties
+from matplotlib.mathtext import math_to_image
+from nbconvert import HTMLExporter
+
+LESSONS = Path(__file__).parents[1] / "notebooks"
+FORMULA = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.DOTALL)
+FONT = FontProperties(size=12, math_fontfamily="stix")
+PLAIN = [  # what the drawing of formulas does not know, in words that it knows
+    (r"\\tfrac(?![a-zA-Z])", r"\\frac"),
+    (r"\\displaystyle(?![a-zA-Z])", ""),
+    (r"\\le(?![a-zA-Z])", r"\\leq"),
+    (r"\\ge(?![a-zA-Z])", r"\\geq"),
+    (r"\\frac\s*(\d)\s*(\d)", r"\\frac{\1}{\2}"),
+    (r"\\sqrt\s*(\d)", r"\\sqrt{\1}"),
+    (r"\s+", " "),
+]
+STYLE = """
+@page { size: A4; margin: 18mm }
+body { font: 11.5pt/1.45 serif; max-width: 44em; margin: auto; padding: 0 }
+h1, h2, h3 { break-after: avoid; line-height: 1.2 }
+img { max-width: 100%; max-height: 120mm }
+table { border-collapse: collapse } th, td { border: 1px solid #999; padding: 2px 6px }
+pre { font-size: 9pt; white-space: pre-wrap; margin: 0.6em 0 }
+.input pre { background: #f2f2f2; padding: 4px 8px }
+pre, img, table, details { break-inside: avoid }
+.formula { max-height: none } .display { display: block; margin: 0.7em auto }
+.prompt, .anchor-link { display: none }
+"""
+
+
+def as_data(picture: Path) -> str:
+    """Return a picture as an address that holds it."""
+    kind = {".svg": "svg+xml"}.get(picture.suffix, picture.suffix[1:])
+    return f"data:image/{kind};base64," + base64.b64encode(picture.read_bytes()).decode("ascii")
+
+
+def formula(match: re.Match[str]) -> str:
+    """Return a formula of LaTeX as a picture in HTML, on the line of its text."""
+    tex = unescape((match[1] or match[2]).strip())
+    plain = tex
+    for pattern, words in PLAIN:
+        plain = re.sub(pattern, words, plain)
+    if match[1]:
+        plain = plain.replace(r"\frac", r"\dfrac")
+    buffer = BytesIO()
+    depth = math_to_image(f"${plain.strip()}$", buffer, prop=FONT, dpi=72, format="svg")
+    image = BeautifulSoup("", "html.parser").new_tag(
+        "img",
+        alt=tex,
+        src="data:image/svg+xml;base64," + base64.b64encode(buffer.getvalue()).decode("ascii"),
+        style=f"vertical-align: {-depth:.2f}pt",
+    )
+    image["class"] = "formula display" if match[1] else "formula"
+    return str(image)
+
+
+def handout(lesson: Path) -> str:
+    """Return a lesson as one page of HTML, without scripts."""
+    exporter = HTMLExporter(template_name="classic")  # type: ignore[no-untyped-call]
+    html, _ = exporter.from_filename(str(lesson))
+    page = BeautifulSoup(html, "html.parser")
+    for tag in page.select("script, style, link, .anchor-link, audio, video"):
+        tag.decompose()
+    for image in page.select("img:not([src^='data:'])"):
+        image["src"] = as_data(lesson.parent / str(image["src"]))
+    for text in page.find_all(string=FORMULA):
+        if not text.find_parent(["pre", "code", "svg", "title"]):
+            pictured = FORMULA.sub(formula, escape(text, quote=False))
+            text.replace_with(BeautifulSoup(pictured, "html.parser"))
+    return str(page).replace("</head>", f"<style>{STYLE}</style></head>", 1)
+
+
+def main() -> None:
+    """Write the handouts of the lessons whose numbers are given."""
+    parser = argparse.ArgumentParser(description="Make handouts of lessons, to be printed.")
+    parser.add_argument("lessons", nargs="+", metavar="NN", help="the number of a lesson: 02")
+    parser.add_argument("--folder", type=Path, default=Path("handouts"), help="where to write")
+    given = parser.parse_args()
+    given.folder.mkdir(parents=True, exist_ok=True)
+    for number in given.lessons:
+        found = sorted(LESSONS.glob(f"{number}_*.ipynb"))
+        if not found:
+            parser.error(f"There is no lesson {number}: give the two digits of one, as 02.")
+        page = given.folder / f"{found[0].stem}.html"
+        page.write_text(handout(found[0]), encoding="utf-8")
+        print(f"wrote {page}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,46 @@
+"""The handouts of the lessons: they need no network, and keep folded what is folded."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from bs4 import BeautifulSoup
+
+ROOT = Path(__file__).parents[1]
+LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
+
+
+def make(folder: Path, *numbers: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, str(ROOT / "docs/handout.py"), *numbers, f"--folder={folder}"]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("handouts")
+    result = make(made, *(name[:2] for name in LESSONS))
+    assert result.returncode == 0, result.stderr
+    return made
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_a_handout_needs_no_network_and_no_script(folder: Path, lesson: str) -> None:
+    page = BeautifulSoup((folder / f"{lesson}.html").read_text("utf-8"), "html.parser")
+    assert not page.select("script, link, img:not([src^='data:']), img:not([alt])")
+    for code in page.select("pre, code, style"):
+        code.decompose()
+    assert not re.search(r"\$|\\frac", page.get_text())
+
+
+def test_what_is_folded_stays_folded(folder: Path) -> None:
+    page = BeautifulSoup((folder / "04_machine_in_motion.html").read_text("utf-8"), "html.parser")
+    (answer,) = page.select("details")
+    assert not answer.has_attr("open")
+    assert "The widest rise is 124.9 degrees" in answer.get_text()
+    assert page.get_text().count("The widest rise is") == 1
+
+
+def test_a_lesson_that_is_not_there_is_named(tmp_path: Path) -> None:
+    assert "There is no lesson 77" in make(tmp_path, "77").stderr
