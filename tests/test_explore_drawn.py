@@ -42,7 +42,7 @@ def test_what_is_real_in_places_only_is_drawn_and_told() -> None:
     pieces = cm.explore(sp.Piecewise((t, t > sp.Rational(1, 2))), SPAN)
     assert pieces.text == "at 0.25 s: curve 1 = –\nlargest: |curve 1| = 1"
     root = cm.explore(sp.cbrt(t - 2) + sp.sqrt(t - 1), (t, 0, 3))
-    assert root.text.startswith("at 0.75 s: curve 1 = nan")
+    assert root.text.startswith("at 0.75 s: curve 1 = –")
     for figure in (pieces, root):
         assert figure._repr_mimebundle_()[0]["image/png"]
 
