@@ -138,7 +138,7 @@ def _square(ax: Axes | None, size: Pair, xlabel: str, name: str) -> Axes:
 def _shade(ax: Axes, x: Floats, bound: Floats) -> None:
     """Shade what is below a falling bound, known at some x: up to each, the bound at it."""
     ax.fill_between(x, bound, 0, step="pre", color=OUT_OF_REACH, linewidth=0)
-    ax.annotate("proved: no motion here", (0.03, 0.05), xycoords="axes fraction", color=_DARK)
+    ax.annotate("proved: no motion here", (0.12, 0.03), xycoords="axes fraction", color=_DARK)
 
 
 def _columns(points: Iterable[Sequence[float]]) -> Floats:
