@@ -1,6 +1,7 @@
 """Numbers that stand in the prose of lessons, computed by another way than the lessons do."""
 
 import json
+import math
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -35,7 +36,7 @@ def test_the_force_on_the_cam_of_an_upright_die() -> None:
 
 def test_the_collision_of_notebook_04() -> None:
     def covered(x: float) -> float:
-        return x - np.sin(2 * np.pi * x) / (2 * np.pi)
+        return x - math.sin(2 * math.pi * x) / (2 * math.pi)
 
     begins = 65 + 140 * brentq(lambda x: 50 * covered(x) - 19, 0, 1)
     ends = brentq(lambda deg: 100 * (1 - covered(deg / 150)) - 0.65, 120, 140)
@@ -90,8 +91,8 @@ def die_best(away_deg: float) -> tuple[float, float]:
 
 def mill_best(away_deg: float) -> float:
     """Return the least peak of the mill: it may swing by 0.65 mm before it leaves its stop."""
-    run_up = np.sqrt(4 * 0.65)
-    return (-run_up + np.sqrt(run_up**2 + 2 * 49.35)) ** 2 / away_deg**2 * PER_DEG2
+    run_up = math.sqrt(4 * 0.65)
+    return (-run_up + math.sqrt(run_up**2 + 2 * 49.35)) ** 2 / away_deg**2 * PER_DEG2
 
 
 def test_the_front_of_notebook_06() -> None:
