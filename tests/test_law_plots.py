@@ -57,3 +57,28 @@ def test_the_legend_has_every_name() -> None:
 def test_what_cannot_be_drawn_is_refused(laws: object, curve: str, fragment: str) -> None:
     with pytest.raises(cm.InputError, match=fragment):
         cm.plot_laws(laws, curve=curve)  # type: ignore[arg-type]
+
+
+def test_a_ranking_has_the_smallest_on_top_and_hatches_what_jumps() -> None:
+    peaks = {name: cm.peak_acceleration(50, 55, 2000, law=name) for name in cm.LAWS}
+    ax = cm.plot_ranking(peaks, quantity="peak of the die in m/s²")
+    names = [label.get_text() for label in ax.get_yticklabels()][::-1]
+    assert names == sorted(peaks, key=lambda name: peaks[name])
+    bars = list(ax.patches)[::-1]
+    assert [bar.get_width() for bar in bars] == pytest.approx(sorted(peaks.values()))  # type: ignore[attr-defined]
+    jumps = [np.isinf(cm.LAWS[name].Cj) for name in names]
+    assert [bool(bar.get_hatch()) for bar in bars] == jumps
+    assert ax.get_xlabel().startswith("peak of the die in m/s² (hatched")
+
+
+@pytest.mark.parametrize(
+    ("peaks", "fragment"),
+    [
+        ({}, "nothing to draw"),
+        ({"cycloid": 1.0}, "cycloidal"),
+        ({"cycloidal": np.inf}, "no bar can show"),
+    ],
+)
+def test_a_ranking_that_cannot_be_drawn_is_refused(peaks: dict[str, float], fragment: str) -> None:
+    with pytest.raises(cm.InputError, match=fragment):
+        cm.plot_ranking(peaks)

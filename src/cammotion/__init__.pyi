@@ -37,7 +37,8 @@ from .views.explorers.overlap import explore_overlap
 from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.explorers.ways import explore_ways
-from .views.law_plots import plot_laws
+from .views.law_plots import plot_laws, plot_ranking
+from .views.limit_plots import plot_front, plot_jerk_price
 from .views.live.explore import explore
 from .views.live.formulas import inverse, largest, place_of_largest
 from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, choice, pinned
@@ -106,9 +107,12 @@ __all__ = [
     "place_of_largest",
     "plot_clearance",
     "plot_curves",
+    "plot_front",
     "plot_inverse_square",
+    "plot_jerk_price",
     "plot_laws",
     "plot_peaks",
+    "plot_ranking",
     "plot_timing",
     "polynomial",
     "predict",

@@ -9,7 +9,8 @@ and a mean is never larger than the peak. So whoever asks only that no such diff
 peak asks less than is asked of a motion, and no motion has a smaller peak than comes out. From
 above: the acceleration is a constant over each cell, or with a limit to the jerk a straight line.
 That is a motion, which can be built, so the best of all has no larger peak. In between lies the
-least peak of all; the finer the grid, the nearer the two come.
+least peak of all; the finer the grid, the nearer the two come. The number from below is computed
+anew from the multipliers that the solver gives, so that it does not rest on the solver's word.
 
 Both ask of an indexing motion that it is near to a stop, or away from its stops, while another one
 is where it may meet it. Which stop that is, is a whole number for each such arc, found by both

@@ -21,7 +21,9 @@ class Program(NamedTuple):
     """The least of `objective @ x` with rows that bound x or fix it, and with its bounds.
 
     `bounds` has a row for each unknown, its least and its largest value; the last `whole` unknowns
-    have to be whole numbers. `refusal` says what is wrong if there is no solution.
+    have to be whole numbers. `refusal` says what is wrong if there is no solution. With `sizes`,
+    (fixed, per), no unknown is farther from 0 than fixed + per times the objective in any solution
+    that matters: by this the bound is proved, whatever the solver has rounded.
     """
 
     objective: Floats
@@ -30,10 +32,15 @@ class Program(NamedTuple):
     bounds: Floats
     refusal: str
     whole: int = 0
+    sizes: tuple[Floats, Floats] | None = None
 
 
 class Solution(NamedTuple):
-    """The unknowns of a program, and the number that its objective is not below."""
+    """The unknowns of a program, and the number that its objective is not below.
+
+    If the program gives the sizes of its unknowns, the bound is not the solver's word: it is
+    computed anew from the solver's multipliers (the dual), by `proved_bound`.
+    """
 
     unknowns: Floats
     bound: float
@@ -85,16 +92,16 @@ def _not_whole(program: Program, unknowns: Floats) -> int | None:
 
 def _solve_one(program: Program, bounds: Floats) -> Solution | None:
     """Solve with any numbers for the whole ones; None if there is no solution."""
-    from scipy import sparse
     from scipy.optimize import linprog
 
+    (rows, limits), (fixed, values) = map(_stacked, (program.at_most, program.equal))
     for method in ("highs", "highs-ipm"):  # the second where the first cannot tell
         result = linprog(
             program.objective,
-            A_ub=sparse.vstack(program.at_most[0]).tocsr(),
-            b_ub=np.concatenate(program.at_most[1]),
-            A_eq=sparse.vstack(program.equal[0]).tocsr(),
-            b_eq=np.concatenate(program.equal[1]),
+            A_ub=rows,
+            b_ub=limits,
+            A_eq=fixed,
+            b_eq=values,
             bounds=bounds,
             method=method,
         )
@@ -104,4 +111,34 @@ def _solve_one(program: Program, bounds: Floats) -> Solution | None:
         return None
     if result.status != _SOLVED:
         raise InputError(f"The linear program was not solved ({result.message}): change the grid.")
-    return Solution(np.asarray(result.x), float(result.fun))
+    bound = float(result.fun)
+    if program.sizes is not None:
+        at_most, equal = result.ineqlin.marginals, result.eqlin.marginals
+        proved = proved_bound(program, bounds, np.minimum(at_most, 0.0), np.asarray(equal))
+        bound = min(bound, proved)
+    return Solution(np.asarray(result.x), bound)
+
+
+def proved_bound(program: Program, bounds: Floats, at_most: Floats, equal: Floats) -> float:
+    """Return a number that the objective of a program with `sizes` is not below.
+
+    `at_most` (none above 0) and `equal` are multipliers of the rows, any that one likes: the rows
+    times them are at least their limits times them, for every solution. What then is left of the
+    objective is `rest @ unknowns`, and each unknown is at its better end. Good multipliers, those
+    of the dual, give a good bound; bad ones give a poor one, but never a wrong one.
+    """
+    if program.sizes is None:
+        raise InputError("The program does not say how large its unknowns can be: give `sizes`.")
+    (rows, limits), (fixed, values) = map(_stacked, (program.at_most, program.equal))
+    rest = program.objective - rows.T @ at_most - fixed.T @ equal
+    end = np.where(rest > 0, bounds[:, 0], bounds[:, 1])
+    has_end = np.isfinite(end)
+    known = limits @ at_most + values @ equal + rest[has_end] @ end[has_end]
+    size, per = (np.abs(rest[~has_end]) @ part[~has_end] for part in program.sizes)
+    return float((known - size) / (1 + per)) if known > size else float(known - size)
+
+
+def _stacked(system: System) -> tuple[Matrix, Floats]:
+    from scipy import sparse
+
+    return sparse.vstack(system[0]).tocsr(), np.concatenate(system[1])

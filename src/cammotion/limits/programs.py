@@ -47,9 +47,24 @@ def from_below(room: Corridor, times: Floats, most_jerk: float) -> Solution:
         "No motion keeps all of this: allow more jerk or more travel, a shorter still arc, or "
         "weaker rules."
     )
-    return solve(
-        Program(objective, at_most, (equal, beyond), bounds, refusal, whole=len(room.bands))
-    )
+    whole, reach = len(room.bands), _sizes(room, times, sizes)
+    return solve(Program(objective, at_most, (equal, beyond), bounds, refusal, whole, reach))
+
+
+def _sizes(room: Corridor, times: Floats, counts: list[int]) -> tuple[Floats, Floats]:
+    """Return how large the unknowns of `from_below` can be: fixed, and per unit of the peak.
+
+    The motion starts from rest somewhere. So no velocity is above the peak times the turn, and no
+    position is farther from where it stands than the peak times the square of the turn.
+    """
+    turn, limits = float(times.sum()), np.concatenate([room.low_mm, room.high_mm])
+    place = np.abs(limits[np.isfinite(limits)]).max(initial=0.0) + abs(room.pitch_mm)
+    spacing = min([band.spacing_mm for band in room.bands], default=1.0)
+    stop, stop_per = 2 * (place / spacing + 2), 2 * turn**2 / spacing
+    orders = len(counts) - 3  # of the differences
+    fixed = [place, *[0.0] * orders, 0.0, stop]
+    per = [turn**2, turn, *[1.0] * (orders - 1), 1.0, stop_per]
+    return np.repeat(fixed, counts), np.repeat(per, counts)
 
 
 def _about_stops(room: Corridor, position: Matrix, step: Matrix) -> System:

@@ -1,6 +1,7 @@
-"""Pictures of motion laws, without units: what a law is, before it has a stroke and a time."""
+"""Pictures of motion laws: what a law is before it has a stroke and a time, and what it costs."""
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from matplotlib.axes import Axes
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import InputError, one_of, shorten
-from cammotion.views.plots import style_axes, style_line
+from cammotion.views.plots import COLOURS, style_axes, style_line
 
 CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
 _PLACES = 1001
@@ -41,6 +42,45 @@ def plot_laws(
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
     ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    return ax
+
+
+def plot_ranking(
+    peaks: Mapping[str, float],
+    *,
+    quantity: str = "peak acceleration in m/s²",
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw the peak of a move with each of several laws as a bar, the smallest on top.
+
+    `peaks` are finite peaks by the name of the law, `quantity` says of what and in which unit. The
+    bar of a law whose acceleration jumps is hatched, and the axis says so. Returns the Axes;
+    raises InputError for an unknown law, for no law, and for a peak that is not finite.
+
+    >>> from cammotion.machine.kinematics import peak_acceleration
+    >>> laws = "cycloidal", "constant acceleration"
+    >>> ax = plot_ranking({law: peak_acceleration(50, 55, 2000, law=law) for law in laws})
+    >>> [label.get_text() for label in ax.get_yticklabels()]
+    ['cycloidal', 'constant acceleration']
+    """
+    _as_laws(peaks)
+    endless = [name for name, peak in peaks.items() if not math.isfinite(peak)]
+    if endless:
+        raise InputError(
+            f"The peak of {endless[0]!r} is {peaks[endless[0]]:g}, which no bar can show: leave "
+            "this law out."
+        )
+    if ax is None:
+        _, ax = plt.subplots(figsize=(7.5, 4.4), facecolor="white", layout="constrained")
+    style_axes(ax, f"{quantity} (hatched: the acceleration jumps)", "")
+    names = sorted(peaks, key=lambda name: peaks[name], reverse=True)
+    bars = ax.barh(names, [peaks[name] for name in names], color=COLOURS[0])
+    for bar, name in zip(bars, names, strict=True):
+        if math.isinf(as_law(name).Cj):
+            bar.set(facecolor="white", edgecolor=COLOURS[1], hatch="//")
+    ax.bar_label(bars, fmt="%.3f", padding=4)
+    ax.margins(x=0.12)
+    ax.grid(visible=False, axis="y")
     return ax
 
 

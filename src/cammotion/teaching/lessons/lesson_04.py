@@ -148,7 +148,7 @@ EXERCISES = (
         number="04.4",
         question=lambda m: (
             "You have watched a design at a twentieth of its speed, for ten turns, and nothing "
-            "touched. What do you know?"
+            "touched. Its parts are taken as rigid. What do you know?"
         ),
         options={
             "a": "The design is free of collision.",
@@ -167,8 +167,8 @@ EXERCISES = (
                 "you computed."
             ),
             "d": (
-                "Where the parts are depends on the cam angle, not on the speed. What speed "
-                "changes are the forces."
+                "Where rigid parts are depends on the cam angle, not on the speed. What speed "
+                "changes are the forces, and with them how far real parts bend."
             ),
         },
         right="Watch to understand, and solve to be sure.",

@@ -1,0 +1,166 @@
+"""Numbers that stand in the prose of lessons, computed by another way than the lessons do."""
+
+import json
+import math
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import cammotion as cm
+
+LESSONS = Path(__file__).parents[1] / "notebooks"
+TURN_S, PER_DEG2 = 1.8, 1 / 1000 / (1.8 / 360) ** 2  # 1 mm/deg² in m/s²
+FOUR = ("modified trapezoid", "cycloidal", "3-4-5 polynomial", "modified sine")
+
+
+def says(lesson: str, words: str) -> bool:
+    """Whether words stand in the prose of a lesson."""
+    (path,) = LESSONS.glob(f"{lesson}_*.ipynb")
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    return any(words in "".join(c["source"]) for c in cells if c["cell_type"] == "markdown")
+
+
+def test_the_force_on_the_cam_of_an_upright_die() -> None:
+    g, hard = 9.80665, 2 * np.pi * 0.050 / 0.275**2
+    before, after = 12 * (g + hard), 12 * (g + hard / 5)
+    assert (before, after) == pytest.approx((167.5, 127.6), abs=0.05)
+    assert 100 * (1 - after / before) == pytest.approx(24, abs=0.5)
+    assert 100 * (1 - (after / before) ** 0.5) == pytest.approx(13, abs=0.5)
+    assert says("02", "167.5 to 127.6 N")
+    assert says("02", "24 percent, not by 80")
+
+
+def test_the_collision_of_notebook_04() -> None:
+    def covered(x: float) -> float:
+        return x - math.sin(2 * math.pi * x) / (2 * math.pi)
+
+    begins = 65 + 140 * brentq(lambda x: 50 * covered(x) - 19, 0, 1)
+    ends = brentq(lambda deg: 100 * (1 - covered(deg / 150)) - 0.65, 120, 140)
+    assert 100 * (1 - covered(begins / 150)) == pytest.approx(2.4, abs=0.05)
+    assert 50 * covered((ends - 65) / 140) - 19 == pytest.approx(6, abs=0.05)
+    assert says("04", "6 mm too deep at most")
+    assert says("04", "2.4 mm to go")
+
+
+@pytest.mark.parametrize(
+    ("line_deg", "parts", "peak"),
+    [
+        (15, (58.84, 18.18, 0.7045), 0.777),
+        (5, (62.8534, 21.1204, 0.74532), 0.750),
+        (0, (64.8118, 22.6612, 0.76661), 0.741),
+    ],
+)
+def test_the_proposal_of_the_source(
+    line_deg: float, parts: tuple[float, float, float], peak: float
+) -> None:
+    first_deg, first_mm, slope = parts
+    last_deg, last_mm = 130 - line_deg - first_deg, 50 - first_mm - line_deg * slope
+
+    def end(deg: float, height: float) -> np.polynomial.Polynomial:
+        rows = [[deg**n, n * deg ** (n - 1), n * (n - 1) * deg ** (n - 2)] for n in (3, 4, 5)]
+        found = np.linalg.solve(np.transpose(rows), [height, slope, 0])
+        return np.polynomial.Polynomial([0, 0, 0, *found])
+
+    ends = [(end(first_deg, first_mm), first_deg), (end(last_deg, last_mm), last_deg)]
+    peaks = [np.abs(s.deriv(2)(np.linspace(0, deg, 4001))).max() * PER_DEG2 for s, deg in ends]
+    assert max(peaks) == pytest.approx(peak, abs=6e-4)
+    assert all(s(np.linspace(0, deg, 4001)).min() >= 0 for s, deg in ends)
+    # 60 deg after its start the mill is 0.645 mm from its stop, and the die at the corner
+    place = ends[0][0](60.0) if first_deg > 60 else first_mm + slope * (60 - first_deg)
+    assert place == pytest.approx(19, abs=0.01)
+    assert says("05", f"{peak:.3f}")
+
+
+def die_best(away_deg: float) -> tuple[float, float]:
+    """Return the least peak of the die in m/s², free and within 50 mm.
+
+    By the three lines of notebook 06, for a mill that is away from its stops so many deg before
+    and after its middle.
+    """
+    corner = 130 - away_deg
+    late = max(corner - 65, 0)
+    area = 65**2 / 2 + late**2 / 2 + late * (130 - corner) if late else corner**2 / 2
+    free = 31 / area * PER_DEG2
+    angle = corner / (1 - np.sqrt(19 / 50 / 2))  # of a parabola of 50 mm through the corner
+    return free, 200 / angle**2 * PER_DEG2 if angle <= 130 else free
+
+
+def mill_best(away_deg: float) -> float:
+    """Return the least peak of the mill: it may swing by 0.65 mm before it leaves its stop."""
+    run_up = math.sqrt(4 * 0.65)
+    return (-run_up + math.sqrt(run_up**2 + 2 * 49.35)) ** 2 / away_deg**2 * PER_DEG2
+
+
+def test_the_front_of_notebook_06() -> None:
+    law = cm.LAWS["cycloidal"]
+    leaves = brentq(lambda x: 100 * float(law(x)) - 0.65, 0.01, 0.3)
+    assert die_best((0.5 - leaves) * 160) == pytest.approx((0.569, 0.584), abs=5e-4)
+    equal = brentq(lambda away: mill_best(away) - die_best(away)[1], 50, 80)
+    assert mill_best(equal) == pytest.approx(0.64, abs=2e-3)
+    assert says("06", "0.569 m/s²")
+    assert says("06", "0.584")
+    assert says("06", "both parts at 0.64")
+
+
+def test_bounds_of_the_front_lie_below_the_closed_form_and_motions_above() -> None:
+    example = cm.EXAMPLE
+    rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
+    leaves = brentq(lambda x: 100 * float(cm.LAWS["cycloidal"](x)) - 0.65, 0.01, 0.3)
+    for angle in (120, 150, 180):
+        away = (0.5 - leaves) * angle
+        given = example.diagram.with_motion(cm.with_angle(example.mill, angle))
+        asked: Any = {"still": [(205, 305)], "cells": 120}
+        die = cm.least_acceleration(given, "die", rule, travel_mm=(0, 50), **asked)
+        mill = cm.least_acceleration(die.design, "mill", rule, **asked)
+        for found, least in ((die, die_best(away)[1]), (mill, mill_best(away))):
+            assert found.bound <= least * (1 + 1e-9)
+            assert found.reached >= least * (1 - 1e-6)
+
+
+@pytest.mark.parametrize(
+    ("hertz", "running"), [(12, (0.88, 0.94, 0.95, 1.14)), (4.55, (1.48, 1.18, 1.27, 1.42))]
+)
+def test_the_running_machine_on_a_spring(hertz: float, running: tuple[float, ...]) -> None:
+    count, example = 3600, cm.EXAMPLE
+    angles = np.arange(count) * 360 / count
+    rate, waves = 2 * np.pi * hertz, 2 * np.pi * np.fft.rfftfreq(count, TURN_S / count)
+    passed = (0.04j * rate * waves + rate**2) / (rate**2 - waves**2 + 0.04j * rate * waves)
+    for name, peak in zip(FOUR, running, strict=True):
+        given = example.diagram.with_motion(example.die.with_law(name))
+        driven = cm.widest_move(given, "die", example.rule).diagram.acceleration("die", angles)
+        swung = np.fft.irfft(np.fft.rfft(driven) * passed, count)
+        assert np.abs(swung).max() == pytest.approx(peak, abs=6e-3)
+    *first, last = [f"{peak:.2f}" for peak in running]
+    assert says("06", f"{', '.join(first)} and {last}")
+
+
+def test_the_single_rise_on_a_spring_turns_the_ranking() -> None:
+    """By a recurrence from step to step, exact for a straight line of the acceleration."""
+    for hertz, best, worst in ((12, 0, 3), (4.55, 1, 0)):
+        peaks = [single_rise(name, hertz) for name in FOUR]
+        assert (int(np.argmin(peaks)), int(np.argmax(peaks))) == (best, worst)
+    assert single_rise("modified trapezoid", 12) == pytest.approx(0.815, abs=2e-3)
+    assert single_rise("cycloidal", 4.55) == pytest.approx(1.213, abs=2e-3)
+
+
+def single_rise(law: str, hertz: float) -> float:
+    example = cm.EXAMPLE
+    found = cm.widest_move(
+        example.diagram.with_motion(example.die.with_law(law)), "die", example.rule
+    )
+    move, rate = found.diagram.moves("die")[0], 2 * np.pi * hertz
+    time = np.linspace(0, 4 * move.time_s, 8001)
+    driven = np.where(time < move.time_s, move.acceleration(np.minimum(time, move.time_s)), 0)
+    damped, decay = rate * np.sqrt(1 - 0.02**2), 0.02 * rate
+    step = time[1]
+    turn = np.exp((-decay + 1j * damped) * step)
+    state, peak = 0j, 0.0  # the swing as a turning arrow: its imaginary part is the stretch
+    for early, late in pairwise(driven):
+        state = state * turn - step * (early + late) / 2 / damped * np.sqrt(turn)
+        stretch, speed = state.imag, (state * (-decay + 1j * damped)).imag
+        peak = max(peak, abs(rate**2 * stretch + 2 * decay * speed))
+    return peak
