@@ -184,7 +184,7 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("01.angle", "degrees for each way", 55),
+    Prediction("01.half", "degrees for each way", 92.5),
     Prediction("01.harder", "mill or die, and how many times", "the die, 3.72 times"),
     Prediction("01.rate", "factors of movement, velocity, acceleration", "1, 2 and 4"),
 )

@@ -289,7 +289,7 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("02.fraction", "fraction of the time tm", 0.25),
+    Prediction("02.fraction", "fraction of the time tm", 0.25, also=(0.75,)),
     Prediction("02.peak", "peak at 110 deg in m/s²", 1.039),
-    Prediction("02.factor", "how many times smaller", 16),
+    Prediction("02.few", "percent less", 15.97),
 )

@@ -181,7 +181,7 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("04.depths", "three depths in mm, at 135, 205 and 300 deg", "19.0, 50 and 50 mm"),
+    Prediction("04.start", "depth of the die in mm, at 0 deg", 30.9),
     Prediction(
         "04.collision", "first at which angle; down, up or both", "at 126.5 deg, on the way down"
     ),

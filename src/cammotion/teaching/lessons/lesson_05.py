@@ -498,6 +498,6 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("05.saves", "percent", 22.2),
+    Prediction("05.best", "peak of the die in m/s²", 3.232),
     Prediction("05.widest", "gently or quickly", "gently"),
 )

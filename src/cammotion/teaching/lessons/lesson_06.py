@@ -493,7 +493,7 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("06.law", "Ca", 4),
+    Prediction("06.spring", "the least push, where it was 4", 6),
     Prediction("06.machine", "m/s²", 0.511),
     Prediction("06.jerk", "percent", 3.3),
 )
