@@ -16,7 +16,8 @@ from cammotion.teaching.session import Session
 from cammotion.teaching.store import GRADING, Store
 
 HALF = PREDICTIONS["01.half"]
-ANSWER = ("It is 92.5 & no more.", "Most say <110>.")
+ANSWER = ("It is 92.5 & no more.", "Not <110>.")
+SHOWN = [*ANSWER, HALF.why]
 FOLDED = "The answer is folded: you made no prediction yet."
 
 
@@ -43,7 +44,7 @@ def assert_folded(reveal: Reveal) -> None:
     assert not folded.has_attr("open")
     assert folded.summary is not None
     assert folded.summary.get_text() == "Show the answer (you made no prediction yet)"
-    assert [p.get_text() for p in folded("p")] == [*ANSWER]
+    assert [p.get_text() for p in folded("p")] == SHOWN
     page = BeautifulSoup(reveal.value, "html.parser")
     for part in page("details"):
         part.decompose()
@@ -56,7 +57,7 @@ def assert_open(reveal: Reveal, said: str) -> None:
     assert details(reveal.value).has_attr("open")
     assert page.strong is not None
     assert page.strong.get_text() == said
-    assert reveal._repr_mimebundle_()["text/plain"] == "\n".join([said, *ANSWER])
+    assert reveal._repr_mimebundle_()["text/plain"] == "\n".join([said, *SHOWN])
 
 
 def test_run_all_folds_the_answer_and_a_prediction_typed_later_opens_it() -> None:
@@ -86,6 +87,12 @@ def test_what_another_notebook_has_kept_is_shown() -> None:
     assert_folded(reveal)
     assert cm.predict(HALF.key, HALF.asked).prediction == "92"
     assert_open(reveal, "You predicted 92: as good as right.")
+
+
+def test_a_prediction_that_no_lesson_knows_is_revealed_without_a_word_of_its_own() -> None:
+    guess = cm.predict("my.own", "mm")
+    guess.field.value = "7"
+    assert repr(guess.reveal("It is 8.")) == "You predicted 7.\nIt is 8."
 
 
 def test_half_a_number_is_no_prediction() -> None:

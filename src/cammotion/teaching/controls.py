@@ -8,6 +8,7 @@ import ipywidgets
 
 from cammotion.teaching.exercise import ChoiceExercise
 from cammotion.teaching.messages import Feedback, box
+from cammotion.teaching.prediction import Prediction
 
 # A line of its own above the field, which wraps on a narrow page.
 _LABEL = '<span style="display: block; white-space: normal; text-align: left">I predict, {}:</span>'
@@ -77,9 +78,9 @@ class PredictionControl(ipywidgets.HBox):  # type: ignore[misc]
         asked: str,
         kept: str,
         keep: Callable[[str], None],
-        how_far: Callable[[str], str] = lambda _: "",
+        made: Prediction | None = None,
     ) -> None:
-        self._asked, self._how_far = asked, how_far
+        self._asked, self._made = asked, made
         self.field = ipywidgets.Text(
             value=kept,
             placeholder="your prediction",
@@ -112,14 +113,14 @@ class PredictionControl(ipywidgets.HBox):  # type: ignore[misc]
     @property
     def said_how_far(self) -> str:
         """The sentence with a word on how far off the prediction is, if there is one to say."""
-        far = self.prediction and self._how_far(self.prediction)
+        far = self._made and self.prediction and self._made.how_far(self.prediction)
         return f"You predicted {self.prediction}: {far}." if far else self.said
 
     def reveal(self, *sentences: str) -> "Reveal":
         """Return the answer, folded while there is no prediction, and open as soon as there is.
 
-        Each of `sentences` becomes a paragraph: what is true, and why one might have guessed
-        otherwise.
+        Each of `sentences` becomes a paragraph. Why one guesses otherwise follows by itself, where
+        the lesson knows it.
 
         >>> guess = PredictionControl("degrees", "", print)
         >>> guess.reveal("It is 92.5.")
@@ -130,7 +131,8 @@ class PredictionControl(ipywidgets.HBox):  # type: ignore[misc]
         You predicted 110.
         It is 92.5.
         """
-        return Reveal(self, sentences)
+        why = [self._made.why] if self._made and self._made.why else []
+        return Reveal(self, [*sentences, *why])
 
     def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
         bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)

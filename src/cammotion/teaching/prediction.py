@@ -19,13 +19,15 @@ class Prediction:
     """A prediction of a lesson, as `cm.predict(key, asked)` asks for it, and what turns out true.
 
     `true` is a number in the unit that `asked` names, or a text where no single number is asked
-    for. What is as right as `true` is in `also`. All of them are about the machine of the lessons,
-    with the same numbers for everybody.
+    for. What is as right as `true` is in `also`, and `why` one guesses otherwise is a word for the
+    reveal: it stands here and not in the notebook's cell, where it would be read too soon. All of
+    them are about the machine of the lessons, with the same numbers for everybody.
     """
 
     key: str
     asked: str
     true: float | str
+    why: str = ""
     also: tuple[float, ...] = ()
 
     def how_far(self, text: str) -> str:

@@ -66,12 +66,11 @@ class Session:
         kept = str(self.store.records("predictions").get(key, {}).get("text", ""))
         field = self.predictions.get((key, asked))
         if field is None:
-            made = PREDICTIONS.get(key)
             field = self.predictions[key, asked] = PredictionControl(
                 asked,
                 kept,
                 lambda text: self.store.update("predictions", key, text=text),
-                made.how_far if made else lambda _: "",
+                PREDICTIONS.get(key),
             )
         elif field.prediction != kept.strip():  # another notebook has changed it
             field.field.value = kept
