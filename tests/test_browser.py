@@ -158,3 +158,7 @@ def test_the_next_day_the_explorer_is_still_a_picture(lesson: LabPage) -> None:
     lesson.command("kernelmenu:shutdown")
     lesson.reload(LESSON)
     assert_stands_as_picture(ExplorerOutput(lesson))
+    reveal = lesson.output_of("few_guess.reveal(")
+    expect(reveal.get_by_text("By 16 %.")).to_be_hidden()
+    reveal.get_by_text("Show the answer (you made no prediction yet)").click()
+    expect(reveal.get_by_text("By 16 %.")).to_be_visible()
