@@ -16,7 +16,7 @@ from cammotion.teaching.session import Session
 from cammotion.teaching.store import GRADING, Store
 
 HALF = PREDICTIONS["01.half"]
-ANSWER = ("It is 92.5 & no more.", "Not <110>.")
+ANSWER = ("It is 92.5 & no more.", "Not <b>110</b>.")
 SHOWN = [*ANSWER, HALF.why]
 FOLDED = "The answer is folded: you made no prediction yet."
 
