@@ -72,8 +72,12 @@ def remove_left_overs(work: Path) -> None:
 
 
 def lay(source: Path, target: Path) -> bool:
-    """Copy a notebook, with a note of what it is a copy of; return False if the name is taken."""
+    """Copy a notebook without its outputs; return False if the name is taken.
+
+    A note in the copy says what it is a copy of.
+    """
     content, version = notebooks.read_original(source)
+    notebooks.strip_outputs(content)
     content.setdefault("metadata", {})["workbook"] = {"source": source.name, "version": version}
     # A name of its own: where folders cannot be locked, two starts must not share a part.
     part = target.with_name(f".{target.name}.{secrets.token_hex(8)}.part")

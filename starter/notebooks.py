@@ -65,6 +65,13 @@ def read_original(path: Path) -> Notebook:
     return notebook
 
 
+def strip_outputs(content: dict[str, Any]) -> None:
+    """Take from a notebook what was shown when it was run: a copy begins with nothing told."""
+    for cell in content["cells"]:
+        if cell["cell_type"] == "code":
+            cell.update(outputs=[], execution_count=None)
+
+
 def write(path: Path, content: dict[str, Any]) -> None:
     """Write a notebook as nbformat writes it, through to the disk."""
     with path.open("w", encoding="utf-8", newline="\n") as file:

@@ -83,8 +83,10 @@ def assert_stands_as_picture(explorer: ExplorerOutput) -> None:
     assert picture.evaluate("image => image.decode().then(() => image.naturalWidth)") > 400
 
 
-def test_a_fresh_copy_shows_the_explorer_before_it_is_run(opened: LabPage) -> None:
-    assert_stands_as_picture(ExplorerOutput(opened))
+def test_a_fresh_copy_shows_nothing_before_it_is_run(opened: LabPage) -> None:
+    """What comes out would give the answers away; the stored notebook shows it."""
+    expect(opened.notebook.locator(".jp-CodeCell").first).to_be_visible()
+    expect(opened.notebook.locator(".jp-OutputArea-output")).to_have_count(0)
     assert opened.troubles() == []
 
 
@@ -156,3 +158,7 @@ def test_the_next_day_the_explorer_is_still_a_picture(lesson: LabPage) -> None:
     lesson.command("kernelmenu:shutdown")
     lesson.reload(LESSON)
     assert_stands_as_picture(ExplorerOutput(lesson))
+    reveal = lesson.output_of("few_guess.reveal(")
+    expect(reveal.get_by_text("By 16 %.")).to_be_hidden()
+    reveal.get_by_text("Show the answer (you made no prediction yet)").click()
+    expect(reveal.get_by_text("By 16 %.")).to_be_visible()

@@ -287,7 +287,7 @@ def player(lab: LabPage) -> PlayerOutput:
     return found
 
 
-def test_a_fresh_copy_shows_the_moving_picture_before_it_is_run(opened: LabPage) -> None:
+def test_a_stored_notebook_shows_the_moving_picture_before_it_is_run(opened: LabPage) -> None:
     """Nobody has said yet that the notebook is to be trusted."""
     image = opened.output_of('"no overlap"').get_by_role("img")
     expect(image).to_have_attribute("alt", re.compile("^The machine in motion, 1.8 s a turn"))

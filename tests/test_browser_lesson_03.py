@@ -12,6 +12,7 @@ import cammotion as cm
 
 WORK = "work-lesson-03-test"
 LESSON = "03_overlap.ipynb"
+EIGHT_EM = 8 * 13
 
 
 @pytest.fixture(scope="module")
@@ -96,16 +97,51 @@ def test_a_choice_is_made_by_keyboard_and_answered_with_a_reason(lesson: LabPage
     assert kept()["exercises"]["03.6"]["state"] == "right"
 
 
-def test_a_prediction_is_kept_and_shown_again(lesson: LabPage) -> None:
-    field = lesson.output_of('cm.predict("03.share"').get_by_role("textbox")
-    expect(field).to_have_value("")
-    field.fill("3 percent")
-    field.press("Tab")
-    cell = lesson.notebook.locator(".jp-CodeCell", has_text="share_guess.said")
+def test_a_prediction_opens_the_answer_that_run_all_has_folded(lesson: LabPage) -> None:
+    """Also where its cell was run again before something was typed into its field."""
+    reveal = lesson.output_of("share_guess.reveal(")
+    answer = reveal.get_by_text("0.645 % of the stroke.")
+    expect(reveal.get_by_text("Show the answer (you made no prediction yet)")).to_be_visible()
+    expect(answer).to_be_hidden()
+    cell = lesson.notebook.locator(".jp-CodeCell", has_text='cm.predict("03.share"')
     cell.locator(".cm-content").click()
     lesson.command("notebook:run-cell")
-    expect(cell.locator(".jp-OutputArea-output")).to_contain_text("You predicted 3 percent.")
+    field = cell.get_by_label("I predict, percent of the stroke:")
+    expect(field).to_have_value("")
+    field.press_sequentially("3 percent")
+    lesson.settle()
+    expect(answer).to_be_hidden()  # it may be half of a number
+    field.press("Enter")
+    expect(reveal).to_contain_text("You predicted 3 percent: 4.7 times too much.")
+    expect(answer).to_be_visible()
     assert kept()["predictions"]["03.share"]["text"] == "3 percent"
+
+
+def test_an_answer_without_a_prediction_is_shown_on_wish(lesson: LabPage) -> None:
+    reveal = lesson.output_of("widest_guess.reveal(")
+    answer = reveal.get_by_text("The die may move over 124.84 degrees.")
+    expect(answer).to_be_hidden()
+    summary = reveal.locator("summary")
+    summary.press("Enter")
+    expect(answer).to_be_visible()
+    summary.press("Space")
+    expect(answer).to_be_hidden()
+
+
+@pytest.mark.parametrize("width", [250, 900])
+def test_the_field_of_a_prediction_is_wide_enough_and_on_the_page(
+    lesson: LabPage, width: int
+) -> None:
+    """Also in what a page of 360 px leaves for an output, with the longest label."""
+    output = lesson.output_of('cm.predict("03.widest"').locator(".jp-OutputArea-output")
+    output.evaluate("(box, px) => { box.style.width = box.style.flex = `0 0 ${px}px`; }", width)
+    for part in (output.get_by_role("textbox"), output.get_by_text("I predict")):
+        inner, outer = part.bounding_box(), output.bounding_box()
+        assert inner
+        assert outer
+        assert inner["width"] >= EIGHT_EM
+        assert outer["x"] <= inner["x"]
+        assert inner["x"] + inner["width"] <= outer["x"] + outer["width"]
 
 
 def test_an_answer_is_checked_where_it_stands(lesson: LabPage) -> None:

@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 from school import DATA, HOSTILE, collect, put, show, table_of
 
 from cammotion.quantities import InputError
-from cammotion.teaching.classroom import histogram, tally
+from cammotion.teaching.classroom import histogram
 from cammotion.teaching.classroom.clean import clean
 from cammotion.teaching.classroom.collect import read_class
+from cammotion.teaching.prediction import number_in
 
 DONE = {"exercises": {"01.1": {"state": "right", "tries": 1}}}
 
@@ -144,7 +145,7 @@ def test_a_file_from_a_windows_editor_is_read(tmp_path: Path) -> None:
 def test_records_of_a_stranger_make_a_page(tmp_path: Path, value: object) -> None:
     names = ("state", "tries", "hints", "who", "choice", "text", "slips", "name")
     record = dict.fromkeys(names, value)
-    kinds = {"exercises": "01.1", "predictions": "01.angle", "learner": "variant"}
+    kinds = {"exercises": "01.1", "predictions": "01.half", "learner": "variant"}
     put(tmp_path, "a.json", {kind: {key: record} for kind, key in kinds.items()})
     put(tmp_path, "b.json", {kind: {key: value} for kind, key in kinds.items()} | {"else": value})
     put(tmp_path, "c.json", named("c") | {"predictions": value})
@@ -171,12 +172,12 @@ def test_counts_that_nobody_can_have_reached_are_none(tmp_path: Path) -> None:
     ],
 )
 def test_the_number_in_what_was_typed(text: str, asked: str, number: float | None) -> None:
-    assert tally.number_in(text, asked) == number
+    assert number_in(text, asked) == number
 
 
 @given(st.text())
 def test_any_text_is_a_number_or_none(text: str) -> None:
-    number = tally.number_in(text, "deg")
+    number = number_in(text, "deg")
     assert number is None or math.isfinite(number)
     clean(text).encode()
     assert len(clean(text)) <= 40

@@ -64,10 +64,10 @@ def part(soup: BeautifulSoup, key: str) -> Tag:
 
 def test_what_was_predicted_in_numbers(folder: Path) -> None:
     soup = show(read_class(folder))
-    angle = part(soup, "01.angle")
+    angle = part(soup, "01.half")
     assert "3 of 3 students predicted, from 55 to 110." in text_of(angle)
     assert find(angle, "svg")["aria-label"] == (
-        "Histogram of 3 predictions, 01.angle: degrees for each way. From 50 to below 60: 1. "
+        "Histogram of 3 predictions, 01.half: degrees for each way. From 50 to below 60: 1. "
         "From 100 to below 110: 1. From 110 to below 120: 1."
     )
     peak = part(soup, "02.peak")
@@ -89,7 +89,7 @@ def test_what_was_predicted_in_words(folder: Path) -> None:
 
 def test_what_is_true_is_told_only_where_it_is_unfolded(folder: Path) -> None:
     soup = show(read_class(folder))
-    for key, true in {"01.angle": "55", "01.harder": "the die, 3.72 times"}.items():
+    for key, true in {"01.half": "92.5", "01.harder": "the die, 3.72 times"}.items():
         (folded,) = (d for d in part(soup, key)("details") if "What is true" in text_of(d.summary))
         assert f"True is: {true}." in text_of(folded)
     assert find(soup, ".true").find_parent("details") is not None
@@ -127,7 +127,7 @@ def test_all_that_was_typed_is_shown_and_does_nothing(folder: Path) -> None:
             HOSTILE: {"state": "right", "tries": 1},
         },
         "predictions": {
-            "01.angle": {"text": HOSTILE},
+            "01.half": {"text": HOSTILE},
             "01.harder": {"text": HOSTILE},
             HOSTILE: {"text": HOSTILE},
         },

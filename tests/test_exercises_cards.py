@@ -191,8 +191,10 @@ def test_a_reader_without_a_kernel_gets_question_and_options(exercise: ChoiceExe
 
 
 def test_a_prediction_has_a_name_and_is_empty_at_first() -> None:
-    control = cm.predict("01.angle", "degrees for each way")
-    assert control.field.description == "I predict, degrees for each way:"
+    control = cm.predict("01.half", "degrees for each way")
+    label = BeautifulSoup(control.field.description, "html.parser")
+    assert label.get_text() == "I predict, degrees for each way:"
+    assert control.field.description_allow_html
     assert control.field.value == ""
     assert control.field.placeholder
     empty = control._repr_mimebundle_()["text/plain"]
@@ -203,8 +205,8 @@ def test_a_prediction_has_a_name_and_is_empty_at_first() -> None:
 
 
 def test_a_prediction_that_is_taken_back() -> None:
-    control = cm.predict("01.angle", "deg")
+    control = cm.predict("01.half", "deg")
     for typed in ("60", " "):
         control.field.value = typed
     restart()
-    assert cm.predict("01.angle", "deg").said == "You made no prediction."
+    assert cm.predict("01.half", "deg").said == "You made no prediction."

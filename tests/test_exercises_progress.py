@@ -116,14 +116,14 @@ def test_what_is_no_choice_is_not_kept_as_one(work: Path, answer: object) -> Non
 
 
 def test_predictions_are_kept_and_shown_again(work: Path) -> None:
-    control = cm.predict("01.angle", "degrees for each way")
+    control = cm.predict("01.half", "degrees for each way")
     assert control.said == "You made no prediction."
     control.field.value = "  about 60 "
     assert control.said == "You predicted about 60."
     restart()
-    assert cm.predict("01.angle", "degrees for each way").said == "You predicted about 60."
+    assert cm.predict("01.half", "degrees for each way").said == "You predicted about 60."
     assert cm.predict("01.other", "mm").prediction == ""
-    assert read_file(work)["predictions"]["01.angle"] == {"text": "about 60"}
+    assert read_file(work)["predictions"]["01.half"] == {"text": "about 60"}
 
 
 @pytest.mark.parametrize("key", ["", " ", None, 3, ["a"]])
@@ -284,9 +284,9 @@ def test_elsewhere_nothing_is_written(
     restart()
     cm.check("01.1", 55)
     cm.hint("01.2")
-    cm.predict("01.angle", "mm").field.value = "3"
+    cm.predict("01.half", "mm").field.value = "3"
     assert cm.progress().right == 1
-    assert cm.predict("01.angle", "mm").prediction == "3"
+    assert cm.predict("01.half", "mm").prediction == "3"
     assert not [*work.parent.rglob("*progress*")]
 
 

@@ -131,7 +131,7 @@ def test_the_name_is_kept_as_it_was_given(work: Path) -> None:
 def test_a_file_of_the_version_before_is_read_and_nothing_in_it_is_lost(work: Path) -> None:
     old = {
         "exercises": {"01.1": {"state": "wrong", "tries": 2, "hints": 1, "who": "anna"}},
-        "predictions": {"01.angle": {"text": "60"}},
+        "predictions": {"01.half": {"text": "60"}},
     }
     (work / FILE).write_text(json.dumps(old))
     restart()

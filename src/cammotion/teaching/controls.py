@@ -1,13 +1,17 @@
-"""Controls for choices and predictions: with names, and with nothing chosen beforehand."""
+"""Controls for choices and predictions, and reveals that wait for a prediction."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from html import escape
 from typing import Any
 
 import ipywidgets
 
 from cammotion.teaching.exercise import ChoiceExercise
-from cammotion.teaching.messages import Feedback
+from cammotion.teaching.messages import Feedback, box
+from cammotion.teaching.prediction import Prediction
+
+# A line of its own above the field, which wraps on a narrow page.
+_LABEL = '<span style="display: block; white-space: normal; text-align: left">I predict, {}:</span>'
 
 
 class ChoiceControl(ipywidgets.VBox):  # type: ignore[misc]
@@ -64,16 +68,32 @@ class ChoiceControl(ipywidgets.VBox):  # type: ignore[misc]
 
 
 class PredictionControl(ipywidgets.HBox):  # type: ignore[misc]
-    """A field for a prediction, empty at first; what is typed is kept and can be shown again."""
+    """A field for a prediction, empty at first; what is typed is kept and can be shown again.
 
-    def __init__(self, asked: str, kept: str, keep: Callable[[str], None]) -> None:
-        self._asked = asked
+    It counts when the field is left or Enter is pressed, so that no half of a number does.
+    """
+
+    def __init__(
+        self,
+        asked: str,
+        kept: str,
+        keep: Callable[[str], None],
+        made: Prediction | None = None,
+    ) -> None:
+        self._asked, self._made = asked, made
         self.field = ipywidgets.Text(
             value=kept,
             placeholder="your prediction",
-            description=f"I predict, {asked}:",
-            style={"description_width": "initial"},
-            layout={"width": "32em", "max_width": "100%"},
+            description=_LABEL.format(escape(asked)),
+            description_allow_html=True,
+            continuous_update=False,
+            style={"description_width": "100%"},
+            layout={
+                "width": "32em",
+                "max_width": "100%",
+                "height": "auto",
+                "flex_flow": "row wrap",
+            },
         )
         self.field.observe(lambda _: keep(self.prediction), "value")
         super().__init__([self.field])
@@ -90,7 +110,66 @@ class PredictionControl(ipywidgets.HBox):  # type: ignore[misc]
             return "You made no prediction."
         return f"You predicted {self.prediction}."
 
+    @property
+    def said_how_far(self) -> str:
+        """The sentence with a word on how far off the prediction is, if there is one to say."""
+        far = self._made and self.prediction and self._made.how_far(self.prediction)
+        return f"You predicted {self.prediction}: {far}." if far else self.said
+
+    def reveal(self, *sentences: str) -> "Reveal":
+        """Return the answer, folded while there is no prediction, and open as soon as there is.
+
+        Each of `sentences` becomes a paragraph. Why one guesses otherwise follows by itself, where
+        the lesson knows it.
+
+        >>> guess = PredictionControl("degrees", "", print)
+        >>> guess.reveal("It is 92.5.")
+        The answer is folded: you made no prediction yet.
+        >>> guess.field.value = "110"
+        110
+        >>> guess.reveal("It is 92.5.")
+        You predicted 110.
+        It is 92.5.
+        """
+        why = [self._made.why] if self._made and self._made.why else []
+        return Reveal(self, [*sentences, *why])
+
     def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
         bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)
         shown = self.prediction or "run this cell, and type it here"
         return bundle | {"text/plain": f"I predict, {self._asked}: {shown}"}
+
+
+class Reveal(ipywidgets.HTML):  # type: ignore[misc]
+    """The answer to a prediction: folded without one, open with one, also one made later."""
+
+    def __init__(self, guess: PredictionControl, sentences: Sequence[str]) -> None:
+        self._guess, self._sentences = guess, [str(sentence) for sentence in sentences]
+        super().__init__(self.html)
+        guess.field.observe(lambda _: self.set_trait("value", self.html), "value")
+
+    @property
+    def text(self) -> str:
+        """The plain text; while the answer is folded it does not say it."""
+        if not self._guess.prediction:
+            return "The answer is folded: you made no prediction yet."
+        return "\n".join([self._guess.said_how_far, *self._sentences])
+
+    @property
+    def html(self) -> str:
+        """The HTML."""
+        answer = "".join(f"<p>{escape(sentence)}</p>" for sentence in self._sentences)
+        if self._guess.prediction:
+            said = f"<strong>{escape(self._guess.said_how_far)}</strong>"
+            return box(
+                "open", f"{said}<details open><summary>The answer</summary>{answer}</details>"
+            )
+        summary = "Show the answer (you made no prediction yet)"
+        return box("open", f"<details><summary>{summary}</summary>{answer}</details>")
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
+        bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)
+        return bundle | {"text/plain": self.text, "text/html": self.html}

@@ -78,7 +78,7 @@ class Feedback(Card):
         """The HTML; a screen reader reads it out when it appears."""
         head, *rest = map(escape, self._parts)
         note = f"<div><small>{escape(self.note)}</small></div>" if self.note else ""
-        return _box(self.verdict.state, f"<strong>{head}</strong> {' '.join(rest)}{note}")
+        return box(self.verdict.state, f"<strong>{head}</strong> {' '.join(rest)}{note}")
 
     @property
     def _parts(self) -> Sequence[str]:
@@ -111,7 +111,7 @@ class Hint(Card):
     @property
     def html(self) -> str:
         """The HTML."""
-        return _box("open", escape(self.text))
+        return box("open", escape(self.text))
 
 
 @dataclass(frozen=True)
@@ -176,7 +176,8 @@ class Progress(Card):
         return f"<p>{self.summary}</p><table>{head}{rows}</table>{note}"
 
 
-def _box(state: State, content: str) -> str:
+def box(state: State, content: str) -> str:
+    """Return the HTML of a box with the colours of a state; it is read out when it appears."""
     ground, edge = _COLOURS[state]
     return (
         f'<div role="status" style="background: {ground}; color: #1b1b1b; padding: 0.6em 0.9em; '

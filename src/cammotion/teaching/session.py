@@ -7,7 +7,7 @@ from cammotion.quantities import InputError, shorten
 from cammotion.teaching.controls import ChoiceControl, PredictionControl
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
-from cammotion.teaching.lessons import EXERCISES, find_exercise
+from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
 from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
 from cammotion.teaching.variants import machine_for
@@ -20,6 +20,7 @@ class Session:
         self.machine: MillAndDie = EXAMPLE
         self.store = store
         self.hints: dict[str, int] = {}
+        self.predictions: dict[tuple[str, str], PredictionControl] = {}
 
     def note(self, number: str, answer: Any, verdict: Verdict) -> None:
         """Keep what has become of an answer; what was right once stays right for these numbers.
@@ -59,6 +60,21 @@ class Session:
             "exercises", number, lambda before: {"hints": max(step, count(before, "hints"))}
         )
         return step
+
+    def prediction(self, key: str, asked: str) -> PredictionControl:
+        """Return the field of a prediction, the same one each time: its reveals listen to it."""
+        kept = str(self.store.records("predictions").get(key, {}).get("text", ""))
+        field = self.predictions.get((key, asked))
+        if field is None:
+            field = self.predictions[key, asked] = PredictionControl(
+                asked,
+                kept,
+                lambda text: self.store.update("predictions", key, text=text),
+                PREDICTIONS.get(key),
+            )
+        elif field.prediction != kept.strip():  # another notebook has changed it
+            field.field.value = kept
+        return field
 
     def keep_name(self, name: str) -> None:
         """Keep the name that was given for a variant; none is no name."""
@@ -152,17 +168,18 @@ def predict(key: str, asked: str) -> PredictionControl:
     """Return a field for a prediction; what was typed is kept under `key` and shown again.
 
     `asked` says what is predicted, with its unit, like "degrees for each way". The control's
-    `said` is a sentence for the reveal. Raises InputError for a key that is no text.
+    `reveal` shows an answer that is folded until a prediction is made; its `said` is a sentence
+    that says which one was. Raises InputError for a key that is no text.
 
-    >>> predict("01.example", "degrees for each way").said
+    >>> guess = predict("01.example", "degrees for each way")
+    >>> guess.said
     'You made no prediction.'
+    >>> guess.reveal("It is 92.5 for each way.")
+    The answer is folded: you made no prediction yet.
     """
     if not isinstance(key, str) or not key.strip():
-        raise InputError(f"The key of a prediction is {shorten(key)}: give one like '01.angle'.")
-    kept = _SESSION.store.records("predictions").get(key, {}).get("text", "")
-    return PredictionControl(
-        str(asked), str(kept), lambda text: _SESSION.store.update("predictions", key, text=text)
-    )
+        raise InputError(f"The key of a prediction is {shorten(key)}: give one like '01.half'.")
+    return _SESSION.prediction(key, str(asked))
 
 
 def progress() -> Progress:

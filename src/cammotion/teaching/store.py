@@ -6,7 +6,7 @@ It holds records by kind and key, fields that are not known are left as they are
 
 exercises    "01.1": state; tries; hints, the furthest one; who, whose numbers were asked for;
              choice, a letter; slips, how often each reason was given, by its short name
-predictions  "01.angle": text, as it was typed
+predictions  "01.half": text, as it was typed
 learner      "variant": name, as it was given to cm.variant
 """
 

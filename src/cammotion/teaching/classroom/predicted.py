@@ -7,7 +7,7 @@ from html import escape
 from cammotion.teaching.classroom import histogram, tally
 from cammotion.teaching.classroom.clean import clean, plural
 from cammotion.teaching.classroom.collect import Student
-from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.prediction import Prediction, number_in
 
 _MOST_WORDS = 12
 
@@ -35,7 +35,7 @@ def _numbers_and_texts(made: Prediction, typed: Sequence[str]) -> tuple[list[flo
     """Part what is one number from the rest; where a text is asked for, all is the rest."""
     if isinstance(made.true, str) and made.true:
         return [], [*typed]
-    found = [(text, tally.number_in(text, made.asked)) for text in typed]
+    found = [(text, number_in(text, made.asked)) for text in typed]
     numbers = [number for _, number in found if number is not None]
     return numbers, [text for text, number in found if number is None]
 

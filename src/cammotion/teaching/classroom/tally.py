@@ -1,6 +1,5 @@
-"""Count what a class has done: reasons of wrong answers, numbers and words of predictions."""
+"""Count what a class has done: reasons of wrong answers, words of predictions."""
 
-import math
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -12,12 +11,6 @@ from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.reasons import NO_ANSWER, short_name
 from cammotion.teaching.store import counts
 
-_NUMBER = re.compile(
-    r"(?<![\w.,^/*])(?P<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)"
-    r"(?:\s*/\s*(?P<over>\d+(?:[.,]\d+)?))?(?P<percent>\s*%)?",
-    re.IGNORECASE,
-)
-_LARGEST = 1e12  # beyond that it is a joke and no prediction
 _LITTLE_WORDS = frozenset(("a", "an", "and", "at", "by", "in", "is", "it", "of", "or", "the", "to"))
 
 
@@ -45,33 +38,6 @@ def slips(exercise: Exercise, students: Iterable[Student]) -> list[Told]:
         for name, count in who.items()
     )
     return sorted(told, key=lambda one: (-one.students, -one.times, one.reason))
-
-
-def number_in(text: str, asked: str) -> float | None:
-    """Return the number that a typed prediction is, None if it is none or more than one.
-
-    A comma may stand for the point, a fraction for its value; units and words may stand around it.
-    A share in percent is made a number where percent are not what is asked for.
-
-    >>> number_in("about 1,04 m/s2", "m/s²"), number_in("1/4 of tm", "fraction")
-    (1.04, 0.25)
-    >>> number_in("25 %", "percent"), number_in("25 %", "fraction"), number_in("50 or 60", "deg")
-    (25.0, 0.25, None)
-    """
-    found = [*_NUMBER.finditer(text)]
-    if len(found) != 1:
-        return None
-    value, over = (_read(found[0][name]) for name in ("value", "over"))
-    if value is None or over == 0:
-        return None
-    value /= over or 1
-    if found[0]["percent"] and "percent" not in asked:
-        value /= 100
-    return value if math.isfinite(value) and abs(value) <= _LARGEST else None
-
-
-def _read(digits: str | None) -> float | None:
-    return float(digits.replace(",", ".").replace("−", "-")) if digits else None
 
 
 def words(texts: Sequence[str]) -> list[tuple[str, int]]:

@@ -184,7 +184,25 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("01.angle", "degrees for each way", 55),
-    Prediction("01.harder", "mill or die, and how many times", "the die, 3.72 times"),
-    Prediction("01.rate", "factors of movement, velocity, acceleration", "1, 2 and 4"),
+    Prediction(
+        "01.half",
+        "degrees for each way",
+        92.5,
+        "Twice as many, 110, is the usual guess, and 130 the next: 55 and the 75 that the mill "
+        "gives up. But the work keeps its 100, and the 75 have to serve two ways.",
+    ),
+    Prediction(
+        "01.harder",
+        "mill or die, and how many times",
+        "the die, 3.72 times",
+        "Many name the mill, because it goes further. And many say 1.4 times, which is the "
+        "ratio of the velocities.",
+    ),
+    Prediction(
+        "01.rate",
+        "factors of movement, velocity, acceleration",
+        "1, 2 and 4",
+        "Who lets the movement grow too thinks of an axis with seconds. And who only doubles "
+        "the acceleration has counted the time once: it counts once for each derivative.",
+    ),
 )

@@ -289,7 +289,27 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("02.fraction", "fraction of the time tm", 0.25),
-    Prediction("02.peak", "peak at 110 deg in m/s²", 1.039),
-    Prediction("02.factor", "how many times smaller", 16),
+    Prediction(
+        "02.fraction",
+        "fraction of the time tm",
+        0.25,
+        "Many say 0, where the die has to get going, or 0.5, where it is fastest. But how fast "
+        "it is says nothing of how hard it is pushed: what counts is how quickly its velocity "
+        "changes.",
+        also=(0.75,),
+    ),
+    Prediction(
+        "02.peak",
+        "peak at 110 deg in m/s²",
+        1.039,
+        "Half of it, 2.08, is the usual guess. In twice the time half the velocity is enough, "
+        "and for that half there is twice the time: the time counts twice.",
+    ),
+    Prediction(
+        "02.few",
+        "percent less",
+        15.97,
+        "Five degrees are 9 % of 55, and 9 % is the usual guess. But the angle counts twice. On "
+        "top of 110 degrees the same five take away no more than 8.5 %, and of a smaller peak.",
+    ),
 )

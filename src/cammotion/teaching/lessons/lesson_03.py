@@ -315,7 +315,24 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("03.share", "percent of the stroke", 0.645),
-    Prediction("03.widest", "degrees for each way", 124.84),
-    Prediction("03.harder", "mill or die", "the mill"),
+    Prediction(
+        "03.share",
+        "percent of the stroke",
+        0.645,
+        "At constant velocity it would be 10 %. Many know that it starts gently and say 5 % or "
+        "2 %. It starts far more gently than that.",
+    ),
+    Prediction(
+        "03.widest",
+        "degrees for each way",
+        124.84,
+        "113 comes out if 19/50 of the way is taken for 19/50 of the time. And those who expect "
+        "a small gain say 80 or 90.",
+    ),
+    Prediction(
+        "03.harder",
+        "mill or die",
+        "the mill",
+        "Many still say the die, because it has been the hard-driven one for three notebooks.",
+    ),
 )

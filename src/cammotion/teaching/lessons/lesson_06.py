@@ -493,7 +493,24 @@ EXERCISES = (
 )
 
 PREDICTIONS = (
-    Prediction("06.law", "Ca", 4),
-    Prediction("06.machine", "m/s²", 0.511),
-    Prediction("06.jerk", "percent", 3.3),
+    Prediction(
+        "06.spring",
+        "the least push, where it was 4",
+        6,
+        "Five is the usual guess: one more here for one less there. But the die, pushed and "
+        "braked evenly, gets up to a velocity of 2. A brake of 3 needs two thirds of the time "
+        "to take that away. One third is left for the push, and 2 divided by 1/3 is 6.",
+    ),
+    Prediction(
+        "06.machine",
+        "m/s²",
+        0.511,
+        "Many expect more of all the motions that nobody has tried yet. They gain less than 2 %.",
+    ),
+    Prediction(
+        "06.jerk",
+        "percent",
+        3.3,
+        "Many guess ten or twenty percent: the law was found with pencil and paper.",
+    ),
 )

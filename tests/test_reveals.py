@@ -1,0 +1,137 @@
+"""Reveals: folded without a prediction, open with one, and a word on how far off it was."""
+
+from pathlib import Path
+
+import pytest
+from bs4 import BeautifulSoup, Tag
+from hypothesis import given
+from hypothesis import strategies as st
+
+import cammotion as cm
+from cammotion.teaching import session
+from cammotion.teaching.controls import Reveal
+from cammotion.teaching.lessons import PREDICTIONS
+from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.session import Session
+from cammotion.teaching.store import GRADING, Store
+
+HALF = PREDICTIONS["01.half"]
+ANSWER = ("It is 92.5 & no more.", "Not <b>110</b>.")
+SHOWN = [*ANSWER, HALF.why]
+FOLDED = "The answer is folded: you made no prediction yet."
+
+
+@pytest.fixture(autouse=True)
+def _own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep what is done in a folder of this test's own."""
+    monkeypatch.delenv(GRADING, raising=False)
+    monkeypatch.setattr(session, "_SESSION", Session(Store(lambda: tmp_path)))
+
+
+def details(page: str) -> Tag:
+    """Return the one part of a page that can be folded."""
+    (found,) = BeautifulSoup(page, "html.parser")("details")
+    assert isinstance(found, Tag)
+    return found
+
+
+def assert_folded(reveal: Reveal) -> None:
+    """Assert that live and stored the answer is folded, and that no plain text tells it."""
+    bundle = reveal._repr_mimebundle_()
+    assert bundle["text/plain"] == repr(reveal) == FOLDED
+    assert bundle["text/html"] == reveal.value
+    folded = details(reveal.value)
+    assert not folded.has_attr("open")
+    assert folded.summary is not None
+    assert folded.summary.get_text() == "Show the answer (you made no prediction yet)"
+    assert [p.get_text() for p in folded("p")] == SHOWN
+    page = BeautifulSoup(reveal.value, "html.parser")
+    for part in page("details"):
+        part.decompose()
+    assert page.get_text() == ""
+
+
+def assert_open(reveal: Reveal, said: str) -> None:
+    """Assert that the answer is open, under what is said of the prediction."""
+    page = BeautifulSoup(reveal.value, "html.parser")
+    assert details(reveal.value).has_attr("open")
+    assert page.strong is not None
+    assert page.strong.get_text() == said
+    assert reveal._repr_mimebundle_()["text/plain"] == "\n".join([said, *SHOWN])
+
+
+def test_run_all_folds_the_answer_and_a_prediction_typed_later_opens_it() -> None:
+    guess = cm.predict(HALF.key, HALF.asked)
+    reveal = guess.reveal(*ANSWER)
+    assert_folded(reveal)
+    guess.field.value = "110"
+    assert_open(reveal, "You predicted 110: 19 % too much.")
+    guess.field.value = " "
+    assert_folded(reveal)
+
+
+def test_a_prediction_counts_in_each_run_of_its_cell_and_after_a_restart() -> None:
+    """The reveal below may be of an earlier run than the field into which is typed."""
+    reveal = cm.predict(HALF.key, HALF.asked).reveal(*ANSWER)
+    cm.predict(HALF.key, HALF.asked).field.value = "60"
+    assert_open(reveal, "You predicted 60: 35 % too little.")
+    session._SESSION = Session(Store(session._SESSION.store._find_folder))
+    again = cm.predict(HALF.key, HALF.asked).reveal(*ANSWER)
+    assert_open(again, "You predicted 60: 35 % too little.")
+
+
+def test_what_another_notebook_has_kept_is_shown() -> None:
+    reveal = cm.predict(HALF.key, HALF.asked).reveal(*ANSWER)
+    other = Session(Store(session._SESSION.store._find_folder))
+    other.prediction(HALF.key, HALF.asked).field.value = "92"
+    assert_folded(reveal)
+    assert cm.predict(HALF.key, HALF.asked).prediction == "92"
+    assert_open(reveal, "You predicted 92: as good as right.")
+
+
+def test_a_prediction_that_no_lesson_knows_is_revealed_without_a_word_of_its_own() -> None:
+    guess = cm.predict("my.own", "mm")
+    guess.field.value = "7"
+    assert repr(guess.reveal("It is 8.")) == "You predicted 7.\nIt is 8."
+
+
+def test_half_a_number_is_no_prediction() -> None:
+    """A prediction counts when the field is left, not with its first digit."""
+    assert cm.predict(HALF.key, HALF.asked).field.continuous_update is False
+
+
+@pytest.mark.parametrize("typed", ["<script>alert()</script>", "a\u202eb", "about 50 or 60"])
+def test_what_is_no_number_is_said_as_it_was_typed(typed: str) -> None:
+    guess = cm.predict(HALF.key, HALF.asked)
+    guess.field.value = typed
+    assert_open(guess.reveal(*ANSWER), f"You predicted {typed}.")
+
+
+@pytest.mark.parametrize(
+    ("key", "typed", "far"),
+    [
+        ("01.half", "about 55 degrees", "41 % too little"),
+        ("01.half", "92,5", "as good as right"),
+        ("01.half", "185", "2 times too much"),
+        ("01.half", "0", "too little"),
+        ("01.half", "-5", "too little"),
+        ("01.harder", "the die, 4 times", ""),
+        ("02.fraction", "1/2", "2 times too much"),
+        ("02.fraction", "75 %", "as good as right"),
+        ("03.share", "10 %", "16 times too much"),
+        ("03.share", "0.1 percent", "6.5 times too little"),
+        ("06.spring", "5", "17 % too little"),
+    ],
+)
+def test_how_far_off_it_is(key: str, typed: str, far: str) -> None:
+    assert PREDICTIONS[key].how_far(typed) == far
+
+
+@given(st.floats(1e-6, 1e6), st.floats(1e-6, 1e6))
+def test_how_far_off_two_numbers_are(true: float, typed: float) -> None:
+    said = Prediction("k", "mm", true).how_far(f"{typed:.17g}")
+    if abs(typed / true - 1) <= 0.02:
+        assert said == "as good as right"
+    else:
+        assert said.endswith("too much" if typed > true else "too little")
+        assert not said.startswith(("0 %", "1 %", "1 times"))
