@@ -76,31 +76,6 @@ def test_new_outputs_are_no_new_version(root: Path) -> None:
     assert not copies.notices(work)
 
 
-def test_a_copy_has_no_outputs_and_what_was_laid_keeps_its_own(
-    root: Path, start: Callable[..., list[str]]
-) -> None:
-    """Neither the first copy nor a fresh one tells what comes out; neither is an old version."""
-    original = root / "notebooks" / "02_maximum_acceleration.ipynb"
-    content = notebook("2 + 2", output_type="stream", name="stdout", text="4")
-    content["cells"][0]["execution_count"] = 7
-    content["cells"].append({"cell_type": "markdown", "id": "m", "metadata": {}, "source": "so"})
-    original.write_text(json.dumps(content))
-    start()
-    start("fresh", "02")
-    for path in sorted((root / "work").glob("02*.ipynb")):
-        code, prose = json.loads(path.read_text())["cells"]
-        assert (code["outputs"], code["execution_count"]) == ([], None)
-        assert code["source"] == ["2 + 2"]
-        assert prose == content["cells"][1]
-    assert json.loads(original.read_text()) == content
-    run = root / "work" / original.name
-    run.write_text(json.dumps(json.loads(run.read_text()) | {"cells": content["cells"]}))
-    mine = keep(root / "work")
-    (ready,) = start()
-    assert ready.startswith("The workbook is ready")
-    assert keep(root / "work") == mine
-
-
 def test_fresh_takes_a_number_or_a_name_of_a_lesson(
     root: Path, start: Callable[..., list[str]]
 ) -> None:
