@@ -209,6 +209,15 @@ EXERCISES = (
                 "The quiet end of the mill was forgotten: the die has more than its old angle.",
             ),
             Slip(
+                lambda m: m.overlapped_deg,
+                "These are the degrees from the quiet end until the die is down. Its move has "
+                "begun before: they are only the part 1 - x of it.",
+            ),
+            Slip(
+                lambda m: m.mill_angle_deg - 2 * m.quiet_deg,
+                "This is the effective angle of the mill. How wide is the move of the die?",
+            ),
+            Slip(
                 lambda m: m.overlapped_deg / (1 - m.limit_mm / m.stroke_mm),
                 "Here the share of the stroke was taken for x. They would be equal at constant "
                 "velocity only.",

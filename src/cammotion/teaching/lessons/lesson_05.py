@@ -100,6 +100,11 @@ EXERCISES = (
                 "is made in half of the time tells what it is.",
             ),
             Slip(
+                lambda m: LAWS["constant acceleration"].Ca,
+                "This is Ca, which has no unit. Times the stroke over the time squared it is an "
+                "acceleration.",
+            ),
+            Slip(
                 lambda m: _peak(m, "cycloidal"),
                 "This is the peak of the cycloid. Here the acceleration is the same all the time, "
                 "but for its sign.",
