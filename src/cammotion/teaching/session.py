@@ -94,7 +94,8 @@ def ask(number: str) -> Question:
     Exercise 01.1. The mill moves over 150 degrees of each turn, ...
     """
     exercise = find_exercise(number)
-    return Question(number, exercise.question(_SESSION.machine), exercise.wanted)
+    machine = _SESSION.machine
+    return Question(number, exercise.question(machine), exercise.wanted_for(machine))
 
 
 def check(number: str, answer: Any) -> Feedback:
