@@ -39,7 +39,7 @@ session._SESSION = Session(Store(work_folder))
 print("ready", flush=True)
 sys.stdin.readline()
 for i in range(60):
-    cm.check("01.1", 110)
+    cm.check("01.1", 140)
     cm.predict(f"{sys.argv[1]}.{i}", "mm").field.value = str(i)
 """
 """Checks one answer again and again, the same as its twin does, and makes its own predictions."""
@@ -78,7 +78,7 @@ def test_a_lock_is_waited_for_and_not_for_ever(work: Path, monkeypatch: pytest.M
     with lock.only_one(work / LOCK):
         monkeypatch.setattr(lock, "_PATIENCE_S", 0.05)
         monkeypatch.setattr(time, "sleep", waited.append)
-        assert cm.check("01.1", 55).is_right
+        assert cm.check("01.1", 70).is_right
         assert waited
     waited.clear()
     restart()
@@ -105,7 +105,7 @@ def test_on_windows_the_lock_is_one_byte_of_the_file(
 
 
 def test_each_reason_is_counted_by_its_short_name(work: Path) -> None:
-    for answer in (110, 110, 105, "x", [1], 55, 110):
+    for answer in (140, 140, 120, "x", [1], 70, 140):
         cm.check("01.1", answer)
     record = read_file(work)["exercises"]["01.1"]
     assert record["tries"] == 7

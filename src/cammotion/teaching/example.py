@@ -38,7 +38,8 @@ class MillAndDie:
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""
-        whose = f"The machine of {self.who}" if self.who else "The machine of the source"
+        nobodys = "The machine of the source" if self == EXAMPLE else "Another machine"
+        whose = f"The machine of {self.who}" if self.who else nobodys
         return (
             f"{whose}: {self.rate_per_hour:g} pieces per hour. The mill moves {self.pitch_mm:g} mm "
             f"over {self.mill_angle_deg:g} degrees and has {self.stops} stops. The die, "

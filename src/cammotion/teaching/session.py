@@ -5,7 +5,7 @@ from typing import Any
 
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.controls import ChoiceControl, PredictionControl
-from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
@@ -17,7 +17,7 @@ class Session:
     """The machine that the exercises ask about, and what was answered."""
 
     def __init__(self, store: Store) -> None:
-        self.machine: MillAndDie = EXAMPLE
+        self.machine: MillAndDie = machine_for()
         self.store = store
         self.hints: dict[str, int] = {}
 
@@ -73,12 +73,13 @@ def variant(who: str | int = "") -> MillAndDie:
     """Return the machine of a learner, and let all exercises ask about it from now on.
 
     `who` is a name or a number; the same one gives the same numbers, on any day and any computer.
-    Without one they are the source's. Raises InputError for anything else.
+    Without one they are those of a machine that no lesson speaks of. Raises InputError for anything
+    else.
 
     >>> variant("Anna").rate_per_hour == variant("anna ").rate_per_hour
     True
     >>> variant().rate_per_hour
-    2000
+    2400
     """
     _SESSION.machine = machine_for(who)
     _SESSION.keep_name(_SESSION.machine.who)
@@ -91,7 +92,7 @@ def ask(number: str) -> Question:
     Raises InputError for an unknown number.
 
     >>> ask("01.1")
-    Exercise 01.1. The mill moves over 150 degrees of each turn, ...
+    Exercise 01.1. The mill moves over 120 degrees of each turn, ...
     """
     exercise = find_exercise(number)
     machine = _SESSION.machine
@@ -105,7 +106,7 @@ def check(number: str, answer: Any) -> Feedback:
     counts where the answer is None. Raises InputError only for an unknown number. While nbgrader
     grades it raises AssertionError for an answer that is not right, which costs the points.
 
-    >>> check("02.1", 4154.17)
+    >>> check("02.1", 3766.84)
     02.1: Not yet. This is a thousand times too large. Is a length in mm where metres belong?
     """
     exercise = find_exercise(number)
