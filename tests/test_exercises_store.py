@@ -1,5 +1,6 @@
 """What is kept of an answer, by which names; and two processes that write at once."""
 
+import ast
 import errno
 import json
 import subprocess
@@ -8,6 +9,7 @@ import time
 import types
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from desk import files_in, line_of, read_file, restart, sit_down
@@ -20,6 +22,7 @@ from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.reasons import NO_ANSWER, short_name
 from cammotion.teaching.store import FILE, LOCK
+from cammotion.teaching.variants import machine_for
 
 
 @pytest.fixture(autouse=True)
@@ -126,6 +129,41 @@ def test_the_name_is_kept_as_it_was_given(work: Path) -> None:
     cm.variant(" Anna Groß ")
     cm.variant("")
     assert read_file(work) == {"learner": {"variant": {"name": "Anna Groß"}}}
+
+
+def test_a_name_given_once_is_offered_in_the_next_notebook_and_not_used_in_silence(
+    work: Path,
+) -> None:
+    assert "name before" not in str(cm.variant(""))
+    cm.variant("Anna Groß")
+    restart()
+    me = cm.variant("")
+    assert me == machine_for() != machine_for("Anna Groß")
+    assert str(me).endswith(
+        " You have given a name before: write cm.variant('Anna Groß') here for the numbers of that "
+        "name."
+    )
+    assert "You have given a name before" in me._repr_markdown_()
+    assert f"{machine_for().mill_angle_deg:g} degrees" in cm.ask("01.1").text
+    assert "name before" not in str(cm.variant("Anna Groß"))
+    cm.variant("Bert")
+    assert "cm.variant('Bert') here" in str(cm.variant(""))
+    assert read_file(work) == {"learner": {"variant": {"name": "Bert"}}}
+
+
+@pytest.mark.parametrize("who", [17, "o'Neill", 'a "b"', "a\nb", "`<b>`", "\\", "王"])
+def test_what_is_offered_can_be_pasted(who: str | int) -> None:
+    machine = cm.variant(who)
+    restart()
+    offered = str(cm.variant("")).partition("write cm.variant(")[2].partition(") here")[0]
+    assert machine_for(ast.literal_eval(offered)) == machine
+
+
+@pytest.mark.parametrize("name", [None, 3, ["Anna"], {"a": 1}, "", "  ", "x" * 1000])
+def test_a_name_that_makes_no_sense_is_not_offered(work: Path, name: Any) -> None:
+    (work / FILE).write_text(json.dumps({"learner": {"variant": {"name": name}}}))
+    restart()
+    assert str(cm.variant("")) == str(machine_for())
 
 
 def test_a_file_of_the_version_before_is_read_and_nothing_in_it_is_lost(work: Path) -> None:

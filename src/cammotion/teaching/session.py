@@ -1,6 +1,7 @@
 """The session of a learner: questions, checks, hints, predictions and progress."""
 
 import os
+from dataclasses import replace
 from typing import Any
 
 from cammotion.quantities import InputError, shorten
@@ -11,6 +12,11 @@ from cammotion.teaching.lessons import EXERCISES, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
 from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
 from cammotion.teaching.variants import machine_for
+
+_LONGEST_NAME = 100  # that is offered
+_OFFER = (
+    "You have given a name before: write cm.variant({name!r}) here for the numbers of that name."
+)
 
 
 class Session:
@@ -60,10 +66,21 @@ class Session:
         )
         return step
 
-    def keep_name(self, name: str) -> None:
-        """Keep the name that was given for a variant; none is no name."""
-        if name and self.store.records("learner").get("variant", {}).get("name") != name:
-            self.store.update("learner", "variant", name=name)
+    @property
+    def name(self) -> str:
+        """The name that was last given for a variant, in any notebook; "" if none was."""
+        name = self.store.records("learner").get("variant", {}).get("name")
+        return name.strip() if isinstance(name, str) and len(name) <= _LONGEST_NAME else ""
+
+    def take(self, machine: MillAndDie) -> MillAndDie:
+        """Ask about a machine from now on; keep whose it is, or offer the name given before."""
+        name = self.name
+        if machine.who and machine.who != name:
+            self.store.update("learner", "variant", name=machine.who)
+        if name and not machine.who:
+            machine = replace(machine, remark=_OFFER.format(name=name))
+        self.machine = machine
+        return machine
 
 
 _SESSION = Session(Store(work_folder))
@@ -73,17 +90,15 @@ def variant(who: str | int = "") -> MillAndDie:
     """Return the machine of a learner, and let all exercises ask about it from now on.
 
     `who` is a name or a number; the same one gives the same numbers, on any day and any computer.
-    Without one they are those of a machine that no lesson speaks of. Raises InputError for anything
-    else.
+    Without one they are those of a machine that no lesson speaks of, and a name that was given in
+    an earlier notebook is offered in words. Raises InputError for anything else.
 
     >>> variant("Anna").rate_per_hour == variant("anna ").rate_per_hour
     True
     >>> variant().rate_per_hour
     2400
     """
-    _SESSION.machine = machine_for(who)
-    _SESSION.keep_name(_SESSION.machine.who)
-    return _SESSION.machine
+    return _SESSION.take(machine_for(who))
 
 
 def ask(number: str) -> Question:
