@@ -5,7 +5,7 @@ import math
 import numbers
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sized
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -18,6 +18,8 @@ from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, sh
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, is_rounded, is_same
 
 State = Literal["open", "right", "wrong"]
+GoingOn = Callable[[MillAndDie, float], float]
+"""How an answer comes out of the answer to an earlier exercise."""
 _NEAR = 0.02  # so near to the right answer it is the rounding
 _CLOSE = (
     "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
@@ -142,12 +144,16 @@ class NumberExercise(Exercise):
     """A number with a unit, right within `tolerance`, a share of it, where no slip is nearer.
 
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
+    `goes_on_from` says how it comes out of earlier answers, by their numbers, and `carried` what
+    it then is with their slips; see `link`.
     """
 
     unit: str
     answer: Callable[[MillAndDie], float]
     slips: tuple[Slip, ...] = ()
     tolerance: float = 0.004
+    goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
+    carried: tuple[Slip, ...] = ()
 
     @property
     def wanted(self) -> str:
@@ -182,7 +188,7 @@ class NumberExercise(Exercise):
             return wrong[slip]
         if few:
             return _TOO_FEW.format(_DIGITS[digits])
-        return "" if self._is(given, right) else self._explain(given, right, wrong)
+        return "" if self._is(given, right) else self._explain(given, machine, wrong)
 
     def _wrong(self, machine: MillAndDie) -> dict[float, str]:
         """Return the slips by what they lead to, but for those that lead to the right number."""
@@ -190,10 +196,12 @@ class NumberExercise(Exercise):
         found = [(float(slip.answer(machine)), slip.reason) for slip in self.slips]
         return {value: reason for value, reason in reversed(found) if not is_same(value, right)}
 
-    def _explain(self, given: float, right: float, wrong: Mapping[float, str]) -> str:
+    def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
+        right = self.solution(machine)
         known = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
         ratios = (said for ratio, said in known.items() if self._is(given, ratio * right))
+        carried = (s.reason for s in self.carried if self._is(given, s.answer(machine)))
         rounded = (
             reason
             for value, reason in wrong.items()
@@ -202,6 +210,7 @@ class NumberExercise(Exercise):
         return (
             self._in_g(given, right)
             or next(ratios, "")
+            or next(carried, "")
             or next(rounded, "")
             or self._far(given, right)
         )
@@ -240,7 +249,8 @@ class NumberExercise(Exercise):
             self._too("large"),
             self._too("small"),
         )
-        return (*(slip.reason for slip in self.slips), _IN_G, *ratios.values(), *unknown)
+        slips = (slip.reason for slip in (*self.slips, *self.carried))
+        return (*slips, _IN_G, *ratios.values(), *unknown)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -193,6 +193,10 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.overlapped_deg / (1 - _place(m)),
+        goes_on_from={
+            "03.2": lambda m, degrees: degrees / (1 - _place(m)),
+            "03.3": lambda m, x: m.overlapped_deg / (1 - x),
+        },
         right="The move's first part costs nothing, since nobody is in the way of it.",
         slips=(
             Slip(
@@ -253,6 +257,7 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 2,
+        goes_on_from={"03.4": lambda m, angle: (angle / m.die_angle_deg) ** 2},
         right="The inverse square again. No part of the machine was made better to get it.",
         slips=(
             Slip(

@@ -227,6 +227,7 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.die_angle_deg / math.sqrt(_kept()),
+        goes_on_from={"05.2": lambda m, percent: m.die_angle_deg / math.sqrt(1 - percent / 100)},
         right="So a better law is worth a few degrees. Overlap has found dozens.",
         slips=(
             Slip(
