@@ -4,9 +4,10 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from judging import NUMBERS, each_number, is_right, number_id, say
+from judging import each_number, is_right, say
 from test_exercises_answers import ALL_SLIPS
 
+import cammotion as cm
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise, Slip
 from cammotion.teaching.lessons import EXERCISES
@@ -117,9 +118,11 @@ def test_the_effective_angle_of_the_mill_is_a_slip_and_not_the_rounded_angle_of_
     assert "effective angle of the mill" in say(EXERCISES["03.4"], 120)
 
 
-@pytest.mark.parametrize("exercise", [e for e in NUMBERS if e.number[:4] == "06.3"], ids=number_id)
-def test_a_question_says_how_many_digits_it_wants(exercise: NumberExercise) -> None:
-    assert exercise.wanted_for(EXAMPLE) == "one number in m/s², to three digits"
+def test_a_question_says_how_many_digits_it_wants_where_two_are_too_few() -> None:
+    assert EXERCISES["06.3"].wanted_for(EXAMPLE) == "one number in m/s², to three digits"
+    cm.variant("")
+    assert cm.ask("03.4").text.endswith("(Answer: one number in deg, to three digits.)")
+    assert cm.ask("03.5").text.endswith("(Answer: one number.)")
 
 
 def test_a_half_may_be_rounded_either_way() -> None:
