@@ -146,6 +146,7 @@ SOURCE = {
 
 SLIPS = [
     # How hard the law of constant acceleration is.
+    KnownSlip("05.1", "the factor alone", lambda _: 4, "Ca, which has no unit"),
     KnownSlip("05.1", "the cycloid's factor", lambda m: hard(m, die(m), CYCLOID), "cycloid"),
     KnownSlip("05.1", "the harmonic's", lambda m: hard(m, die(m), HARMONIC), "harmonic|sine|pi"),
     KnownSlip("05.1", "pushed all the way", lambda m: hard(m, die(m), 2), "half"),

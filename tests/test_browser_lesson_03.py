@@ -148,7 +148,7 @@ def test_an_answer_is_checked_where_it_stands(lesson: LabPage) -> None:
     cell = lesson.notebook.locator(".jp-CodeCell", has_text="answer_1 = None")
     cell.locator(".cm-content").click()
     lesson.page.keyboard.press("ControlOrMeta+a")
-    lesson.page.keyboard.type("answer_1 = 10")
+    lesson.page.keyboard.type("answer_1 = 13")
     for _ in range(2):
         lesson.command("notebook:run-cell-and-select-next")
     said = lesson.output_of('cm.check("03.1"').get_by_role("status")

@@ -90,10 +90,14 @@ def test_four_digits_are_enough_and_one_percent_off_is_close(exercise: NumberExe
 
 @each_number
 def test_a_number_is_right_within_the_tolerance_and_not_beyond(exercise: NumberExercise) -> None:
+    """The limit is half-way to a slip that is nearer than twice the tolerance."""
     right = exercise.solution(EXAMPLE)
+    slips = [float(slip.answer(EXAMPLE)) / right - 1 for slip in exercise.slips]
     for sign in (-1, 1):
-        assert is_right(exercise, right * (1 + 0.98 * sign * exercise.tolerance))
-        assert not is_right(exercise, right * (1 + 1.02 * sign * exercise.tolerance))
+        half = [sign * off / 2 for off in slips if sign * off > 0]
+        limit = min([exercise.tolerance, *half])
+        assert is_right(exercise, right * (1 + 0.98 * sign * limit))
+        assert not is_right(exercise, right * (1 + 1.02 * sign * limit))
 
 
 @each_number

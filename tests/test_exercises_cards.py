@@ -59,7 +59,7 @@ def test_the_contrast_is_computed_as_it_is_defined() -> None:
     assert contrast("#777777", "#ffffff") == pytest.approx(4.48, abs=0.01)
 
 
-@pytest.mark.parametrize("answer", [55, 110, None])
+@pytest.mark.parametrize("answer", [70, 140, None])
 def test_the_colours_of_an_answer_can_be_read(answer: object) -> None:
     box = only(html_of(cm.check("01.1", answer)), "[role=status]")
     style = dict(part.split(": ", 1) for part in str(box["style"]).split("; "))
@@ -71,13 +71,13 @@ def test_the_colours_of_an_answer_can_be_read(answer: object) -> None:
 def test_the_three_states_differ_in_colour_and_in_words() -> None:
     assert len({*_COLOURS.values()}) == len(_COLOURS) == 3
     heads = [
-        only(html_of(cm.check("01.1", answer)), "strong").get_text() for answer in (55, 110, None)
+        only(html_of(cm.check("01.1", answer)), "strong").get_text() for answer in (70, 140, None)
     ]
     assert heads == ["01.1: Right.", "01.1: Not yet.", "01.1 is not answered yet."]
 
 
 def test_an_answer_as_text_and_as_html_say_the_same() -> None:
-    for answer in (55, 110, None):
+    for answer in (70, 140, None):
         said = cm.check("01.1", answer)
         assert repr(said) == said._repr_mimebundle_()["text/plain"] == said.text
         assert html_of(said).get_text(" ", strip=True) == said.text
@@ -105,7 +105,7 @@ def test_a_note_on_the_file_comes_last() -> None:
 def test_a_question_is_shown_with_its_unit_and_its_formulas() -> None:
     bundle = cm.ask("02.1")._repr_mimebundle_()
     assert [*bundle] == ["text/plain", "text/markdown"]
-    assert bundle["text/plain"].startswith("Exercise 02.1. The die goes 50 mm down over 55 degrees")
+    assert bundle["text/plain"].startswith("Exercise 02.1. The die goes 51 mm down over 70 degrees")
     assert bundle["text/plain"].endswith("(Answer: one number in m/s².)")
     assert "$h = h_m" in cm.ask("02.2")._repr_mimebundle_()["text/markdown"]
 
@@ -116,7 +116,7 @@ def test_a_hint_is_announced() -> None:
 
 
 def test_progress_is_a_table_with_heads() -> None:
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     cm.check("01.2", 7)
     page = html_of(cm.progress())
     assert only(page, "p").get_text() == f"1 of {len(EXERCISES)} exercises are right."

@@ -45,9 +45,9 @@ def test_at_first_all_is_open_and_no_file_is_there(work: Path) -> None:
 
 
 def test_progress_is_kept_over_restarts(work: Path) -> None:
-    cm.check("01.1", 110)
+    cm.check("01.1", 140)
     assert line_of("01.1") == "not yet, 1 try"
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     cm.hint("01.2")
     cm.check("01.2", 3)
     restart()
@@ -58,8 +58,8 @@ def test_progress_is_kept_over_restarts(work: Path) -> None:
 
 
 def test_right_stays_right_for_the_same_numbers_only() -> None:
-    cm.check("01.1", 55)
-    cm.check("01.1", 110)
+    cm.check("01.1", 70)
+    cm.check("01.1", 140)
     assert line_of("01.1") == "right, 2 tries"
     anna = cm.variant("Anna")
     assert cm.check("01.1", anna.die_angle_deg).is_right
@@ -77,8 +77,8 @@ def test_all_exercises_ask_about_the_variant() -> None:
     for number, exercise in EXERCISES.items():
         assert cm.check(number, exercise.solution(machine)).is_right
     assert cm.progress().right == len(EXERCISES)
-    assert cm.variant().rate_per_hour == 2000
-    assert cm.check("01.1", 55).is_right
+    assert cm.variant().rate_per_hour == 2400
+    assert cm.check("01.1", 70).is_right
 
 
 def test_the_hints_stay_at_the_third_and_begin_anew_in_each_kernel(work: Path) -> None:
@@ -146,14 +146,14 @@ def test_any_name_and_any_prediction_can_be_written(work: Path, who: str) -> Non
 @pytest.mark.parametrize("content", STRANGERS.values(), ids=STRANGERS)
 def test_a_file_that_cannot_be_read_is_kept_aside(work: Path, content: bytes) -> None:
     (work / FILE).write_bytes(content)
-    said = cm.check("01.1", 55)
+    said = cm.check("01.1", 70)
     assert said.is_right
     assert "progress.json could not be read. It was kept as progress-unreadable-1.json" in said.text
     assert (work / "progress-unreadable-1.json").read_bytes() == content
     assert line_of("01.1") == "right, 1 try"
     (work / FILE).write_bytes(content)
     assert "progress-unreadable-2.json" in cm.progress().note
-    cm.check("01.2", 0.5)
+    cm.check("01.2", 0.4167)
     restart()
     assert cm.progress().right == 2
     assert cm.progress().note == ""
@@ -161,7 +161,7 @@ def test_a_file_that_cannot_be_read_is_kept_aside(work: Path, content: bytes) ->
 
 def test_a_folder_in_the_place_of_the_file(work: Path) -> None:
     (work / FILE).mkdir()
-    assert "was kept as" in cm.check("01.1", 55).text
+    assert "was kept as" in cm.check("01.1", 70).text
     assert line_of("01.1") == "right, 1 try"
 
 
@@ -169,7 +169,7 @@ def test_a_thousandth_unreadable_file_raises_nothing(work: Path) -> None:
     for number in range(1, 1000):
         (work / f"progress-unreadable-{number}.json").touch()
     (work / FILE).write_bytes(b"[]")
-    assert cm.check("01.1", 55).is_right
+    assert cm.check("01.1", 70).is_right
     assert cm.progress().right == 1
 
 
@@ -187,7 +187,7 @@ def test_records_of_a_stranger_are_read_as_far_as_they_make_sense(work: Path) ->
         assert cm.choose("01.4").answer is None
         assert cm.check("01.4", None).text == "01.4 is not answered yet."
         assert isinstance(cm.predict("k", "mm").said, str)
-        assert cm.check("01.1", 55).is_right
+        assert cm.check("01.1", 70).is_right
         assert read_file(work)["else"] == {"x": {}}  # what is not ours is left
         assert cm.hint("01.1").step == 1
         assert cm.progress().note == ""
@@ -197,28 +197,28 @@ def test_records_of_a_stranger_are_read_as_far_as_they_make_sense(work: Path) ->
 def test_what_cannot_be_written_is_kept_in_memory_and_said(
     work: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     name = "tempfile.NamedTemporaryFile" if place == "tempfile.mkstemp" else place
     with monkeypatch.context() as broken:
         broken.setattr(name, refuse(DISK_FULL))
-        said = cm.check("01.2", 0.5)
+        said = cm.check("01.2", 0.4167)
         assert said.is_right
         assert "could not be written (No space left on device); it is kept until" in said.text
-        cm.check("02.4", 1.44)
+        cm.check("02.4", 1.361)
         assert cm.progress().right == 3
         assert "could not be written" in cm.progress().note
         assert cm.hint("02.1").step == 1
         assert [*read_file(work)["exercises"]] == ["01.1"]
         assert files_in(work) == [FILE]
-    assert cm.check("03.2", 70).note == ""
+    assert cm.check("03.2", 82).note == ""
     restart()
     assert cm.progress().right == 4
 
 
 def test_a_folder_that_is_gone(work: Path) -> None:
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     shutil.rmtree(work)
-    said = cm.check("01.2", 0.5)
+    said = cm.check("01.2", 0.4167)
     assert said.is_right
     assert cm.progress().right >= 1
 
@@ -227,13 +227,13 @@ def test_a_folder_that_is_gone(work: Path) -> None:
 def test_a_kernel_that_is_killed_while_it_writes(
     work: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     whole = (work / FILE).read_bytes()
     with monkeypatch.context() as broken:
         broken.setattr(place, refuse(KeyboardInterrupt()))
         for _ in range(3):
             with pytest.raises(KeyboardInterrupt):
-                cm.check("01.2", 0.5)
+                cm.check("01.2", 0.4167)
     assert (work / FILE).read_bytes() == whole
     assert files_in(work) == [FILE]
 
@@ -244,7 +244,7 @@ def test_what_a_killed_kernel_left_behind_is_removed(work: Path) -> None:
         part.write_text("{")
     long_ago = time.time() - 3600
     os.utime(old, (long_ago, long_ago))
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     assert files_in(work) == [young.name, FILE]  # the young one may be of another kernel
 
 
@@ -264,12 +264,12 @@ def test_two_kernels_when_the_disk_was_full_for_one(monkeypatch: pytest.MonkeyPa
     session._SESSION = one
     with monkeypatch.context() as broken:
         broken.setattr("json.dump", refuse(DISK_FULL))
-        cm.check("01.1", 55)
+        cm.check("01.1", 70)
     session._SESSION = other
-    cm.check("01.2", 0.5)
+    cm.check("01.2", 0.4167)
     session._SESSION = one
     assert cm.progress().right == 2
-    cm.check("02.4", 1.44)
+    cm.check("02.4", 1.361)
     restart()
     assert cm.progress().right == 3
 
@@ -282,7 +282,7 @@ def test_elsewhere_nothing_is_written(
     folder.mkdir(exist_ok=True)
     monkeypatch.chdir(folder)
     restart()
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     cm.hint("01.2")
     cm.predict("01.half", "mm").field.value = "3"
     assert cm.progress().right == 1
@@ -298,7 +298,7 @@ def test_every_folder_of_copies_has_its_own(
     folder.mkdir(parents=True)
     monkeypatch.chdir(folder)
     restart()
-    cm.check("01.1", 55)
+    cm.check("01.1", 70)
     assert (work.parent / Path(place).parts[0] / FILE).is_file()
 
 
@@ -314,14 +314,14 @@ def test_while_nbgrader_grades_an_answer_that_is_not_right_raises(
     work: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     cm.check("01.4", "b")
-    cm.check("01.1", 110)
+    cm.check("01.1", 140)
     kept = (work / FILE).read_bytes()
     monkeypatch.setenv(GRADING, "1")
     restart()
-    assert cm.check("01.1", 55).is_right
+    assert cm.check("01.1", 70).is_right
     assert cm.check("01.4", "(B)").is_right
     for number, answer, said in [
-        ("01.1", 110, "both ways"),
+        ("01.1", 140, "both ways"),
         ("01.1", None, "not answered yet"),
         ("01.4", None, "not answered yet"),  # the kept choice does not count
         ("01.4", "a", "says when, not where"),

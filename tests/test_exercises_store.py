@@ -1,5 +1,6 @@
 """What is kept of an answer, by which names; and two processes that write at once."""
 
+import ast
 import errno
 import json
 import subprocess
@@ -8,6 +9,7 @@ import time
 import types
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from desk import files_in, line_of, read_file, restart, sit_down
@@ -20,6 +22,7 @@ from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.reasons import NO_ANSWER, short_name
 from cammotion.teaching.store import FILE, LOCK
+from cammotion.teaching.variants import machine_for
 
 
 @pytest.fixture(autouse=True)
@@ -39,7 +42,7 @@ session._SESSION = Session(Store(work_folder))
 print("ready", flush=True)
 sys.stdin.readline()
 for i in range(60):
-    cm.check("01.1", 110)
+    cm.check("01.1", 140)
     cm.predict(f"{sys.argv[1]}.{i}", "mm").field.value = str(i)
 """
 """Checks one answer again and again, the same as its twin does, and makes its own predictions."""
@@ -78,7 +81,7 @@ def test_a_lock_is_waited_for_and_not_for_ever(work: Path, monkeypatch: pytest.M
     with lock.only_one(work / LOCK):
         monkeypatch.setattr(lock, "_PATIENCE_S", 0.05)
         monkeypatch.setattr(time, "sleep", waited.append)
-        assert cm.check("01.1", 55).is_right
+        assert cm.check("01.1", 70).is_right
         assert waited
     waited.clear()
     restart()
@@ -105,7 +108,7 @@ def test_on_windows_the_lock_is_one_byte_of_the_file(
 
 
 def test_each_reason_is_counted_by_its_short_name(work: Path) -> None:
-    for answer in (110, 110, 105, "x", [1], 55, 110):
+    for answer in (140, 140, 120, "x", [1], 70, 140):
         cm.check("01.1", answer)
     record = read_file(work)["exercises"]["01.1"]
     assert record["tries"] == 7
@@ -126,6 +129,41 @@ def test_the_name_is_kept_as_it_was_given(work: Path) -> None:
     cm.variant(" Anna Groß ")
     cm.variant("")
     assert read_file(work) == {"learner": {"variant": {"name": "Anna Groß"}}}
+
+
+def test_a_name_given_once_is_offered_in_the_next_notebook_and_not_used_in_silence(
+    work: Path,
+) -> None:
+    assert "name before" not in str(cm.variant(""))
+    cm.variant("Anna Groß")
+    restart()
+    me = cm.variant("")
+    assert me == machine_for() != machine_for("Anna Groß")
+    assert str(me).endswith(
+        " You have given a name before: write cm.variant('Anna Groß') here for the numbers of that "
+        "name."
+    )
+    assert "You have given a name before" in me._repr_markdown_()
+    assert f"{machine_for().mill_angle_deg:g} degrees" in cm.ask("01.1").text
+    assert "name before" not in str(cm.variant("Anna Groß"))
+    cm.variant("Bert")
+    assert "cm.variant('Bert') here" in str(cm.variant(""))
+    assert read_file(work) == {"learner": {"variant": {"name": "Bert"}}}
+
+
+@pytest.mark.parametrize("who", [17, "o'Neill", 'a "b"', "a\nb", "`<b>`", "\\", "王"])
+def test_what_is_offered_can_be_pasted(who: str | int) -> None:
+    machine = cm.variant(who)
+    restart()
+    offered = str(cm.variant("")).partition("write cm.variant(")[2].partition(") here")[0]
+    assert machine_for(ast.literal_eval(offered)) == machine
+
+
+@pytest.mark.parametrize("name", [None, 3, ["Anna"], {"a": 1}, "", "  ", "x" * 1000])
+def test_a_name_that_makes_no_sense_is_not_offered(work: Path, name: Any) -> None:
+    (work / FILE).write_text(json.dumps({"learner": {"variant": {"name": name}}}))
+    restart()
+    assert str(cm.variant("")) == str(machine_for())
 
 
 def test_a_file_of_the_version_before_is_read_and_nothing_in_it_is_lost(work: Path) -> None:

@@ -20,7 +20,7 @@ from cammotion.quantities import Floats
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.lessons import EXERCISES
-from cammotion.teaching.variants import machine_for
+from cammotion.teaching.variants import NAMELESS, machine_for
 
 RANGES = {
     "rate_per_hour": (1200, 3000),
@@ -51,7 +51,7 @@ def machines() -> list[MillAndDie]:
 
 @pytest.fixture(scope="module")
 def sample(machines: list[MillAndDie]) -> list[MillAndDie]:
-    return machines[::50]
+    return [NAMELESS, *machines[::50]]
 
 
 def column(machines: list[MillAndDie], name: str) -> Floats:
@@ -174,8 +174,9 @@ def test_spellings_of_a_number(seven: Any) -> None:
 
 
 @pytest.mark.parametrize("nobody", ["", "   ", "\n\t", "\u3000"])
-def test_without_a_name_the_numbers_are_the_sources(nobody: str) -> None:
-    assert machine_for(nobody) == EXAMPLE == machine_for()
+def test_without_a_name_the_numbers_are_the_same_for_all_and_not_the_sources(nobody: str) -> None:
+    assert machine_for(nobody) == NAMELESS == machine_for() != EXAMPLE
+    assert NAMELESS.who == EXAMPLE.who == ""
     assert asdict(EXAMPLE) == asdict(MillAndDie())
 
 
@@ -203,6 +204,7 @@ def test_a_machine_says_its_numbers() -> None:
     assert f"{machine_for('Anna').rate_per_hour} pieces per hour" in said
     assert f"a stroke of {machine_for('Anna').stroke_mm:g} mm" in said
     assert str(EXAMPLE).startswith("The machine of the source: 2000 pieces per hour")
+    assert str(machine_for()).startswith("Another machine: 2400 pieces per hour")
 
 
 def test_who_it_is_does_not_make_another_machine() -> None:

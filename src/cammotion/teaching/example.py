@@ -25,6 +25,7 @@ class MillAndDie:
     """
 
     who: str = field(default="", compare=False)
+    remark: str = field(default="", compare=False)
     rate_per_hour: int = 2000
     pitch_mm: float = 100
     stops: int = 24
@@ -38,13 +39,15 @@ class MillAndDie:
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""
-        whose = f"The machine of {self.who}" if self.who else "The machine of the source"
+        nobodys = "The machine of the source" if self == EXAMPLE else "Another machine"
+        whose = f"The machine of {self.who}" if self.who else nobodys
+        remark = f" {self.remark}" if self.remark else ""
         return (
             f"{whose}: {self.rate_per_hour:g} pieces per hour. The mill moves {self.pitch_mm:g} mm "
             f"over {self.mill_angle_deg:g} degrees and has {self.stops} stops. The die, "
             f"{self.die_mass_kg:g} kg, waits {self.wait_mm:g} mm above it and goes into a pocket "
             f"of {self.pocket_mm:g} mm, to {self.gap_mm:g} mm above the bottom: a stroke of "
-            f"{self.stroke_mm:g} mm. It works for {self.work_deg:g} degrees."
+            f"{self.stroke_mm:g} mm. It works for {self.work_deg:g} degrees.{remark}"
         )
 
     def _repr_markdown_(self) -> str:

@@ -5,7 +5,7 @@ import math
 import numbers
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sized
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -15,8 +15,11 @@ from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.quantities import shorten
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, short_name
+from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, is_rounded, is_same
 
 State = Literal["open", "right", "wrong"]
+GoingOn = Callable[[MillAndDie, float], float]
+"""How an answer comes out of the answer to an earlier exercise."""
 _NEAR = 0.02  # so near to the right answer it is the rounding
 _CLOSE = (
     "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
@@ -24,6 +27,11 @@ _CLOSE = (
 )
 _SIGN_AND_SIZE = "The sign is wrong, and so is the size. Which way does it go?"
 _IN_G = "This is the acceleration in g. It is asked for in m/s²."
+_TOO_FEW = (
+    "With so few digits this cannot be told from an answer that went wrong: give {} digits at "
+    "least."
+)
+_DIGITS = {3: "three", 4: "four"}
 _AROUND_A_LETTER = " \t\n().:'\""
 _NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share
 
@@ -81,6 +89,10 @@ class Exercise:
         """What kind of answer is asked for, in words."""
         raise NotImplementedError
 
+    def wanted_for(self, machine: MillAndDie) -> str:  # noqa: ARG002 - only numbers need it
+        """Return what is asked for, with how many digits where so many are needed."""
+        return self.wanted
+
     def solution(self, machine: MillAndDie) -> Any:
         """Return the right answer, computed for a machine."""
         raise NotImplementedError
@@ -129,17 +141,30 @@ def to_number(answer: Any, wanted: str) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class NumberExercise(Exercise):
-    """A number with a unit, right within `tolerance`, a share of it."""
+    """A number with a unit, right within `tolerance`, a share of it, where no slip is nearer.
+
+    It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
+    `goes_on_from` says how it comes out of earlier answers, by their numbers, and `carried` what
+    it then is with their slips; see `link`.
+    """
 
     unit: str
     answer: Callable[[MillAndDie], float]
     slips: tuple[Slip, ...] = ()
     tolerance: float = 0.004
+    goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
+    carried: tuple[Slip, ...] = ()
 
     @property
     def wanted(self) -> str:
         """What kind of answer is asked for, in words."""
         return f"one number in {self.unit}" if self.unit else "one number"
+
+    def wanted_for(self, machine: MillAndDie) -> str:
+        """Return what is asked for, with the number of digits where two are too few."""
+        digits = digits_needed(self.solution(machine), self._wrong(machine))
+        asked = f", to {_DIGITS[digits]} digits" if digits > FEWEST else ""
+        return f"{self.wanted}{asked}"
 
     def solution(self, machine: MillAndDie) -> float:
         """Return the right number for a machine."""
@@ -148,15 +173,45 @@ class NumberExercise(Exercise):
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a number is wrong; "" if it is right."""
         given, right = to_number(answer, self.wanted), self.solution(machine)
-        if self._is(given, right):
+        wrong = self._wrong(machine)
+        digits = digits_needed(right, wrong)
+        if any(is_rounded(given, right, more) for more in range(digits, MOST + 1)):
             return ""
-        slips = (slip.reason for slip in self.slips if self._is(given, slip.answer(machine)))
+        off = abs(given - right)
+        slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)
+        if is_same(given, slip):
+            return wrong[slip]
+        few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
+        if few and off <= MOST_OFF * abs(right):
+            return _TOO_FEW.format(_DIGITS[digits])
+        if self._is(given, slip) and abs(given - slip) < off:
+            return wrong[slip]
+        if few:
+            return _TOO_FEW.format(_DIGITS[digits])
+        return "" if self._is(given, right) else self._explain(given, machine, wrong)
+
+    def _wrong(self, machine: MillAndDie) -> dict[float, str]:
+        """Return the slips by what they lead to, but for those that lead to the right number."""
+        right = self.solution(machine)
+        found = [(float(slip.answer(machine)), slip.reason) for slip in self.slips]
+        return {value: reason for value, reason in reversed(found) if not is_same(value, right)}
+
+    def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
+        """Say what has happened to a number that is neither right nor one of the slips."""
+        right = self.solution(machine)
         known = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
         ratios = (said for ratio, said in known.items() if self._is(given, ratio * right))
+        carried = (s.reason for s in self.carried if self._is(given, s.answer(machine)))
+        rounded = (
+            reason
+            for value, reason in wrong.items()
+            if is_rounded(given, value, FEWEST) and abs(given - value) <= MOST_OFF * abs(value)
+        )
         return (
-            next(slips, "")
-            or self._in_g(given, right)
+            self._in_g(given, right)
             or next(ratios, "")
+            or next(carried, "")
+            or next(rounded, "")
             or self._far(given, right)
         )
 
@@ -187,8 +242,15 @@ class NumberExercise(Exercise):
     def faults(self) -> tuple[str, ...]:
         """All that `find_fault` may return, with … in the place of a number that it measures."""
         ratios = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
-        unknown = (_CLOSE.format("…"), _SIGN_AND_SIZE, self._too("large"), self._too("small"))
-        return (*(slip.reason for slip in self.slips), _IN_G, *ratios.values(), *unknown)
+        unknown = (
+            *map(_TOO_FEW.format, _DIGITS.values()),
+            _CLOSE.format("…"),
+            _SIGN_AND_SIZE,
+            self._too("large"),
+            self._too("small"),
+        )
+        slips = (slip.reason for slip in (*self.slips, *self.carried))
+        return (*slips, _IN_G, *ratios.values(), *unknown)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,23 +1,29 @@
 """The session of a learner: questions, checks, hints, predictions and progress."""
 
 import os
+from dataclasses import replace
 from typing import Any
 
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.controls import ChoiceControl, PredictionControl
-from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
 from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
 from cammotion.teaching.variants import machine_for
 
+_LONGEST_NAME = 100  # that is offered
+_OFFER = (
+    "You have given a name before: write cm.variant({name!r}) here for the numbers of that name."
+)
+
 
 class Session:
     """The machine that the exercises ask about, and what was answered."""
 
     def __init__(self, store: Store) -> None:
-        self.machine: MillAndDie = EXAMPLE
+        self.machine: MillAndDie = machine_for()
         self.store = store
         self.hints: dict[str, int] = {}
         self.predictions: dict[tuple[str, str], PredictionControl] = {}
@@ -76,10 +82,21 @@ class Session:
             field.field.value = kept
         return field
 
-    def keep_name(self, name: str) -> None:
-        """Keep the name that was given for a variant; none is no name."""
-        if name and self.store.records("learner").get("variant", {}).get("name") != name:
-            self.store.update("learner", "variant", name=name)
+    @property
+    def name(self) -> str:
+        """The name that was last given for a variant, in any notebook; "" if none was."""
+        name = self.store.records("learner").get("variant", {}).get("name")
+        return name.strip() if isinstance(name, str) and len(name) <= _LONGEST_NAME else ""
+
+    def take(self, machine: MillAndDie) -> MillAndDie:
+        """Ask about a machine from now on; keep whose it is, or offer the name given before."""
+        name = self.name
+        if machine.who and machine.who != name:
+            self.store.update("learner", "variant", name=machine.who)
+        if name and not machine.who:
+            machine = replace(machine, remark=_OFFER.format(name=name))
+        self.machine = machine
+        return machine
 
 
 _SESSION = Session(Store(work_folder))
@@ -89,16 +106,15 @@ def variant(who: str | int = "") -> MillAndDie:
     """Return the machine of a learner, and let all exercises ask about it from now on.
 
     `who` is a name or a number; the same one gives the same numbers, on any day and any computer.
-    Without one they are the source's. Raises InputError for anything else.
+    Without one they are those of a machine that no lesson speaks of, and a name that was given in
+    an earlier notebook is offered in words. Raises InputError for anything else.
 
     >>> variant("Anna").rate_per_hour == variant("anna ").rate_per_hour
     True
     >>> variant().rate_per_hour
-    2000
+    2400
     """
-    _SESSION.machine = machine_for(who)
-    _SESSION.keep_name(_SESSION.machine.who)
-    return _SESSION.machine
+    return _SESSION.take(machine_for(who))
 
 
 def ask(number: str) -> Question:
@@ -107,10 +123,11 @@ def ask(number: str) -> Question:
     Raises InputError for an unknown number.
 
     >>> ask("01.1")
-    Exercise 01.1. The mill moves over 150 degrees of each turn, ...
+    Exercise 01.1. The mill moves over 120 degrees of each turn, ...
     """
     exercise = find_exercise(number)
-    return Question(number, exercise.question(_SESSION.machine), exercise.wanted)
+    machine = _SESSION.machine
+    return Question(number, exercise.question(machine), exercise.wanted_for(machine))
 
 
 def check(number: str, answer: Any) -> Feedback:
@@ -120,7 +137,7 @@ def check(number: str, answer: Any) -> Feedback:
     counts where the answer is None. Raises InputError only for an unknown number. While nbgrader
     grades it raises AssertionError for an answer that is not right, which costs the points.
 
-    >>> check("02.1", 4154.17)
+    >>> check("02.1", 3766.84)
     02.1: Not yet. This is a thousand times too large. Is a length in mm where metres belong?
     """
     exercise = find_exercise(number)

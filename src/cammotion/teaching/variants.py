@@ -1,8 +1,8 @@
 """The running example with numbers of their own for each learner.
 
-The numbers are those of the source unless a learner asks for a variant: other numbers of the same
-machine, the same for the same name on any day and any computer, so that neighbours cannot copy a
-result but can compare how they came to it.
+A name leads to other numbers of the same machine, the same ones on any day and any computer, so
+that neighbours cannot copy a result but can compare how they came to it. Without a name the numbers
+are not the lesson's either: its answers stand in no lesson.
 """
 
 import hashlib
@@ -15,6 +15,19 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
+
+NAMELESS = MillAndDie(
+    rate_per_hour=2400,
+    pitch_mm=130,
+    stops=16,
+    mill_angle_deg=120,
+    work_deg=100,
+    wait_mm=15,
+    pocket_mm=37,
+    margin_mm=3,
+    die_mass_kg=17,
+)
+"""The machine of who gives no name; no number of a lesson is taken for one of its answers."""
 
 _LAW = LAWS["cycloidal"]
 
@@ -37,11 +50,12 @@ def machine_for(who: Any = "") -> MillAndDie:
     """Return the machine with the numbers of a learner, given by a name or a number.
 
     The same name gives the same numbers; capitals and blanks at its ends do not matter. Without
-    one it is the machine of the source. Raises InputError for what is neither name nor number.
+    one it is NAMELESS, which no lesson speaks of. Raises InputError for what is neither name nor
+    number.
 
     >>> machine_for("Anna") == machine_for(" anna ")
     True
-    >>> machine_for() == EXAMPLE
+    >>> machine_for() == NAMELESS != EXAMPLE
     True
     """
     if isinstance(who, bool) or not isinstance(who, str | numbers.Integral):
@@ -56,7 +70,7 @@ def machine_for(who: Any = "") -> MillAndDie:
             "The number of a variant is too long: give a shorter one, for example 17."
         ) from None
     if not name:
-        return EXAMPLE
+        return NAMELESS
     return next(filter(_is_sensible, _machines(name)))
 
 

@@ -8,11 +8,11 @@ from pathlib import Path
 from cammotion.teaching.classroom import predicted, tally
 from cammotion.teaching.classroom.clean import plural
 from cammotion.teaching.classroom.collect import SchoolClass, Student
-from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS
 from cammotion.teaching.messages import Outcome
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.store import FILE
+from cammotion.teaching.variants import machine_for
 
 _SIGNS = {"right": "✓", "wrong": "✗", "open": "–"}
 _MOST_SLIPS = 5
@@ -143,7 +143,7 @@ def _slips(lesson: str, students: Sequence[Student]) -> str:
         )
         more = len(told) - _MOST_SLIPS
         rest = f"<p>And {plural(more, 'other reason')}.</p>\n" if more > 0 else ""
-        question = escape(EXERCISES[number].question(EXAMPLE))
+        question = escape(EXERCISES[number].question(machine_for()))
         parts.append(
             f"<h4>{number}</h4>\n<details><summary>The question of {number}</summary>"
             f"<p>{question}</p></details>\n<ol>\n{items}</ol>\n{rest}"

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 from cammotion.quantities import one_of
+from cammotion.teaching.carried import link
 from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.prediction import Prediction
 
@@ -17,7 +18,7 @@ LESSONS = tuple(
 )
 
 EXERCISES: Mapping[str, Exercise] = MappingProxyType(
-    {exercise.number: exercise for lesson in LESSONS for exercise in lesson.EXERCISES}
+    link(exercise for lesson in LESSONS for exercise in lesson.EXERCISES)
 )
 
 PREDICTIONS: Mapping[str, Prediction] = MappingProxyType(

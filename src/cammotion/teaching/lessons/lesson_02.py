@@ -162,6 +162,11 @@ EXERCISES = (
                 "differentiate.",
             ),
             Slip(
+                lambda m: 6 - 12 * _t / _t_m,
+                "This is the second derivative by x. In a the stroke is a factor, and each of the "
+                "two derivatives by t brings out 1/t_m.",
+            ),
+            Slip(
                 lambda m: 6 * _h_m / _t_m**2,
                 "This is the peak alone, at t = 0. What is asked for changes with t.",
             ),

@@ -193,6 +193,10 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.overlapped_deg / (1 - _place(m)),
+        goes_on_from={
+            "03.2": lambda m, degrees: degrees / (1 - _place(m)),
+            "03.3": lambda m, x: m.overlapped_deg / (1 - x),
+        },
         right="The move's first part costs nothing, since nobody is in the way of it.",
         slips=(
             Slip(
@@ -207,6 +211,15 @@ EXERCISES = (
             Slip(
                 lambda m: m.die_angle_deg / (1 - _place(m)),
                 "The quiet end of the mill was forgotten: the die has more than its old angle.",
+            ),
+            Slip(
+                lambda m: m.overlapped_deg,
+                "These are the degrees from the quiet end until the die is down. Its move has "
+                "begun before: they are only the part 1 - x of it.",
+            ),
+            Slip(
+                lambda m: m.mill_angle_deg - 2 * m.quiet_deg,
+                "This is the effective angle of the mill. How wide is the move of the die?",
             ),
             Slip(
                 lambda m: m.overlapped_deg / (1 - m.limit_mm / m.stroke_mm),
@@ -244,6 +257,7 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 2,
+        goes_on_from={"03.4": lambda m, angle: (angle / m.die_angle_deg) ** 2},
         right="The inverse square again. No part of the machine was made better to get it.",
         slips=(
             Slip(

@@ -100,6 +100,11 @@ EXERCISES = (
                 "is made in half of the time tells what it is.",
             ),
             Slip(
+                lambda m: LAWS["constant acceleration"].Ca,
+                "This is Ca, which has no unit. Times the stroke over the time squared it is an "
+                "acceleration.",
+            ),
+            Slip(
                 lambda m: _peak(m, "cycloidal"),
                 "This is the peak of the cycloid. Here the acceleration is the same all the time, "
                 "but for its sign.",
@@ -222,6 +227,7 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.die_angle_deg / math.sqrt(_kept()),
+        goes_on_from={"05.2": lambda m, percent: m.die_angle_deg / math.sqrt(1 - percent / 100)},
         right="So a better law is worth a few degrees. Overlap has found dozens.",
         slips=(
             Slip(

@@ -323,6 +323,7 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: _cycloidal(m) / _least(m),
+        goes_on_from={"06.3": lambda m, least: _cycloidal(m) / least},
         tolerance=0.002,  # with 0.004 the slip of pi/2 would be right for the source
         right="This factor is all that is left to gain, and you now know that it is all.",
         slips=(

@@ -1,0 +1,58 @@
+"""How far an answer may be rounded: to the fewest digits that tell it from the known wrong ones."""
+
+import math
+from collections.abc import Iterable
+
+FEWEST, MOST = 2, 4  # significant digits that a question asks for
+MOST_OFF = 0.012  # by what share a number may be off that is rounded to so few
+_SAME = 1e-9  # what is so near is one number: a wrong way may lead to the right one
+_WHOLE = 1e-4  # what is left of a whole number of units in the last digit
+
+
+def is_rounded(given: float, value: float, digits: int) -> bool:
+    """Tell whether a number is a value rounded to significant digits; a half goes either way.
+
+    >>> is_rounded(3.7, 3.719, digits=2), is_rounded(3.72, 3.719, digits=2)
+    (True, False)
+    >>> is_rounded(0.22, 0.225, digits=2), is_rounded(0.23, 0.225, digits=2)
+    (True, True)
+    """
+    if not value:
+        return False
+    unit = 10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits)
+    is_whole = abs(given / unit - round(given / unit)) < _WHOLE
+    return is_whole and abs(given - value) <= (0.5 + _SAME) * unit
+
+
+def digits_needed(right: float, wrong: Iterable[float]) -> int:
+    """Return to how many digits, 2 to 4, an answer may be rounded.
+
+    So rounded it is within 1.2 %, and no known wrong answer, one of `wrong`, is rounded to the
+    same number. More than four are never asked for.
+
+    >>> digits_needed(3.719, [1.36]), digits_needed(124.84, [70]), digits_needed(3.719, [3.722])
+    (2, 3, 4)
+    """
+    enough = FEWEST if abs(_round(right, FEWEST) - right) <= MOST_OFF * abs(right) else FEWEST + 1
+    alike = [
+        digits
+        for other in wrong
+        for digits in range(FEWEST, MOST)
+        if not is_same(right, other) and _are_alike(right, other, digits)
+    ]
+    return max(enough, 1 + max(alike, default=0))
+
+
+def is_same(one: float, other: float) -> bool:
+    """Tell whether two numbers are one, but for the last digits of a computer."""
+    return math.isclose(one, other, rel_tol=_SAME, abs_tol=1e-12)
+
+
+def _are_alike(one: float, other: float, digits: int) -> bool:
+    return is_rounded(_round(one, digits), other, digits) or is_rounded(
+        _round(other, digits), one, digits
+    )
+
+
+def _round(value: float, digits: int) -> float:
+    return float(f"{value:.{digits}g}")

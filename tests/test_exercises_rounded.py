@@ -1,0 +1,165 @@
+"""How far an answer may be rounded, over all numbers that are asked for and many machines."""
+
+import re
+from collections.abc import Iterator
+
+import pytest
+from judging import each_number, is_right, say
+from test_exercises_answers import ALL_SLIPS
+
+import cammotion as cm
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.exercise import NumberExercise, Slip
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import machine_for
+
+MANY = [EXAMPLE, machine_for(), *(machine_for(f"rounded {n}") for n in range(60))]
+ASKED = re.compile(r", to (three|four) digits$")
+DIGITS = {"three": 3, "four": 4}
+
+
+def asked_digits(exercise: NumberExercise, machine: MillAndDie) -> int:
+    """Return to how many digits a question asks for its answer, 2 where it says nothing."""
+    found = ASKED.search(exercise.wanted_for(machine))
+    return DIGITS[found[1]] if found else 2
+
+
+def rounded(value: float, digits: int) -> float:
+    return float(f"{value:.{digits}g}")
+
+
+def wrong_ways(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
+    """Return what the known wrong ways lead to, where it is not the right number after all.
+
+    That it may be exactly, or to the four digits that are the most that is asked for. A number
+    that was rounded on the way is no wrong way.
+    """
+    right = exercise.solution(machine)
+    by_hand = [s for s in ALL_SLIPS if s.number == exercise.number and s.said != "rounded"]
+    ways = [slip.answer for slip in exercise.slips] + [slip.answer for slip in by_hand]
+    for value in {float(way(machine)) for way in ways}:
+        if value != rounded(right, 4) and value != pytest.approx(right, rel=1e-9):
+            yield value
+
+
+def simple(answer: float, *slips: float) -> NumberExercise:
+    """Return an exercise with this answer and slips that are named after what they lead to."""
+    return NumberExercise(
+        number="00.0",
+        question=lambda _: "How much?",
+        right="It is.",
+        hints=("Look.", "Think.", "Count."),
+        unit="rpm",
+        answer=lambda _: answer,
+        slips=tuple(Slip(lambda _, at=at: at, f"slip {at}") for at in slips),  # type: ignore[misc]
+    )
+
+
+@each_number
+def test_an_answer_rounded_as_the_question_asks_is_right(exercise: NumberExercise) -> None:
+    for machine in MANY:
+        right = exercise.solution(machine)
+        for digits in range(asked_digits(exercise, machine), 8):
+            assert is_right(exercise, rounded(right, digits), machine), (machine.who, digits)
+
+
+@each_number
+def test_two_digits_are_enough_unless_they_are_too_far_off_or_a_slips(
+    exercise: NumberExercise,
+) -> None:
+    for machine in MANY:
+        right = exercise.solution(machine)
+        if asked_digits(exercise, machine) > 2:
+            two = rounded(right, 2)
+            too_far = abs(two - right) > 0.012 * right
+            slips = {rounded(float(slip.answer(machine)), 2) for slip in exercise.slips}
+            half_way = rounded(right, 3) != pytest.approx(rounded(right, 2), rel=0.004)
+            assert too_far or two in slips or half_way, machine.who
+
+
+@each_number
+def test_no_known_wrong_way_is_right_for_anybody(exercise: NumberExercise) -> None:
+    for machine in MANY:
+        for value in wrong_ways(exercise, machine):
+            assert not is_right(exercise, value, machine), (machine.who, value)
+
+
+@each_number
+def test_nor_is_one_that_is_rounded_as_the_question_asks(exercise: NumberExercise) -> None:
+    """More than four digits are never asked for; slips that agree in four are rare."""
+    for machine in MANY:
+        right, digits = exercise.solution(machine), asked_digits(exercise, machine)
+        for slip in exercise.slips:
+            value = float(slip.answer(machine))
+            if value == pytest.approx(right, rel=1e-9 if digits < 4 else 1e-3):
+                continue
+            assert not is_right(exercise, rounded(value, digits), machine), (machine.who, value)
+
+
+@pytest.mark.parametrize(
+    ("number", "answer", "is_enough"),
+    [
+        ("01.3", 3.7, True),
+        ("05.2", 22, True),
+        ("05.2", 22.2, True),
+        ("05.1", 2.6, False),
+        ("05.1", 2.64, True),
+        ("06.3", 0.51, False),
+        ("06.3", 0.511, True),
+        ("06.4", 1.6, False),
+        ("06.4", 1.58, True),
+    ],
+)
+def test_what_the_source_may_be_rounded_to(number: str, answer: float, is_enough: bool) -> None:
+    assert is_right(EXERCISES[number], answer) is is_enough
+
+
+def test_the_effective_angle_of_the_mill_is_a_slip_and_not_the_rounded_angle_of_the_die() -> None:
+    assert "effective angle of the mill" in say(EXERCISES["03.4"], 120)
+
+
+def test_a_question_says_how_many_digits_it_wants_where_two_are_too_few() -> None:
+    assert EXERCISES["06.3"].wanted_for(EXAMPLE) == "one number in m/s², to three digits"
+    cm.variant("")
+    assert cm.ask("03.4").text.endswith("(Answer: one number in deg, to three digits.)")
+    assert cm.ask("03.5").text.endswith("(Answer: one number.)")
+
+
+def test_a_half_may_be_rounded_either_way() -> None:
+    for answer in (62, 63, 62.5):
+        assert is_right(simple(62.5), answer)
+    for answer in (61, 64):
+        assert not is_right(simple(62.5), answer)
+
+
+def test_a_rounded_number_more_than_1_2_percent_off_is_told_so() -> None:
+    assert say(simple(124.84), 120).endswith("give three digits at least.")
+    assert is_right(simple(124.84), 125)
+
+
+def test_a_slip_that_rounds_to_the_same_digits_asks_for_more_of_them() -> None:
+    for slip, two, three in ((3.68, 3.7, 3.72), (3.7, 3.7, 3.72)):
+        exercise = simple(3.719, slip)
+        assert exercise.wanted_for(EXAMPLE) == "one number in rpm, to three digits"
+        said = "give three digits" if slip != two else f"slip {slip}"
+        assert said in say(exercise, two)
+        assert is_right(exercise, three)
+    close = simple(3.7188, 3.721)
+    assert "give four digits" in say(close, 3.72)
+    assert is_right(close, 3.719)
+    assert say(close, 3.721) == "slip 3.721"
+
+
+def test_between_a_slip_and_the_right_number_the_nearer_one_counts() -> None:
+    exercise = simple(0.737, 0.7372)
+    assert is_right(exercise, 0.73705)
+    assert say(exercise, 0.73717) == "slip 0.7372"
+
+
+def test_a_slip_is_known_by_two_digits_too() -> None:
+    assert say(simple(0.737, 0.5234), 0.52) == "slip 0.5234"
+    assert "too small" in say(simple(0.737, 0.5234), 0.53)
+
+
+def test_a_slip_that_leads_to_the_right_number_does_not_count() -> None:
+    assert is_right(simple(0.737, 0.737), 0.74)
