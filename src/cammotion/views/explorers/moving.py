@@ -13,7 +13,7 @@ from cammotion.laws.symbols import x
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError
-from cammotion.views.live.describe import as_expression
+from cammotion.views.live.expressions import as_expression
 from cammotion.views.live.parts import Control
 
 ALPHA = sp.Symbol("alpha", real=True)  # the cam angle, in deg, over which a figure draws a turn

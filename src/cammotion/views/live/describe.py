@@ -9,8 +9,7 @@ import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
 from cammotion.quantities import InputError, shorten
-from cammotion.views.live.expressions import as_curve, shortly
-from cammotion.views.live.expressions import as_expression as as_expression
+from cammotion.views.live.expressions import as_condition, as_curve, as_expression, shortly
 from cammotion.views.live.formulas import Formulas
 from cammotion.views.live.parts import (
     Box,
@@ -112,7 +111,7 @@ class Describer:
 
     def sentence(self, say: Say) -> list[Description]:
         """Return the alternatives of a sentence, each with the formula of its condition."""
-        when = None if say.when is None else self.formula(_as_condition(say.when))
+        when = None if say.when is None else self.formula(as_condition(say.when))
         first = {"when": when, "pieces": list(self._pieces(say))}
         return [first, *(self.sentence(say.otherwise) if say.otherwise else [])]
 
@@ -245,17 +244,6 @@ def _in_order(values: Mapping[sp.Symbol, Any]) -> dict[sp.Symbol, sp.Expr]:
             )
         ordered |= {symbol: waiting.pop(symbol) for symbol in ready}
     return ordered
-
-
-def _as_condition(given: Any) -> sp.Basic:
-    """Return what has to hold; of a number or an expression, that it is above 0."""
-    if isinstance(given, bool):
-        raise InputError(
-            f"The condition of a sentence is {given} already: compare symbols by <, > or "
-            "sp.Eq(k, 1), since k == 1 asks whether two expressions look alike."
-        )
-    condition = as_expression(given)
-    return condition > 0 if isinstance(condition, sp.Expr) else condition
 
 
 def describe(  # noqa: PLR0913 - the parts of a figure, each once

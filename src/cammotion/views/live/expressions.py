@@ -48,6 +48,17 @@ def as_curve(value: Any) -> sp.Expr:
     return curve
 
 
+def as_condition(given: Any) -> sp.Basic:
+    """Return what has to hold; of a number or an expression, that it is above 0."""
+    if isinstance(given, bool):
+        raise InputError(
+            f"The condition of a sentence is {given} already: compare symbols by <, > or "
+            "sp.Eq(k, 1), since k == 1 asks whether two expressions look alike."
+        )
+    condition = as_expression(given)
+    return condition > 0 if isinstance(condition, sp.Expr) else condition
+
+
 def shortly(expression: Any) -> str:
     """Return an expression as text, cut where it is too long for a sentence."""
     text = str(expression)
