@@ -44,20 +44,20 @@ DRAWN = """(panel) => {
   return { numbers, paths: lines.map((line) => line.getAttribute("d")) };
 }"""
 TYPE = """({ label, value }) => {
-  const row = [...document.querySelectorAll(".cm-controls label")]
+  const row = [...document.querySelectorAll(".cm-settings label")]
     .find((each) => each.textContent.startsWith(label));
   const field = document.getElementById(row.htmlFor);
   field.focus();
   if (value !== undefined) field.value = value;
   field.select?.();
 }"""
-SLIDE = """(label) => [...document.querySelectorAll(".cm-controls input[type=range]")]
+SLIDE = """(label) => [...document.querySelectorAll(".cm-settings input[type=range]")]
   .find((slider) => slider.getAttribute("aria-label").startsWith(label)).focus()"""
 PRESS = """(words) => [...document.querySelectorAll(".cm-figure button")]
   .find((button) => button.textContent.startsWith(words)).focus()"""
 ERRORS = """() => [...document.querySelectorAll("[role=alert]")]
   .map((error) => error.textContent).join("")"""
-FIELDS = """() => [...document.querySelectorAll(".cm-controls input[type=text]")]
+FIELDS = """() => [...document.querySelectorAll(".cm-settings input[type=text]")]
   .map((field) => field.value)"""
 LISTEN = """() => {
   window.heard = [];

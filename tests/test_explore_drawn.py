@@ -1,6 +1,8 @@
 """What `explore` draws and says though it is not nice: poles, pieces, corners, searches."""
 
 import io
+import re
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -120,3 +122,14 @@ def test_what_is_limited_gives_way_when_it_is_moved_itself() -> None:
     figure = cm.explore(a * k * t, (t, 0, 1), {k: (0, 4), a: limited}, values={k: 3})
     figure.values = {a: 4}
     assert figure.values == {k: 3, a: 1}
+
+
+def test_a_figure_and_a_player_in_one_notebook_have_styles_of_their_own() -> None:
+    views = Path(cm.__file__).parent / "views"
+    figure, player = (
+        {*re.findall(r"\.cm-[a-z-]+", (views / sheet).read_text("utf-8"))}
+        for sheet in ("live/figure.css", "animation/player.css")
+    )
+    assert figure
+    assert player
+    assert not figure & player

@@ -52,7 +52,7 @@ class Figure {
       },
       html(
         "div",
-        { class: "cm-controls" },
+        { class: "cm-settings" },
         ...this.rows.map(({ row }) => row),
         ...this.clockRow(),
         html("div", {}, ...this.buttons()),
