@@ -46,20 +46,15 @@ def printed(lesson: str) -> list[float]:
     return sorted({float(number) for text in texts(lesson) for number in NUMBER.findall(text)})
 
 
-def accepted(exercise: NumberExercise, machine: MillAndDie, off: float = 0) -> list[float]:
-    """Return the numbers of its lesson that are right for an exercise, or are so near."""
-    right = exercise.solution(machine)
-    return [
-        number
-        for number in printed(exercise.number[:2])
-        if is_right(exercise, number, machine) or abs(number - right) <= off * abs(right)
-    ]
+def accepted(exercise: NumberExercise, machine: MillAndDie) -> list[float]:
+    """Return the numbers of its lesson that are right for an exercise."""
+    found = printed(exercise.number[:2])
+    return [number for number in found if is_right(exercise, number, machine)]
 
 
 @pytest.mark.parametrize("exercise", NUMBERS, ids=number_id)
 def test_no_number_of_its_lesson_is_taken_for_an_answer(exercise: NumberExercise) -> None:
-    """Nor is one within 1.2 %, three times the tolerance."""
-    assert exercise.number in SAME_FOR_ALL or accepted(exercise, NAMELESS, off=0.012) == []
+    assert exercise.number in SAME_FOR_ALL or accepted(exercise, NAMELESS) == []
 
 
 def test_with_the_numbers_of_the_source_it_would_be() -> None:
