@@ -59,7 +59,8 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
             drawn.draw(then if description["pin"] else None, panel is column[-1])
     _add_legends(figure.axes)
     picture = io.BytesIO()
-    FigureCanvasAgg(figure).print_png(picture)  # type: ignore[no-untyped-call]
+    quick = {"compress_level": 3}  # a cell that runs waits for it
+    FigureCanvasAgg(figure).print_png(picture, pil_kwargs=quick)  # type: ignore[no-untyped-call]
     return picture.getvalue()
 
 
