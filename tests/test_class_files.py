@@ -82,7 +82,7 @@ def test_what_is_no_file_does_not_hold_up(folder: Path) -> None:
     ("place", "name"),
     [
         ("Dora/progress.json", "Dora"),
-        ("Dora/work/progress.json", "Dora"),
+        ("/".join(["Dora", "work", "progress.json"]), "Dora"),
         ("pc 7/work-dora/progress.json", "dora"),
         ("dora.json", "dora"),
         ("Dora/progress (1).json", "Dora"),

@@ -150,7 +150,7 @@ def _told_name(content: dict[str, Any], exercises: dict[str, Record]) -> str:
 def _name_of(place: str, folder: Path) -> str:
     """Return a name by where a file lies: its own, or that of the folder nearest to it.
 
-    "Anna/work/progress.json" is Anna's, "work-ben/progress.json" ben's, "carla.json" carla's.
+    "Anna/progress.json" is Anna's, "work-ben/progress.json" ben's, "carla.json" carla's.
     """
     *folders, name = place.split("/")
     stem = name.rpartition(".")[0]
