@@ -77,7 +77,7 @@ def test_all_exercises_ask_about_the_variant() -> None:
     for number, exercise in EXERCISES.items():
         assert cm.check(number, exercise.solution(machine)).is_right
     assert cm.progress().right == len(EXERCISES)
-    assert cm.variant().rate_per_hour == 2300
+    assert cm.variant().rate_per_hour == 2600
     assert cm.check("01.1", 70).is_right
 
 
@@ -153,7 +153,7 @@ def test_a_file_that_cannot_be_read_is_kept_aside(work: Path, content: bytes) ->
     assert line_of("01.1") == "right, 1 try"
     (work / FILE).write_bytes(content)
     assert "progress-unreadable-2.json" in cm.progress().note
-    cm.check("01.2", 0.4348)
+    cm.check("01.2", 0.3846)
     restart()
     assert cm.progress().right == 2
     assert cm.progress().note == ""
@@ -201,10 +201,10 @@ def test_what_cannot_be_written_is_kept_in_memory_and_said(
     name = "tempfile.NamedTemporaryFile" if place == "tempfile.mkstemp" else place
     with monkeypatch.context() as broken:
         broken.setattr(name, refuse(DISK_FULL))
-        said = cm.check("01.2", 0.4348)
+        said = cm.check("01.2", 0.3846)
         assert said.is_right
         assert "could not be written (No space left on device); it is kept until" in said.text
-        cm.check("02.4", 1.378)
+        cm.check("02.4", 1.331)
         assert cm.progress().right == 3
         assert "could not be written" in cm.progress().note
         assert cm.hint("02.1").step == 1
@@ -218,7 +218,7 @@ def test_what_cannot_be_written_is_kept_in_memory_and_said(
 def test_a_folder_that_is_gone(work: Path) -> None:
     cm.check("01.1", 70)
     shutil.rmtree(work)
-    said = cm.check("01.2", 0.4348)
+    said = cm.check("01.2", 0.3846)
     assert said.is_right
     assert cm.progress().right >= 1
 
@@ -233,7 +233,7 @@ def test_a_kernel_that_is_killed_while_it_writes(
         broken.setattr(place, refuse(KeyboardInterrupt()))
         for _ in range(3):
             with pytest.raises(KeyboardInterrupt):
-                cm.check("01.2", 0.4348)
+                cm.check("01.2", 0.3846)
     assert (work / FILE).read_bytes() == whole
     assert files_in(work) == [FILE]
 
@@ -266,10 +266,10 @@ def test_two_kernels_when_the_disk_was_full_for_one(monkeypatch: pytest.MonkeyPa
         broken.setattr("json.dump", refuse(DISK_FULL))
         cm.check("01.1", 70)
     session._SESSION = other
-    cm.check("01.2", 0.4348)
+    cm.check("01.2", 0.3846)
     session._SESSION = one
     assert cm.progress().right == 2
-    cm.check("02.4", 1.378)
+    cm.check("02.4", 1.331)
     restart()
     assert cm.progress().right == 3
 

@@ -41,8 +41,8 @@ def check_shares(figure: LiveFigure, given: cm.TimingDiagram) -> None:
     peaks = {diagram.peak_acceleration(name): name for name in reversed(diagram.names)}
     assert f"larger peak: {peaks[max(peaks)]}, " in figure.text
     at = np.linspace(0.01, 359.9, 301)
-    low, high = limits_of(figure, "movement")
-    for motion, line in zip(diagram.motions, lines_of(figure, "movement"), strict=True):
+    low, high = limits_of(figure, "displacement")
+    for motion, line in zip(diagram.motions, lines_of(figure, "displacement"), strict=True):
         heights = drawn(figure, line["y"], at)
         assert low <= np.min(heights) <= np.max(heights) <= high
         moved = np.asarray(motion.position_mm(at)) - heights

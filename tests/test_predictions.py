@@ -67,7 +67,7 @@ def test_what_is_true(key: str, value: float) -> None:
     [
         ("01.half", "92.5 degrees for each way, 37.5 more than before."),
         ("01.harder", "The die, 3.72 times harder: 4.154 m/s², the mill 1.117."),
-        ("01.rate", "Movement 1, velocity 2, acceleration 4."),
+        ("01.rate", "Displacement 1, velocity 2, acceleration 4."),
         ("03.harder", "The mill: 1.117 m/s², the die: 0.806 m/s²."),
         ("02.few", "By 16 %."),
         ("03.widest", "The die may move over 124.84 degrees."),

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 import cammotion as cm
-from cammotion.views.movement import movement
+from cammotion.views.displacement import displacement
 
 mpl.use("agg")
 
@@ -79,7 +79,7 @@ def test_the_angle_is_ticked_every_30_deg_in_every_row() -> None:
         assert axis.get_xlim() == (0, 360)
     labels = [axis.get_xlabel() for axis in ax.figure.axes]
     assert labels == ["", "", "", "", "cam angle in deg"]
-    assert ax.get_ylabel() == "movement in mm"
+    assert ax.get_ylabel() == "displacement in mm"
 
 
 @pytest.mark.parametrize("row", ["velocity", "acceleration", "jerk"])
@@ -147,16 +147,18 @@ def test_the_movement_of_an_indexing_motion_counts_from_the_nearest_stop() -> No
     """Also where its move crosses 360 deg, and where it goes backwards."""
     whole, half = (cm.rise(100, over_deg=150), cm.dwell(210)), (75, 255)
     late = cm.indexing_motion("late", *whole, stops=4, start_deg=285)
-    assert movement(late, np.array([0.0, *half])) == pytest.approx([-50, 0, 0], abs=1e-9)
-    assert movement(late, np.array([359.9999]))[0] == pytest.approx(50, abs=1e-3)
-    assert np.all(np.diff(movement(late, np.arange(360.0))) >= -1e-9)
+    assert displacement(late, np.array([0.0, *half])) == pytest.approx([-50, 0, 0], abs=1e-9)
+    assert displacement(late, np.array([359.9999]))[0] == pytest.approx(50, abs=1e-3)
+    assert np.all(np.diff(displacement(late, np.arange(360.0))) >= -1e-9)
     nearly = cm.indexing_motion("nearly", *whole, stops=4, start_deg=225)
-    assert movement(nearly, np.array([0.0, 15, 200]))[0] == pytest.approx(-0.6451, abs=1e-4)
-    assert movement(nearly, np.array([0.0, 15, 200]))[1:] == pytest.approx([0, 0], abs=1e-9)
+    assert displacement(nearly, np.array([0.0, 15, 200]))[0] == pytest.approx(-0.6451, abs=1e-4)
+    assert displacement(nearly, np.array([0.0, 15, 200]))[1:] == pytest.approx([0, 0], abs=1e-9)
     back = cm.indexing_motion("back", cm.return_(60, over_deg=90), cm.dwell(270), stops=6)
-    assert movement(back, np.array([0, 45, 90, 200])) == pytest.approx([0, -30, -60, -60])
+    assert displacement(back, np.array([0, 45, 90, 200])) == pytest.approx([0, -30, -60, -60])
     last = cm.indexing_motion("last", *whole, stops=1, start_deg=225)  # its stops close in the turn
-    assert movement(last, np.array([0, 15, 360])) == pytest.approx([-0.6451, 0, 99.3549], abs=1e-4)
+    assert displacement(last, np.array([0, 15, 360])) == pytest.approx(
+        [-0.6451, 0, 99.3549], abs=1e-4
+    )
 
 
 def test_the_clearance_map_draws_each_path_and_the_forbidden_region() -> None:

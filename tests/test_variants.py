@@ -204,7 +204,7 @@ def test_a_machine_says_its_numbers() -> None:
     assert f"{machine_for('Anna').rate_per_hour} pieces per hour" in said
     assert f"a stroke of {machine_for('Anna').stroke_mm:g} mm" in said
     assert str(EXAMPLE).startswith("The machine of the source: 2000 pieces per hour")
-    assert str(machine_for()).startswith("Another machine: 2300 pieces per hour")
+    assert str(machine_for()).startswith("Another machine: 2600 pieces per hour")
 
 
 def test_who_it_is_does_not_make_another_machine() -> None:

@@ -20,7 +20,7 @@ from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, i
 State = Literal["open", "right", "wrong"]
 GoingOn = Callable[[MillAndDie, float], float]
 """How an answer comes out of the answer to an earlier exercise."""
-_NEAR = 0.03  # so near to the right answer it is the rounding
+_NEAR = 0.02  # so near to the right answer it is the rounding
 _CLOSE = (
     "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
     "until the end."

@@ -112,7 +112,7 @@ def variant(who: str | int = "") -> MillAndDie:
     >>> variant("Anna").rate_per_hour == variant("anna ").rate_per_hour
     True
     >>> variant().rate_per_hour
-    2300
+    2600
     """
     return _SESSION.take(machine_for(who))
 
@@ -137,7 +137,7 @@ def check(number: str, answer: Any) -> Feedback:
     counts where the answer is None. Raises InputError only for an unknown number. While nbgrader
     grades it raises AssertionError for an answer that is not right, which costs the points.
 
-    >>> check("02.1", 3459.47)
+    >>> check("02.1", 4420.8)
     02.1: Not yet. This is a thousand times too large. Is a length in mm where metres belong?
     """
     exercise = find_exercise(number)

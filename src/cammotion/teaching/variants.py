@@ -17,7 +17,7 @@ from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 
 NAMELESS = MillAndDie(
-    rate_per_hour=2300,
+    rate_per_hour=2600,
     pitch_mm=130,
     stops=16,
     mill_angle_deg=120,

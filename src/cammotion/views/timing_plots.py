@@ -17,7 +17,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, one_of
-from cammotion.views.movement import SAMPLED_DEGS, curve_angles, movement
+from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
 from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
 
 TICK_DEG = 30
@@ -43,9 +43,9 @@ def plot_timing(
     rows: Sequence[str] = (),
     ax: Axes | None = None,
 ) -> Axes:
-    """Draw a timing diagram as the trade does; return the Axes of the movements.
+    """Draw a timing diagram as the trade does; return the Axes of the displacements.
 
-    Movement in mm over the cam angle, one curve a mechanism; beneath it a bar for each, hatched
+    Displacement in mm over the cam angle, one curve a mechanism; beneath it a bar for each, hatched
     where it moves, with the angles of its segments. Grey is where two move at once, or, with
     `rules`, where the two motions of a rule do; a broken rule is marked as a collision. `rows`,
     any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle; a row
@@ -56,7 +56,7 @@ def plot_timing(
     >>> import cammotion as cm
     >>> ax = plot_timing(cm.EXAMPLE.diagram, rules=cm.EXAMPLE.rule, rows=["acceleration"])
     >>> ax.get_ylabel()
-    'movement in mm'
+    'displacement in mm'
     """
     for row in rows:
         one_of("row", row, ROWS)
@@ -66,11 +66,11 @@ def plot_timing(
         curves = 2.6 if len(names) <= SHARED_AXIS else 0.42 * len(names)
         height = curves + BAR_INCHES * len(names) + (ROW_INCHES + 0.2) * len(rows)
         _, ax = plt.subplots(figsize=(9, height / 0.77), facecolor="white")
-    style_axes(ax, "", "movement in mm")
+    style_axes(ax, "", "displacement in mm")
     divider = make_axes_locatable(ax)
     bars = divider.append_axes("bottom", size=BAR_INCHES * len(names), pad=0.12, sharex=ax)
     lower = [divider.append_axes("bottom", size=ROW_INCHES, pad=0.2, sharex=ax) for _ in rows]
-    _draw_movements(ax, diagram)
+    _draw_displacements(ax, diagram)
     _draw_bars(bars, diagram)
     for axis, row in zip(lower, rows, strict=True):
         _draw_row(axis, diagram, row)
@@ -136,12 +136,12 @@ def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) 
     return f"{motion.name}: {what} in mm"
 
 
-def _draw_movements(ax: Axes, diagram: TimingDiagram) -> None:
+def _draw_displacements(ax: Axes, diagram: TimingDiagram) -> None:
     in_lanes = len(diagram.motions) > SHARED_AXIS
     ticks: dict[float, str] = {}
     for number, motion in enumerate(diagram.motions):
         angles = curve_angles(motion)
-        heights = movement(motion, angles)
+        heights = displacement(motion, angles)
         if in_lanes:
             low, high = heights.min(), heights.max()
             lane = len(diagram.motions) - 1 - number

@@ -171,8 +171,8 @@ EXERCISES = (
             ),
         },
         right=(
-            "Equal heights mean equal movements in mm, and nothing else. Whether two parts collide "
-            "has to be asked of the machine, not of its diagram."
+            "Equal heights mean equal displacements in mm, and nothing else. Whether two parts "
+            "collide has to be asked of the machine, not of its diagram."
         ),
         hints=(
             "What is drawn vertically in a timing diagram?",
@@ -200,9 +200,9 @@ PREDICTIONS = (
     ),
     Prediction(
         "01.rate",
-        "factors of movement, velocity, acceleration",
+        "factors of displacement, velocity, acceleration",
         "1, 2 and 4",
-        "Who lets the movement grow too thinks of an axis with seconds. And who only doubles "
+        "Who lets the displacement grow too thinks of an axis with seconds. And who only doubles "
         "the acceleration has counted the time once: it counts once for each derivative.",
     ),
 )

@@ -126,7 +126,7 @@ class Layout:
         labels = [
             curve.label
             for design in designs
-            for curve in (*self._movements(design), *self._accelerations(design))
+            for curve in (*self._displacements(design), *self._accelerations(design))
         ]
         widest = min(max(svg.text_px(label, bold=True) for label in labels), WIDEST_LABEL_PX)
         self.chart = INNER_PX - LEFT_PX - GAP_PX - widest
@@ -205,7 +205,7 @@ class Layout:
         cursor.insert(0, line)
         return svg.placed(LEFT_PX, 0, cursor)
 
-    def _movements(self, design: Design) -> list[LabelledCurve]:
+    def _displacements(self, design: Design) -> list[LabelledCurve]:
         return [
             LabelledCurve(number, motion.name, trace_position(motion))
             for number, motion in enumerate(design.diagram.motions)
@@ -223,8 +223,8 @@ class Layout:
         ]
 
     def _timing(self, design: Design) -> Chart:
-        lanes = timing_lanes(self._movements(design), TIMING_PX)
-        return Chart("movement in mm", lanes, self.chart)
+        lanes = timing_lanes(self._displacements(design), TIMING_PX)
+        return Chart("displacement in mm", lanes, self.chart)
 
     def _acceleration(self, design: Design) -> Chart:
         lane = acceleration_lane(self._accelerations(design), self.peak, ACCELERATION_PX)

@@ -16,7 +16,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, over_time
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats
-from cammotion.views.movement import movement
+from cammotion.views.displacement import displacement
 
 TOLERANCE_MM = 0.06
 TOLERANCE_SHARE = 1.2e-3  # of a move: small strokes are drawn large
@@ -41,7 +41,7 @@ CAMSHAFT = Trace(*(np.array([0.0, DEG_PER_TURN]) for _ in range(2)))
 
 
 def trace_position(motion: Motion, finer: float = 1.0) -> Trace:
-    """Return the `movement` in mm, which of an indexing motion goes on over the end of its turn.
+    """Return the `displacement` in mm; of an indexing motion it goes on over the turn's end.
 
     It is so many times `finer` than a drawing needs that is not magnified.
 
@@ -52,7 +52,7 @@ def trace_position(motion: Motion, finer: float = 1.0) -> Trace:
     """
     angles = np.concatenate([_position_angles(segment, finer) for segment in motion.segments])
     in_turn = np.union1d(np.mod(angles, DEG_PER_TURN), [0.0, DEG_PER_TURN])
-    return _thinned(in_turn, movement(motion, in_turn), finer)
+    return _thinned(in_turn, displacement(motion, in_turn), finer)
 
 
 def trace_acceleration(motion: Motion, rate_per_hour: float) -> Trace:

@@ -108,7 +108,7 @@ def _timing(
     """Return the panel of the timing diagram: as it was, as it is, and where it collides."""
     lines = [
         Line(
-            y=moving.movement(),
+            y=moving.displacement(),
             joints=moving.joints,
             name="" if number else "as it was",
             role=REFERENCE,
@@ -116,12 +116,12 @@ def _timing(
         for number, moving in enumerate(before)
     ]
     lines += [
-        Line(y=moving.movement(), joints=moving.joints, name=name, colour=number)
+        Line(y=moving.displacement(), joints=moving.joints, name=name, colour=number)
         for number, (name, moving) in enumerate(motions.items())
     ]
     lines += [
         Line(
-            y=moving.movement(),
+            y=moving.displacement(),
             joints=moving.joints,
             name="" if number else "collision",
             only_where=collides,
@@ -131,7 +131,7 @@ def _timing(
     ]
     return Panel(
         lines=lines,
-        y="movement in mm",
+        y="displacement in mm",
         y_limits=room,
         x_ticks=60,
         height=300,

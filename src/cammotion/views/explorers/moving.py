@@ -57,7 +57,7 @@ class Moving:
         """Return where the motion is at a cam angle, in mm, from 0 on each turn."""
         return self.start_mm + self._over_parts(angle, 0)
 
-    def movement(self) -> sp.Expr:
+    def displacement(self) -> sp.Expr:
         """Return the position as it is drawn: an indexing motion from the stop nearest at 0 deg."""
         if not self.is_indexing:
             return self.position()
@@ -132,7 +132,7 @@ def heights(motions: Iterable[Motion], moving: Iterable[Moving]) -> tuple[sp.Exp
     ranges = [[end - m.start_mm * m.is_indexing for end in m.range_mm] for m in motions]
     low, high = min(map(min, ranges)), max(map(max, ranges))
     room = (high - low) / 16
-    over_zero = [m.movement().xreplace({ALPHA: at}) for m in moving for at in (_0, _360)]
+    over_zero = [m.displacement().xreplace({ALPHA: at}) for m in moving for at in (_0, _360)]
     lowest, highest = (
         f(*over_zero, end, evaluate=False) for f, end in ((sp.Min, low), (sp.Max, high))
     )

@@ -67,8 +67,8 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     peaks = [moving.peak(rate) for _, moving in both]
     panels = [
         Panel(
-            lines=[Line(y=m.movement(), joints=m.joints, name=name) for name, m in both],
-            y="movement in mm",
+            lines=[Line(y=m.displacement(), joints=m.joints, name=name) for name, m in both],
+            y="displacement in mm",
             y_limits=heights(diagram.motions, (first, second)),
             x_ticks=TICK_DEG,
             height=170,

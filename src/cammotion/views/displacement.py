@@ -10,7 +10,7 @@ from cammotion.quantities import Floats
 SAMPLED_DEGS = np.linspace(0.0, DEG_PER_TURN, 721)
 
 
-def movement(motion: Motion, angle_deg: ArrayLike) -> Floats:
+def displacement(motion: Motion, angle_deg: ArrayLike) -> Floats:
     """Return the position in mm; of an indexing motion, from the stop it is nearest at 0 deg.
 
     `angle_deg` are cam angles in deg, an array of any shape. An indexing motion goes on over the
@@ -18,7 +18,7 @@ def movement(motion: Motion, angle_deg: ArrayLike) -> Floats:
 
     >>> import cammotion as cm
     >>> belt = cm.indexing_motion("belt", cm.rise(100, over_deg=150), cm.dwell(210), stops=1)
-    >>> movement(belt, [0, 75, 360])
+    >>> displacement(belt, [0, 75, 360])
     array([  0.,  50., 100.])
     """
     if motion.stops is None:
