@@ -8,6 +8,7 @@ import argparse
 import sys
 from collections.abc import Callable
 
+from accessibility import measure_accessibility
 from animation import measure_animation
 from curves import measure_factors, measure_lines
 from exercises import measure_exercises
@@ -20,6 +21,7 @@ from package import measure_import, measure_lesson, measure_setup, measure_test
 from round_trip import measure_round_trips
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
+    "accessibility": measure_accessibility,
     "animation": measure_animation,
     "exercises": measure_exercises,
     "import": measure_import,
@@ -41,7 +43,7 @@ ROW = "{:<72} {:>10} {:>16}  {}"
 
 def describe_measures() -> str:
     """Return a line for each measure."""
-    lines = (f"  {name:<11}{measure.__doc__}" for name, measure in MEASURES.items())
+    lines = (f"  {name:<14}{measure.__doc__}" for name, measure in MEASURES.items())
     return "\n".join(["measures:", *lines])
 
 

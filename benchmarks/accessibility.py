@@ -1,0 +1,72 @@
+"""What axe-core finds in the outputs of all lessons, as they stand in JupyterLab after a run, dark and light."""
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from findings import Finding, say
+from live import ROOT, running_workbook
+from playwright.sync_api import Browser
+
+sys.path.append(str(ROOT / "tests"))
+
+from lab import LabPage, running_browser  # noqa: E402
+
+AXE = "axe-core@4.14.1"  # a tool of Deque's, on npm since 2015, without dependencies
+RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+OUTPUTS = ".jp-OutputArea-output"
+RUN = """async ([outputs, rules]) => {
+  const found = await axe.run({include: [[outputs]]}, {runOnly: rules});
+  return found.violations.flatMap(({id, nodes}) => nodes.map(({html}) => [id, html]));
+}"""
+# JupyterLab itself draws a PNG without alternative text, and cannot be told one: its renderer of
+# images reads width and height alone.
+OF_JUPYTERLAB = ("image-alt", '<img src="data:image/png')
+RUN_ALL = "() => jupyterapp.commands.execute('notebook:run-all-cells')"
+THEME = "theme => jupyterapp.commands.execute('apputils:change-theme', {theme})"
+THEMES = ("JupyterLab Dark", "JupyterLab Light")
+
+
+def measure_accessibility() -> list[Finding]:
+    """Run every lesson in JupyterLab and look at its outputs with axe-core (asks npm for it)."""
+    axe = _fetch_axe()
+    lessons = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
+    with running_browser() as browser:
+        return [
+            Finding(f"axe-core, outputs of {name[:2]}", len(_ours(browser, name, axe)), 0, "")
+            for name in lessons
+        ]
+
+
+def _fetch_axe() -> str:
+    npm = shutil.which("npm")
+    if npm is None:
+        sys.exit("axe-core comes from npm, which is not on the PATH: install Node.js.")
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(
+            [npm, "install", "--silent", "--no-save", "--prefix", folder, AXE], check=True
+        )
+        return (Path(folder) / "node_modules/axe-core/axe.min.js").read_text("utf-8")
+
+
+def _ours(browser: Browser, name: str, axe: str) -> list[list[str]]:
+    """Return what is found in the outputs of a lesson, but for what is JupyterLab's own."""
+    with running_workbook(browser, name) as lab:
+        lab.page.evaluate(RUN_ALL)
+        found = [each for theme in THEMES for each in _look(lab, axe, theme)]
+    rule, image = OF_JUPYTERLAB
+    ours = [[what, html] for what, html in found if what != rule or not html.startswith(image)]
+    for what, html in ours:
+        say(f"{name[:2]}: {what}: {html[:150]}")
+    say(f"{name[:2]}: {len(found) - len(ours)} times a PNG without a text, JupyterLab's own")
+    return ours
+
+
+def _look(lab: LabPage, axe: str, theme: str) -> Any:
+    lab.page.evaluate(THEME, theme)
+    lab.settle()
+    lab.page.evaluate(axe)  # a script tag would be refused
+    return lab.page.evaluate(RUN, [OUTPUTS, RULES])
