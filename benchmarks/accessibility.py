@@ -1,4 +1,4 @@
-"""What axe-core finds in the outputs of all lessons, as they stand in JupyterLab after a run, dark and light."""
+"""What axe-core finds in the outputs of all lessons in JupyterLab, after a run, dark and light."""
 
 import shutil
 import subprocess
@@ -13,7 +13,7 @@ from playwright.sync_api import Browser
 
 sys.path.append(str(ROOT / "tests"))
 
-from lab import LabPage, running_browser  # noqa: E402
+from lab import LabPage, running_browser
 
 AXE = "axe-core@4.14.1"  # a tool of Deque's, on npm since 2015, without dependencies
 RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]

@@ -153,7 +153,7 @@ def test_a_collision_is_seen_while_it_lasts(browser: Browser) -> None:
     page.set_content(animate(COLLIDING, rules=RULE).svg)
     drawing = page.locator("svg[role=img]")
     drawing.evaluate("drawing => drawing.pauseAnimations()")
-    word = drawing.get_by_text("COLLISION", exact=True)
+    word = drawing.get_by_text("RULE BROKEN", exact=True)
     for angle, is_seen in ((125, False), (127, True), (134, True), (136, False)):
         set_angle(drawing, angle)
         expect(word).to_be_visible(visible=is_seen)

@@ -50,7 +50,7 @@ def test_the_widest_move_is_found_by_a_button(output: Locator) -> None:
     output.get_by_role("button", name="Widest move of the die").press("Enter")
     widest = cm.widest_move(make_diagram(), "die", RULE)
     expect(output.get_by_role("status")).to_contain_text(f"die: {widest.angle_deg:.5g} deg")
-    expect(output.get_by_role("status")).to_contain_text("No collision.")
+    expect(output.get_by_role("status")).to_contain_text("The rule is kept.")
     assert die.get_attribute("d") != before
 
 
@@ -58,7 +58,7 @@ def test_a_collision_turns_up_at_once_and_is_named(output: Locator) -> None:
     set_to(output, "die: angle Bm, deg", 130)
     set_to(output, "die: start, deg", 75)
     status = output.get_by_role("status")
-    expect(status).to_contain_text("COLLISION: the die is 2.14 mm too deep at")
+    expect(status).to_contain_text("RULE BROKEN: the die is 2.14 mm too deep at")
     for mark in output.locator(".cm-columns path.cm-alarm").all():
         assert mark.get_attribute("d")
     angle = output.get_by_role("slider").first

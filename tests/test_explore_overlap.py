@@ -59,14 +59,16 @@ class Explored:
             self._check_collision(max(violations, key=lambda found: found.excess_mm), text)
         else:
             left = cm.smallest_clearance(diagram, self.rule).clearance_mm
-            (said,) = re.findall(r"No collision. The smallest clearance is ([^ ]+) mm, at", text)
+            (said,) = re.findall(
+                r"The rule is kept. At the tightest place, [^ ]+ deg, ([^ ]+) mm", text
+            )
             assert float(said) == pytest.approx(max(left, 0), rel=6e-3, abs=1e-8)
         self._check_timing(diagram)
         self._check_map(diagram, violations)
 
     def _check_collision(self, worst: Violation, text: str) -> None:
         die, mill = re.escape(self.die.name), re.escape(self.mill.name)
-        said = rf"COLLISION: the {die} is (.*) mm too deep at (.*) deg, while the {mill} is not "
+        said = rf"RULE BROKEN: the {die} is (.*) mm too deep at (.*) deg, while the {mill} is not "
         ((excess, angle),) = re.findall(said, text)
         assert float(excess) == pytest.approx(worst.excess_mm, rel=6e-3)
         there = float(self.diagram.offset_mm(self.die.name, float(angle)))
@@ -108,14 +110,14 @@ class Explored:
             found = cm.widest_move(self.diagram, self.die.name, self.rule, each_way=False)
         self.figure.press(f"Widest move of the {self.die.name}")
         if found is None or found.angle_deg < least:
-            assert f"no move of {least:g} deg or more that is free of" in self.figure.text
+            assert f"no move of {least:g} deg or more that keeps the" in self.figure.text
             assert self.figure.values == before
             return
         assert "has no move" not in self.figure.text
         assert self.figure.values[B_m] == pytest.approx(found.angle_deg, abs=1e-6)
         turned = self.figure.values[START] - found.start_deg
         assert (turned + 180) % 360 - 180 == pytest.approx(0, abs=1e-6)
-        assert "COLLISION" not in self.figure.text
+        assert "RULE BROKEN" not in self.figure.text
 
 
 def moved(die: Motion, angle: float, start: float) -> Motion:
@@ -218,22 +220,22 @@ def test_a_collision_turns_up_at_once_and_is_named() -> None:
     explored = Explored(DIAGRAM, RULE, 20)
     explored.figure.values = {B_m: 130, START: 75}
     worst = cm.find_violations(explored.diagram, RULE)[0]
-    said = f"COLLISION: the die is 2.14 mm too deep at {worst.angle_deg:.5g} deg, while the mill"
+    said = f"RULE BROKEN: the die is 2.14 mm too deep at {worst.angle_deg:.5g} deg, while the mill"
     assert f"{said} is not within 0.65 mm" in explored.figure.text
     (mark,) = lines_of(explored.figure, "Clearance map", "alarm")
     near = np.array([134.9617 - 2e-4, 134.9617 + 2e-4])  # where the mill is near its stop
     assert [*(drawn(explored.figure, mark["where"], near) > 0)] == [True, False]
     explored.figure.values = {START: 82, B_m: 123}
-    assert "No collision" in explored.figure.text
+    assert "The rule is kept" in explored.figure.text
 
 
 def test_the_button_finds_the_widest_move(figure: LiveFigure) -> None:
     figure.press("Widest move of the die")
     assert figure.values[B_m] == pytest.approx(124.9053, abs=1e-4)
     assert figure.values[START] == pytest.approx(205 - figure.values[B_m])
-    assert "No collision. The smallest clearance is 0 mm" in figure.text
+    assert "deg, 0 mm are left." in figure.text
     figure.values = {MARGIN: 0}
-    assert "No collision" in figure.text
+    assert "The rule is kept" in figure.text
     figure.press("Widest move of the die")
     assert figure.values[B_m] == pytest.approx(127.25, abs=5e-3)
     assert "a_max = 0.776 m/s²" in figure.text
@@ -243,7 +245,7 @@ def test_no_rounding_is_said_of_the_room_that_is_used_up() -> None:
     figure = cm.explore_overlap(cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20)
     figure.press("Widest move of the die")
     assert "die: 124.84 deg, from 80.163 to 205 deg, a_max = 0.806 m/s²" in figure.text
-    assert "No collision. The smallest clearance is 0 mm, at 15 deg." in figure.text
+    assert "The rule is kept. At the tightest place, 15 deg, 0 mm are left." in figure.text
 
 
 def test_equal_peaks_are_found_where_the_source_has_them(figure: LiveFigure) -> None:
@@ -257,7 +259,7 @@ def test_where_no_move_is_free_it_says_so_and_nothing_changes(figure: LiveFigure
     figure.values = {START: 0}  # down and at work in the middle of the mill's move
     before = figure.values
     figure.press("Widest move of the die")
-    assert "has no move of 20 deg or more that is free of collision" in figure.text
+    assert "has no move of 20 deg or more that keeps the rule" in figure.text
     assert figure.values == before
     figure.values = {START: 150}
     assert "no move" not in figure.text

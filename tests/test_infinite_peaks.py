@@ -69,7 +69,7 @@ def test_every_machine_is_animated(name: str) -> None:
 
 @pytest.mark.parametrize("name", LAWS)
 def test_a_die_over_a_turret_is_animated(name: str) -> None:
-    assert "no collision" in cm.animate(DIAGRAMS[name], rules=RULE).description
+    assert "rule kept" in cm.animate(DIAGRAMS[name], rules=RULE).description
 
 
 @pytest.mark.parametrize("name", DIAGRAMS)
@@ -174,7 +174,7 @@ def test_the_explorer_of_the_overlap(law: str) -> None:
         assert_says(text, diagram.peak_acceleration("die"))
         assert text.count(", as before") == 2 * (law in INFINITE)
     figure.press("Widest move of the die")
-    assert "No collision" in figure.text
+    assert "The rule is kept" in figure.text
     assert figure.picture()
 
 

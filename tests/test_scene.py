@@ -53,7 +53,7 @@ class Lamp:
         """Return one if it is wanted."""
         return [cls()] if "lamp" in left else []
 
-    def draw(self, turn_s: float, collisions: Any) -> Any:  # noqa: ARG002
+    def draw(self, turn_s: float, broken_arcs: Any) -> Any:  # noqa: ARG002
         """Draw it."""
         return draw.Circle(50, 25, 20, data_part="lamp")
 

@@ -129,7 +129,7 @@ def test_the_overlap_is_shaded() -> None:
 def test_a_collision_is_marked_where_it_is() -> None:
     ax = cm.plot_timing(TOO_WIDE, rules=RULE)
     violations = cm.find_violations(TOO_WIDE, RULE)
-    assert key(ax)[-1] == "collision"
+    assert key(ax)[-1] == "rule broken"
     for violation in violations:
         distances = np.subtract(shaded(ax), (violation.start_deg, violation.end_deg))
         assert np.abs(distances).max(axis=1).min() < 1e-9

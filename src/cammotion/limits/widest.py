@@ -1,4 +1,4 @@
-"""Overlap: the widest move that two motions may make at the same time without a collision.
+"""Overlap: the widest move that two motions may make at the same time without breaking a rule.
 
 When a motion is made wider, every cam angle at which it meets a limit moves in proportion to its
 indexing angle Bm. So a clearance rule can begin or cease to hold only at such Bm for which one of
@@ -88,8 +88,8 @@ def widest_move(
     pairs the one with the smallest peak acceleration; with `each_way=False` both get one, even if
     that is harder. What is broken `elsewhere`, by others alone, is listed in the answer. The answer
     is checked before it is returned: no rule is broken, what stood still stands where it did, and
-    no move that is a thousandth of a degree wider is free. Raises InputError if no move is free of
-    collision, for a motion of another build, and for what are no rules of this diagram.
+    no move that is a thousandth of a degree wider is free. Raises InputError if no move
+    keeps the rules, for a motion of another build, and for what are no rules of this diagram.
 
     >>> import cammotion as cm
     >>> found = widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
@@ -109,9 +109,9 @@ def widest_move(
             elsewhere = find_violations(diagram, others) if others else ()
             return WidestMove(wider, motion, angles, tight, elsewhere)
     narrow = diagram.with_motion(frame.with_angles([_NARROW_DEG] * len(frame.anchors)))
-    collisions = "; ".join(map(str, find_violations(narrow, own)))
+    broken = "; ".join(map(str, find_violations(narrow, own)))
     raise InputError(
-        f"No move of the {motion} is free of collision: however quickly it moves, {collisions}. "
+        f"No move of the {motion} keeps the rules: however quickly it moves, {broken}. "
         "Move its dwell, or give the other motion less of the turn."
     )
 

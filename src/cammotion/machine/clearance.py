@@ -130,14 +130,14 @@ class Violation:
     angle_deg: float
 
     def __str__(self) -> str:
-        """Name the collision: what is too deep, by how much and where."""
+        """Say what is too deep, by how much and where."""
         too_far = "too deep" if self.rule.when.is_beyond else "too near"
         turn = DEG_PER_TURN
         return (
             f"the {self.rule.when.motion} is {self.excess_mm:.3g} mm {too_far} at "
-            f"{self.angle_deg % turn:.5g} deg (from {self.start_deg % turn:.6g} to "
-            f"{self.end_deg % turn or turn:.6g} deg the {self.rule.only_while.motion} is not "
-            f"{self.rule.only_while})"
+            f"{self.angle_deg % turn:.5g} deg, while the {self.rule.only_while.motion} is not "
+            f"{self.rule.only_while} (from {self.start_deg % turn:.6g} to "
+            f"{self.end_deg % turn or turn:.6g} deg)"
         )
 
 

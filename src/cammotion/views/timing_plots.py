@@ -32,7 +32,7 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 }
 HATCHES = {"rise": "///", "return": "\\\\\\", "dwell": ""}
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
-COLLISION: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
+BROKEN: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
 _NARROWEST_LABEL_DEG = 12
 
 
@@ -47,7 +47,7 @@ def plot_timing(
 
     Displacement in mm over the cam angle, one curve a mechanism; beneath it a bar for each, hatched
     where it moves, with the angles of its segments. Grey is where two move at once, or, with
-    `rules`, where the two motions of a rule do; a broken rule is marked as a collision. `rows`,
+    `rules`, where the two motions of a rule do; a broken rule is marked. `rows`,
     any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle; a row
     names the mechanisms whose peak is infinite. More than four mechanisms get a lane each, with a
     scale of its own. Raises InputError for an unknown row, and for a rule about a motion that the
@@ -113,7 +113,7 @@ def plot_clearance(
     broken = [
         violation for diagram in named.values() for violation in find_violations(diagram, rule)
     ]
-    ax.set_xlim(0, span_mm or (widest if broken else near))  # no collision outside the picture
+    ax.set_xlim(0, span_mm or (widest if broken else near))  # no broken rule outside the picture
     ax.set_ylim(0, 1.1 * highest)
     region = _forbidden_region(rule, ax)
     ax.add_patch(region)
@@ -125,7 +125,7 @@ def plot_clearance(
     if any(named):
         ax.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False, fontsize=10)
     middle_x, middle_y = region.get_center()
-    write(ax, "forbidden", (middle_x, middle_y), COLLISION["edgecolor"], offset=(0, 0))
+    write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
     return ax
 
 
@@ -217,12 +217,12 @@ def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -
     groups: list[Sequence[str]] = [(rule.when.motion, rule.only_while.motion) for rule in rules]
     overlaps = [arc for names in groups or [diagram.names] for arc in diagram.overlap(*names)]
     violations = find_violations(diagram, rules) if rules else ()
-    collisions = [(broken.start_deg, broken.end_deg) for broken in violations]
+    where_broken = [(broken.start_deg, broken.end_deg) for broken in violations]
     grey: dict[str, Any] = {"facecolor": "white", "edgecolor": "#555555"}
     key = [Patch(**grey, hatch=hatch, label=kind) for kind, hatch in HATCHES.items()]
     for label, found, style in (
         ("overlap", overlaps, OVERLAP),
-        ("collision", collisions, COLLISION),
+        ("rule broken", where_broken, BROKEN),
     ):
         for start, end in arcs(found):
             ax.axvspan(start, end, **style, linewidth=0, zorder=0.5)
@@ -259,7 +259,7 @@ def _forbidden_region(rule: ClearanceRule, ax: Axes) -> Rectangle:
     """Return the rectangle of a clearance map in which both halves of the rule are broken."""
     left, right = _side(rule.only_while.opposite, ax.get_xlim())
     low, high = _side(rule.when, ax.get_ylim())
-    return Rectangle((left, low), right - left, high - low, **COLLISION, alpha=0.6, linewidth=1.5)
+    return Rectangle((left, low), right - left, high - low, **BROKEN, alpha=0.6, linewidth=1.5)
 
 
 def _side(condition: Condition, limits: tuple[float, float]) -> tuple[float, float]:

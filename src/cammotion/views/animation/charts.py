@@ -76,7 +76,7 @@ class Chart:
         return angle_deg / DEG_PER_TURN * self.width
 
     def draw(self, alarms: Iterable[Arc] = ()) -> Any:
-        """Draw all that does not move from (0, 0) on, with `alarms` marked as collisions."""
+        """Draw all that does not move from (0, 0) on, with `alarms` marked as broken rules."""
         plot = svg.placed(LEFT_PX, HEADING_PX)
         found = list(alarms)
         for start, end in found:
@@ -142,8 +142,8 @@ class Chart:
 
     def _draw_key(self) -> Iterable[Any]:
         right = LEFT_PX + self.width
-        yield svg.alarm_area(right - 88, 1, 18, 11)
-        yield svg.label("collision", right - 66, 11, size=svg.SMALL, fill=svg.ALARM)
+        yield svg.alarm_area(right - 96, 1, 18, 11)
+        yield svg.label("rule broken", right - 74, 11, size=svg.SMALL, fill=svg.ALARM)
 
 
 def timing_lanes(curves: Sequence[LabelledCurve], height: float) -> list[Lane]:

@@ -72,14 +72,14 @@ class Design:
 
     @property
     def verdict(self) -> str:
-        """Whether and where there is a collision, in words; nothing where there is no rule."""
+        """Whether and where a rule is broken, in words; nothing where there is no rule."""
         arcs_in_words = [
             f"{broken.start_deg % DEG_PER_TURN:.4g} to {broken.end_deg % DEG_PER_TURN:.4g}°"
             for broken in self.violations
         ]
         if arcs_in_words:
-            return f"COLLISION from {' and from '.join(arcs_in_words)}"
-        return "no collision" if self.rules else ""
+            return f"RULE BROKEN from {' and from '.join(arcs_in_words)}"
+        return ("", "rule kept", "rules kept")[min(len(self.rules), 2)]
 
     def state(self, angle_deg: float) -> str:
         """Return where each motion is at a cam angle, in words."""
@@ -91,11 +91,11 @@ class Design:
         )
 
     def describe(self) -> str:
-        """Return the peaks, the verdict and every collision in words."""
+        """Return the peaks, the verdict and every broken rule in words."""
         told = [self.peaks, self.verdict, *map(str, self.violations)]
         return "; ".join(filter(None, told))
 
-    def collisions(self) -> dict[str, list[Arc]]:
+    def broken_arcs(self) -> dict[str, list[Arc]]:
         """Return for each motion that collides the arcs over which it does.
 
         Of a turret and a die it is the die.
@@ -138,10 +138,10 @@ class Layout:
         """Draw a design from (0, 0) on."""
         column = draw.Group(data_design=number)
         column.append(self._header(design))
-        collisions = design.collisions()
-        scene = self._scenes[number].draw(self.turn_s, collisions)
+        broken_arcs = design.broken_arcs()
+        scene = self._scenes[number].draw(self.turn_s, broken_arcs)
         column.append(svg.placed(0, HEADER_PX, scene))
-        every = arcs(arc for these in collisions.values() for arc in these)
+        every = arcs(arc for these in broken_arcs.values() for arc in these)
         if every:
             column.append(self._alarm(design, every))
         timing, acceleration = self._timing(design), self._acceleration(design)
@@ -178,10 +178,10 @@ class Layout:
         machine = svg.seen_during(every, self.turn_s)
         frame = {"fill": "none", "stroke": svg.ALARM, "stroke_width": 4}
         machine.append(svg.box(0, HEADER_PX, INNER_PX, self.scene - 6, **frame))
-        machine.append(svg.box(INNER_PX - 116, HEADER_PX, 116, 26, fill=svg.ALARM))
+        machine.append(svg.box(INNER_PX - 136, HEADER_PX, 136, 26, fill=svg.ALARM))
         plain: dict[str, Any] = {"fill": "white", "stroke": "none", "font_weight": "bold"}
         word: dict[str, Any] = {"text_anchor": "middle", "size": svg.LARGE}
-        machine.append(svg.label("COLLISION", INNER_PX - 58, HEADER_PX + 19, **word, **plain))
+        machine.append(svg.label("RULE BROKEN", INNER_PX - 68, HEADER_PX + 19, **word, **plain))
         alarm.append(machine)
         for slot, broken in enumerate(design.violations[:ALARMS]):
             top = HEADER_PX + self.scene + slot * ALARM_PX

@@ -40,11 +40,11 @@ class Magnifier:
         self.large = turret.at_scale(self.scale, 2 * (self.half * self.scale + self.lens_width))
         self.turning = turret.turned_by(trace_position(turret.motion, times))
 
-    def draw(self, turn_s: float, collisions: dict[str, list[Arc]]) -> Any:
-        """Draw it from (0, 0) to the right and down; `collisions` are arcs by motion."""
+    def draw(self, turn_s: float, broken_arcs: dict[str, list[Arc]]) -> Any:
+        """Draw it from (0, 0) to the right and down; `broken_arcs` are arcs by motion."""
         group = draw.Group()
         for row, (die, deg) in enumerate(zip(self.turret.dies, self.turret.degs, strict=True)):
-            found = collisions.get(die.motion.name, [])
+            found = broken_arcs.get(die.motion.name, [])
             for column, side in enumerate(_SIDES):
                 wheel = self.large.draw_wheel(self.turning, turn_s)
                 upright = draw.Group([wheel], transform=f"rotate({svg.px(-deg, 4):g})")
@@ -71,7 +71,7 @@ class Magnifier:
         seen.append(svg.placed(x, y, *about_centre))
         return seen
 
-    def _die(self, die: Die, turn_s: float, collisions: list[Arc]) -> Any:
+    def _die(self, die: Die, turn_s: float, broken_arcs: list[Arc]) -> Any:
         down = die.depth_by(trace_position(die.motion, self.times)).scaled(self.scale)
         data = {"part": "edge", "motion": die.number, "px-per-mm": svg.px(self.scale, 6)}
         body = svg.moving(down, turn_s, data=data)
@@ -79,8 +79,8 @@ class Magnifier:
         high, half = self.turret.tool * self.scale, self.half * self.scale
         shape = {"fill": svg.pale(die.number), "stroke": colour(die.number), "stroke_width": 1.8}
         body.append(svg.box(-half, tip - high, 2 * half, high, **shape))
-        if collisions:
-            red = svg.seen_during(collisions, turn_s)
+        if broken_arcs:
+            red = svg.seen_during(broken_arcs, turn_s)
             alarm = {"fill": svg.PALE_ALARM, "stroke": svg.ALARM, "stroke_width": 1.8}
             red.append(svg.box(-half, tip - high, 2 * half, high, **alarm))
             body.append(red)
@@ -112,12 +112,12 @@ class Magnifier:
         yield ends.M(svg.px(outer), low - 5).v(5).h(svg.px(way * bar * self.scale)).v(-5)
         yield svg.label(f"{bar:g} mm", outer, low - 8, **to)
 
-    def _frame(self, collisions: list[Arc], turn_s: float) -> Iterable[Any]:
+    def _frame(self, broken_arcs: list[Arc], turn_s: float) -> Iterable[Any]:
         """Draw the lens's frame, which is red while the die collides."""
         at = (0.5, 0.5, self.lens_width - 1, LENS_PX - 1)
         yield svg.box(*at, fill="none", stroke=svg.GREY)
-        if collisions:
-            red = svg.seen_during(collisions, turn_s)
+        if broken_arcs:
+            red = svg.seen_during(broken_arcs, turn_s)
             red.append(svg.box(*at, fill="none", stroke=svg.ALARM, stroke_width=3.5))
             yield red
 

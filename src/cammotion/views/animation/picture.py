@@ -76,7 +76,7 @@ class Animation:
                     *(0, 0),
                     svg.label(f"{header}cam angle {angle:g}°", 0, 20, width=INNER_PX, **LARGE),
                     svg.label(state, 0, 39, width=INNER_PX),
-                    svg.placed(0, STILL_HEADER_PX, scene.draw(self.turn_s, design.collisions())),
+                    svg.placed(0, STILL_HEADER_PX, scene.draw(self.turn_s, design.broken_arcs())),
                 )
             )
         description = f"At a cam angle of {angle:g}°: {'; '.join(said)}"
@@ -137,7 +137,7 @@ def animate(
 
     `designs` is a timing diagram, or several by their titles; they have one machine rate. `rules`
     are the clearance rules, which hold for all of them: what a rule links with an indexing motion
-    is drawn as a die over the turret, and where a rule is broken a collision is shown. `turn_s` is
+    is drawn as a die over the turret, and where a rule is broken that is shown. `turn_s` is
     how long one turn takes in the SVG, in s. `magnify`, from 1 to 50, shows both edges of each die
     at the rim so many times as large, below the turret. Raises InputError for anything else, and
     where there is no die to magnify.
@@ -147,8 +147,8 @@ def animate(
     >>> after = cm.widest_move(before, "die", rule).diagram
     >>> print(animate({"no overlap": before, "overlap": after}, rules=rule).description)
     The machine in motion, 1.8 s a turn (2000 pieces/h), shown in 9 s.
-    no overlap (peak acceleration: mill 1.12, die 4.15 m/s²; no collision)
-    overlap (peak acceleration: mill 1.12, die 0.806 m/s²; no collision)
+    no overlap (peak acceleration: mill 1.12, die 4.15 m/s²; rule kept)
+    overlap (peak acceleration: mill 1.12, die 0.806 m/s²; rule kept)
     """
     named = {UNTITLED: designs} if isinstance(designs, TimingDiagram) else designs
     if not isinstance(named, Mapping) or not named:

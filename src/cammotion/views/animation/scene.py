@@ -36,8 +36,8 @@ class Drawing(Protocol):
     ) -> "Sequence[Drawing]":
         """Return what can be drawn so of the motions that are `left`; a row is `width` wide."""
 
-    def draw(self, turn_s: float, collisions: dict[str, list[Arc]]) -> Any:
-        """Draw it from (0, 0) to the right and down; `collisions` are arcs by motion."""
+    def draw(self, turn_s: float, broken_arcs: dict[str, list[Arc]]) -> Any:
+        """Draw it from (0, 0) to the right and down; `broken_arcs` are arcs by motion."""
 
 
 KINDS: Sequence[type[Drawing]] = (Turret, Slide)
@@ -61,10 +61,10 @@ class Scene:
         self._placed = [*_in_rows(drawings, width)]
         self.height = max(top + drawing.height for _, top, drawing in self._placed)
 
-    def draw(self, turn_s: float, collisions: dict[str, list[Arc]]) -> Any:
-        """Draw the machine from (0, 0) to the right and down; `collisions` are arcs by motion."""
+    def draw(self, turn_s: float, broken_arcs: dict[str, list[Arc]]) -> Any:
+        """Draw the machine from (0, 0) to the right and down; `broken_arcs` are arcs by motion."""
         placed = (
-            svg.placed(x, y, drawing.draw(turn_s, collisions)) for x, y, drawing in self._placed
+            svg.placed(x, y, drawing.draw(turn_s, broken_arcs)) for x, y, drawing in self._placed
         )
         return draw.Group([*placed])
 

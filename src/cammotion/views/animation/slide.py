@@ -41,8 +41,8 @@ class Slide:
         in_row = math.ceil(len(left) / rows) if rows else 1
         return [cls(diagram.names.index(name), diagram[name], width / in_row) for name in left]
 
-    def draw(self, turn_s: float, collisions: dict[str, list[Arc]]) -> Any:
-        """Draw it from (0, 0) to the right and down; `collisions` are arcs by motion."""
+    def draw(self, turn_s: float, broken_arcs: dict[str, list[Arc]]) -> Any:
+        """Draw it from (0, 0) to the right and down; `broken_arcs` are arcs by motion."""
         low, high = self.motion.range_mm
         middle, bottom = max(self.width / 2 + 12, 64), _TOP + _TRACK
         scale = _TRACK / ((high - low) or 1)
@@ -56,7 +56,7 @@ class Slide:
         shape = {"fill": svg.pale(self.number), "stroke": colour(self.number), "stroke_width": 2}
         body.append(svg.box(-14, -7, 28, 14, **shape))
         body.append(svg.box(-21, -0.75, 7, 1.5, fill=svg.INK))  # points at the scale
-        body.extend(svg.alarm(collisions.get(self.motion.name, []), turn_s, (-14, -7, 28, 14)))
+        body.extend(svg.alarm(broken_arcs.get(self.motion.name, []), turn_s, (-14, -7, 28, 14)))
         group.append(svg.placed(middle, height.values[0], body))
         bold: dict[str, Any] = {"fill": svg.dark(self.number), "font_weight": "bold"}
         lines = svg.wrapped(self.motion.name, self.width - 6, svg.SMALL, bold=True)

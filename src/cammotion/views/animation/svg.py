@@ -16,15 +16,16 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.views.animation.keyframes import Trace
 from cammotion.views.plots import COLOURS, LINE_STYLES, colour, mixed
-from cammotion.views.timing_plots import COLLISION
+from cammotion.views.timing_plots import BROKEN
 
 FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
 INK, GREY = "#222222", "#777777"
-ALARM, PALE_ALARM = COLLISION["edgecolor"], COLLISION["facecolor"]
+ALARM, PALE_ALARM = BROKEN["edgecolor"], BROKEN["facecolor"]
 SMALL, NORMAL, LARGE = 11, 12, 15
 
 # What the reader's wish for less motion stops, unless a player has taken the class cm-still away.
 STYLE = """
+.cm-still text { stroke-linejoin: round; paint-order: stroke }
 @media (prefers-reduced-motion: reduce) {
 .cm-still .cm-moves { transform: none !important }
 .cm-still .cm-off { visibility: hidden !important }
@@ -120,9 +121,9 @@ def label(
     The whole text is then in its title. A white seam keeps it readable over lines.
     """
     whole = printable(text)
-    style = {"fill": INK, "stroke": "white", "stroke_width": 3, "paint_order": "stroke"} | style
+    style = {"fill": INK, "stroke": "white", "stroke_width": 3} | style
     cut = _cut(whole, width, size, bold=style.get("font_weight") == "bold")
-    element = draw.Text(cut, size, px(x), px(y), stroke_linejoin="round", **style)
+    element = draw.Text(cut, size, px(x), px(y), **style)
     if cut != whole:
         element.append_title(whole)
     return element
@@ -130,10 +131,8 @@ def label(
 
 def polyline(points: Iterable[tuple[float, float]], **style: Any) -> Any:
     """Return a line through points in px."""
-    path = draw.Path(**style)
-    for number, (x, y) in enumerate(points):
-        (path.L if number else path.M)(px(x, 1), px(y, 1))
-    return path
+    places = " ".join(f"{_short(x, 1)},{_short(y, 1)}" for x, y in points)
+    return draw.Path(d=f"M{places}", **style)
 
 
 def box(x: float, y: float, width: float, height: float, **style: Any) -> Any:
@@ -147,7 +146,7 @@ def placed(x: float, y: float, *children: Any) -> Any:
 
 
 def alarm_area(x: float, y: float, width: float, height: float) -> Any:
-    """Return a red area with a hatch, which says collision without a colour too."""
+    """Return a red area with a hatch, which says so without a colour too."""
     area = Viewport(x=px(x), y=px(y), width=px(width), height=px(height))
     area.append(box(0, 0, width, height, fill=PALE_ALARM))
     hatch = draw.Path(stroke=ALARM, stroke_width=1.2, fill="none")

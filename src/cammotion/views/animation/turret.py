@@ -106,8 +106,8 @@ class Turret:
         is_whole = self.centre < self.panel or half >= 1
         return HALF_TURN if is_whole else math.degrees(math.asin(half))
 
-    def draw(self, turn_s: float, collisions: dict[str, list[Arc]]) -> Any:
-        """Draw it all in a panel from (0, 0) on; `collisions` are arcs by motion."""
+    def draw(self, turn_s: float, broken_arcs: dict[str, list[Arc]]) -> Any:
+        """Draw it all in a panel from (0, 0) on; `broken_arcs` are arcs by motion."""
         # the id tells the size: in a page with several drawings, one id always means the same
         clip = draw.ClipPath(id=f"cm-panel-{self.width:.0f}-{self.panel:.0f}")
         clip.append(svg.box(0, 0, self.width, self.panel))
@@ -116,7 +116,7 @@ class Turret:
         about_centre = svg.placed(self.width / 2, self.centre)
         about_centre.append(self.draw_wheel(self.turning, turn_s))
         for die, deg in zip(self.dies, self.degs, strict=True):
-            about_centre.append(self._die(die, deg, turn_s, collisions.get(die.motion.name, [])))
+            about_centre.append(self._die(die, deg, turn_s, broken_arcs.get(die.motion.name, [])))
         if self.turning.values.any():
             about_centre.append(self.draw_arrow())
         panel.append(about_centre)
@@ -195,7 +195,7 @@ class Turret:
         way, angle = radius * self.scale, math.radians(deg)
         return svg.px(way * math.sin(angle)), svg.px(-way * math.cos(angle))
 
-    def _die(self, die: Die, deg: float, turn_s: float, collisions: list[Arc]) -> Any:
+    def _die(self, die: Die, deg: float, turn_s: float, broken_arcs: list[Arc]) -> Any:
         """Draw a die that slides in its guide towards the centre."""
         s = self.scale
         half, tool = self.tool_width / 2 * s, self.tool * s
@@ -214,7 +214,7 @@ class Turret:
         ram = (self.above + die.travel + self.unit) * s
         body.append(svg.box(-0.3 * half, tip - tool - ram, 0.6 * half, ram, **shape))
         body.append(svg.box(-half, tip - tool, 2 * half, tool, **shape))
-        body.extend(svg.alarm(collisions, turn_s, (-half, tip - tool, 2 * half, tool)))
+        body.extend(svg.alarm(broken_arcs, turn_s, (-half, tip - tool, 2 * half, tool)))
         placed = svg.placed(0, depth.values[0], body)
         guide = -(self.radius + self.guide) * s
         height = 0.17 * self.unit * s

@@ -62,7 +62,7 @@ def place_in(law: MotionLaw, way: sp.Expr) -> sp.Expr:
 
 
 def verdict(die: Motion, moving: Moving, rule: ClearanceRule) -> Say:
-    """Return what is said of the collision, or of the room that is left."""
+    """Return what is said of the broken rule, or of the room that is left."""
     between = (ALPHA, OUT, IN)
     room = LIMIT - largest(moving.position(), between)
     place = sp.Mod(place_of_largest(moving.position(), between), DEG_PER_TURN)
@@ -75,11 +75,14 @@ def verdict(die: Motion, moving: Moving, rule: ClearanceRule) -> Say:
         "within": str(rule.only_while),
     }
     return Say(
-        "COLLISION: the {die} is {excess:.3g} mm too deep at {at:.5g} deg, while the {mill} is "
+        "RULE BROKEN: the {die} is {excess:.3g} mm too deep at {at:.5g} deg, while the {mill} is "
         "not {within}",
         numbers,
         room < -ROUNDING_MM,
-        Say("No collision. The smallest clearance is {room:.3g} mm, at {at:.4g} deg.", numbers),
+        Say(
+            "The rule is kept. At the tightest place, {at:.4g} deg, {room:.3g} mm are left.",
+            numbers,
+        ),
     )
 
 
@@ -94,18 +97,18 @@ def panels(
     moving_mill, moving_die = moving
     too_deep = moving_die.position() - LIMIT
     too_far = moving_mill.offset() - sp.Float(rule.only_while.limit_mm)
-    collides = sp.Min(too_deep, too_far, evaluate=False) - ROUNDING_MM
+    broken = sp.Min(too_deep, too_far, evaluate=False) - ROUNDING_MM
     room = heights((mill, die), moving)
     return [
-        [_timing({mill.name: moving_mill, die.name: moving_die}, before, collides, room)],
-        [_map(moving_mill, moving_die, diagram, rule, collides)],
+        [_timing({mill.name: moving_mill, die.name: moving_die}, before, broken, room)],
+        [_map(moving_mill, moving_die, diagram, rule, broken)],
     ]
 
 
 def _timing(
-    motions: Mapping[str, Moving], before: tuple[Moving, Moving], collides: Any, room: Any
+    motions: Mapping[str, Moving], before: tuple[Moving, Moving], broken: Any, room: Any
 ) -> Panel:
-    """Return the panel of the timing diagram: as it was, as it is, and where it collides."""
+    """Return the panel of the timing diagram: as it was, as it is, and where the rule is broken."""
     lines = [
         Line(
             y=moving.displacement(),
@@ -123,8 +126,8 @@ def _timing(
         Line(
             y=moving.displacement(),
             joints=moving.joints,
-            name="" if number else "collision",
-            only_where=collides,
+            name="" if number else "rule broken",
+            only_where=broken,
             role=ALARM,
         )
         for number, moving in enumerate(motions.values())
@@ -140,7 +143,7 @@ def _timing(
 
 
 def _map(
-    mill: Moving, die: Moving, diagram: TimingDiagram, rule: ClearanceRule, collides: Any
+    mill: Moving, die: Moving, diagram: TimingDiagram, rule: ClearanceRule, broken: Any
 ) -> Panel:
     """Return the panel of the clearance map, with the region that is forbidden."""
     near, half = rule.only_while.limit_mm, abs(diagram[rule.only_while.motion].pitch_mm) / 2
@@ -148,7 +151,7 @@ def _map(
     path = {"x": mill.offset(), "y": die.position(), "joints": [*mill.joints, *die.joints]}
     named = {"": diagram}
     return Panel(
-        lines=[Line(**path, colour=1), Line(**path, only_where=collides, role=ALARM)],
+        lines=[Line(**path, colour=1), Line(**path, only_where=broken, role=ALARM)],
         boxes=[Box(low=near, y=(LIMIT, None), name="forbidden")],
         y=describe_offset(rule.when, named),
         x=describe_offset(rule.only_while, named),

@@ -82,8 +82,8 @@ def explore_overlap(
             _describe(diagram, mill, moving_mill),
             verdict(die, moving_die, rule),
             Say(
-                f"About this dwell the {{die}} has no move of {least:g} deg or more that is free "
-                "of collision: move its start.",
+                f"About this dwell the {{die}} has no move of {least:g} deg or more that keeps the "
+                "rule: move its start.",
                 {"die": die.name},
                 least > _WIDEST,
             ),
@@ -100,7 +100,7 @@ def explore_overlap(
 
 
 def _widest(die: Motion, work: float, most: float) -> sp.Expr:
-    """Return the widest angle with which the die is free of collision about its dwell.
+    """Return the widest angle with which the die keeps the rule about its dwell.
 
     It is deep from the part of its way down that brings it to the limit, to the part of its way
     up: the one has to come after the mill is in, the other to be over before it is out again.

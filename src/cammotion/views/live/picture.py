@@ -15,7 +15,7 @@ from matplotlib.ticker import MaxNLocator
 
 from cammotion.quantities import Floats
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
-from cammotion.views.timing_plots import COLLISION
+from cammotion.views.timing_plots import BROKEN
 
 Functions = Sequence[Callable[..., Any]]
 
@@ -23,7 +23,7 @@ _SAMPLES = 800
 _WIDTH_IN, _HEIGHT_IN = 8.2, 0.0145  # of a picture, and of a pixel of a panel's height
 _LABEL_IN, _NUMBERS_IN, _ROOM_IN = 0.95, 0.6, 0.14  # left of, under and between panels
 _STYLES = {
-    "alarm": {"color": COLLISION["edgecolor"], "linewidth": 5, "alpha": 0.8},
+    "alarm": {"color": BROKEN["edgecolor"], "linewidth": 5, "alpha": 0.8},
     "reference": REFERENCE_STYLE | {"linewidth": 1.2},
     "frame": {"color": "#000000", "linewidth": 1.2},
 }
@@ -142,12 +142,12 @@ class _Drawn:
             edge if box[side] is None else self._at(box[side])
             for side, edge in zip(sides, edges, strict=True)
         )
-        region = Rectangle((x0, y0), x1 - x0, y1 - y0, **COLLISION, alpha=0.6, linewidth=0)
+        region = Rectangle((x0, y0), x1 - x0, y1 - y0, **BROKEN, alpha=0.6, linewidth=0)
         self.ax.add_patch(region)
         self.ax.set(xlim=edges[:2], ylim=edges[2:])
         if box["name"]:
             middle = (max(x0, edges[0]) + min(x1, edges[1])) / 2, (y0 + min(y1, edges[3])) / 2
-            words = {"fontsize": 11, "color": COLLISION["edgecolor"], "path_effects": [_HALO]}
+            words = {"fontsize": 11, "color": BROKEN["edgecolor"], "path_effects": [_HALO]}
             _plain(self.ax.text(*middle, box["name"], ha="center", va="center", **words))
 
     def _set_limits(self) -> None:
