@@ -1,15 +1,32 @@
 """What a live figure draws and says, read off its description and its formulas."""
 
+import json
 import re
 from collections.abc import Iterator
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import sympy as sp
 from machines import Array
 
+import cammotion as cm
 from cammotion.views.live.figure import LiveFigure
+
+LESSONS = Path(__file__).parents[1] / "notebooks"
+
+
+def weight_figure() -> LiveFigure:
+    """Return the live figure of the weight over the acceleration, as the cells of 06 make it."""
+    (path,) = LESSONS.glob("06_*.ipynb")
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    sources = {cell["id"]: "".join(cell["source"]) for cell in cells}
+    names: dict[str, Any] = {"sp": sp, "cm": cm}
+    exec(sources["weight-areas"], names)  # noqa: S102 - our own notebook
+    before, _, call = sources["weight-figure"].rpartition("\ncm.explore(")
+    exec(f"{before}\nfigure = cm.explore({call}", names)  # noqa: S102
+    return names["figure"]  # type: ignore[no-any-return]
 
 
 def control_of(figure: LiveFigure, symbol: sp.Symbol) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from explored import weight_figure
 
 import cammotion as cm
 from cammotion.views.live.figure import LiveFigure
@@ -23,6 +24,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     ),
     "scca": cm.explore_scca,
     "overlap": lambda: cm.explore_overlap(cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20),
+    "weight": weight_figure,
     "clock": lambda: cm.explore(
         {"a sine": sp.sin(k * t), "a pole": 1 / (t - sp.Rational(1, 3))},
         (t, 0, 1),

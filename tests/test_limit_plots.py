@@ -2,10 +2,13 @@
 
 from collections.abc import Iterator
 from functools import cache
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
 import pytest
+import sympy as sp
+from machines import Array
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.text import Text
@@ -112,3 +115,76 @@ def test_a_single_result_is_no_curve() -> None:
         cm.plot_jerk_price([die_with(8.0), die_with(np.inf)])
     with pytest.raises(cm.InputError, match="at least two pairs"):
         cm.plot_front([pair_at(130)])
+
+
+DETOUR: Any = {"still": (205, 305), "corners": ((70, 31), (190, 31))}
+
+
+def points_of(ax: Axes, number: int = 0) -> tuple[Array, Array]:
+    """Return x and y of a line."""
+    x, y = np.asarray(ax.lines[number].get_xydata(), dtype=float).T
+    return x, y
+
+
+def free_die() -> cm.TimingDiagram:
+    """Return the machine with the die of the least peak: two parabolas up and two down."""
+    height = 65**2 * 31 / 2425
+    ways: Any = {"over_deg": 130, "law": "constant acceleration"}
+    parts = cm.return_(height, **ways), cm.rise(height, **ways), cm.dwell(100)
+    return EXAMPLE.diagram.with_motion(cm.motion("die", *parts, start_deg=305, start_mm=50))
+
+
+def test_a_detour_shows_the_height_over_the_angle_from_the_place_it_leaves() -> None:
+    ax = cm.plot_detour({"free": free_die()}, "die", **DETOUR)
+    u, y = points_of(ax)
+    push, back = 31 / 2425, 260 - u
+    near = np.minimum(u, back)
+    parabola = np.where(near < 65, near**2 / 2, 65**2 - (130 - near) ** 2 / 2) * push
+    assert (u[0], u[-1]) == (0, pytest.approx(260, abs=0.3))
+    assert y == pytest.approx(parabola, abs=1e-9)
+    assert np.interp([70, 190], u, y) == pytest.approx(31, abs=1e-3)
+    assert max(y) == pytest.approx(54.01, abs=5e-3)
+    labels = [label.get_text() for label in ax.get_xticklabels()]
+    assert labels == ["0", "70", "130", "190", "260"]
+    (above,) = ax.child_axes
+    assert [label.get_text() for label in above.get_xticklabels()] == [
+        "305",
+        "15",
+        "75",
+        "135",
+        "205",
+    ]
+    assert is_shaded(ax, 130, 30.9)
+    assert not is_shaded(ax, 130, 31.1)
+    assert not is_shaded(ax, 69, 10)
+
+
+def test_a_detour_shows_several_motions_what_was_meant_and_the_acceleration() -> None:
+    given = {"cycloid": EXAMPLE.diagram, "free": free_die()}
+    ax = cm.plot_detour(given, "die", usual_mm=50, with_acceleration=True, **DETOUR)
+    (lower,) = (other for other in ax.figure.axes if other is not ax)
+    assert "50 mm" in [text.get_text() for text in ax.texts]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [*given]  # type: ignore[union-attr]
+    u, a = points_of(lower, 1)
+    assert np.abs(a) == pytest.approx(0.51134, abs=1e-5)
+    assert [np.interp(place, u, a) > 0 for place in (30, 100, 160, 230)] == [1, 0, 0, 1]
+    assert points_of(lower)[1].max() == pytest.approx(4.154, abs=5e-3)
+
+
+def test_a_detour_needs_a_design() -> None:
+    with pytest.raises(cm.InputError, match="no design to draw"):
+        cm.plot_detour({}, "die", **DETOUR)
+
+
+def test_a_weight_is_drawn_and_its_area_shaded() -> None:
+    u = sp.Symbol("u")
+    ax = cm.plot_weight(sp.Piecewise((65 - u, u < 70), (-5, True)), (u, 0, 130))
+    places, heights = points_of(ax)
+    assert np.interp([0, 65, 68, 70, 130], places, heights) == pytest.approx([65, 0, -3, -5, -5])
+    assert np.trapezoid(np.abs(heights), places) == pytest.approx(2425, rel=1e-4)
+    assert is_shaded(ax, 20, 40)
+    assert is_shaded(ax, 100, -4)
+    assert not is_shaded(ax, 100, 4)
+    assert ax.get_xlabel() == "u in deg"
+    constant = cm.plot_weight(sp.Integer(3), (u, 0, 130))
+    assert {*points_of(constant)[1]} == {3}

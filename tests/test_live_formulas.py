@@ -9,6 +9,7 @@ import node
 import numpy as np
 import pytest
 import sympy as sp
+from explored import weight_figure
 
 import cammotion as cm
 from cammotion.quantities import Floats
@@ -75,6 +76,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
         values={w: k * n},
     ),
     "searches": lambda: own_figure(SEARCHES, says=[]),
+    "the weight of notebook 06": weight_figure,
 }
 COMPUTE = """
 const make = compile(given.description);

@@ -38,7 +38,7 @@ from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.explorers.ways import explore_ways
 from .views.law_plots import plot_laws, plot_ranking
-from .views.limit_plots import plot_front, plot_jerk_price
+from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_weight
 from .views.live.explore import explore
 from .views.live.formulas import inverse, largest, place_of_largest
 from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, choice, pinned
@@ -107,6 +107,7 @@ __all__ = [
     "place_of_largest",
     "plot_clearance",
     "plot_curves",
+    "plot_detour",
     "plot_front",
     "plot_inverse_square",
     "plot_jerk_price",
@@ -114,6 +115,7 @@ __all__ = [
     "plot_peaks",
     "plot_ranking",
     "plot_timing",
+    "plot_weight",
     "polynomial",
     "predict",
     "progress",

@@ -1,4 +1,4 @@
-"""Pictures of limits: what is proved to be out of reach, and what was reached.
+"""Pictures of limits: what is proved to be out of reach, what was reached, and how it is proved.
 
 A limit is computed at some points. Between two of them it is drawn as the step that is proved
 there, never as a chord: a chord of a curve that bends up lies above it, and would shade motions
@@ -10,12 +10,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+import sympy as sp
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
 from cammotion.limits.least import LeastAcceleration
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
-from cammotion.views.plots import COLOURS, style_axes
+from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
+from cammotion.views.timing_plots import COLLISION
 
 BEST, NAMED = COLOURS[:2]
 OUT_OF_REACH = "#e4e4e4"
@@ -123,6 +128,104 @@ def plot_front(
     ax.set(xlim=ends, ylim=ends, aspect="equal")
     ax.legend(loc="upper right", fontsize=10)
     return ax
+
+
+def plot_detour(  # noqa: PLR0913 - each is a part of the picture
+    designs: Mapping[str, TimingDiagram],
+    name: str,
+    *,
+    still: Pair,
+    corners: tuple[Pair, Pair],
+    usual_mm: float | None = None,
+    with_acceleration: bool = False,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw how a motion leaves its place, gets over two corners and comes back; return the Axes.
+
+    The height y in mm, counted from where the motion called `name` stands from `still[0]` to
+    `still[1]` deg, is drawn over u, the cam angle in deg from `still[1]` on, for each of the
+    `designs` by name; the upper axis has the cam angle itself. `corners` are two points (u, y):
+    the region below them, which no motion may enter, is hatched, and the middle between them is
+    the mirror line. `usual_mm` is drawn as the height that was meant; `with_acceleration` adds the
+    acceleration in m/s2 below, upwards positive. Raises InputError for no design, and for a motion
+    that a diagram lacks.
+
+    >>> import cammotion as cm
+    >>> ax = plot_detour(
+    ...     {"cycloid": cm.EXAMPLE.diagram}, "die", still=(205, 305), corners=((70, 31), (190, 31)))
+    >>> ax.get_ylabel()
+    'height y of the die in mm'
+    """
+    if not designs:
+        raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
+    start, span = still[1], (still[0] - still[1]) % DEG_PER_TURN
+    u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
+    if ax is None:
+        height = 5.4 if with_acceleration else 3.4
+        _, ax = plt.subplots(figsize=(7.5, height), facecolor="white")
+    style_axes(ax, "", f"height y of the {name} in mm")
+    lower = ax
+    if with_acceleration:
+        lower = make_axes_locatable(ax).append_axes("bottom", size=1.5, pad=0.2, sharex=ax)
+        style_axes(lower, "", "acceleration\nin m/s²")
+        ax.tick_params(labelbottom=False)
+    for number, (label, design) in enumerate(designs.items()):
+        way = design.position_mm(name, start + u) - design.position_mm(name, start)
+        up = 1 if way[np.abs(way).argmax()] > 0 else -1
+        style_line(ax.plot(u, up * way, label=label)[0], number)
+        if with_acceleration:
+            style_line(lower.plot(u, up * design.acceleration(name, start + u))[0], number)
+    _draw_corners(ax, corners)
+    if usual_mm is not None:
+        ax.axhline(usual_mm, **REFERENCE_STYLE)
+        write(ax, f"{usual_mm:g} mm", (0, usual_mm), REFERENCE_STYLE["color"], offset=(2, -16))
+    places = [0, corners[0][0], sum(corner[0] for corner in corners) / 2, corners[1][0], span]
+    lower.set_xticks(places)
+    lower.set_xlabel(f"u, the cam angle from {start:g} deg on, in deg", fontsize=11)
+    above = ax.secondary_xaxis("top")
+    above.set_xticks(places, [f"{(start + place) % DEG_PER_TURN:g}" for place in places])
+    above.set_xlabel("cam angle in deg", fontsize=11)
+    ax.set(xlim=(0, span), ylim=(0, 1.25 * ax.get_ylim()[1]))
+    ax.legend(loc="upper right", fontsize=10)
+    return ax
+
+
+def plot_weight(
+    weight: sp.Expr, span: tuple[sp.Symbol, float, float], *, ax: Axes | None = None
+) -> Axes:
+    """Draw a weight of the acceleration over the cam angle; return the Axes.
+
+    `weight` is an expression in deg, and `span` the symbol in it and its ends in deg. Its area,
+    which is shaded and counted positive on both sides of zero, times the peak acceleration is the
+    most that can be reached.
+
+    >>> u = sp.Symbol("u")
+    >>> plot_weight(65 - u, (u, 0, 130)).get_ylabel()
+    'weight in deg'
+    """
+    symbol, low, high = span
+    places = np.linspace(float(low), float(high), 1041)
+    heights = np.broadcast_to(sp.lambdify(symbol, weight)(places), places.shape)
+    if ax is None:
+        _, ax = plt.subplots(figsize=(7.5, 2.4), facecolor="white", layout="constrained")
+    style_axes(ax, f"{symbol} in deg", "weight in deg")
+    style_line(ax.plot(places, heights)[0], 0)
+    ax.fill_between(places, heights, color=BEST, alpha=0.25, linewidth=0)
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    ax.set_xlim(low, high)
+    return ax
+
+
+def _draw_corners(ax: Axes, corners: tuple[Pair, Pair]) -> None:
+    """Hatch what is below two corners, and draw the line in the middle between them."""
+    (from_u, _), (to_u, _) = corners
+    ax.fill_between(*_columns(corners), **COLLISION, alpha=0.6, linewidth=0)
+    ax.plot(*_columns(corners), "o", color=COLLISION["edgecolor"])
+    for u, y in corners:
+        write(ax, f"({u:g}, {y:g})", (u, y), COLLISION["edgecolor"], offset=(8, 4))
+    middle = (from_u + to_u) / 2
+    ax.axvline(middle, **REFERENCE_STYLE)
+    write(ax, "mirror line", (middle, corners[0][1] / 2), REFERENCE_STYLE["color"], offset=(6, 0))
 
 
 _OFFSET: dict[str, Any] = {"textcoords": "offset points", "color": "#333333", "fontsize": 10}

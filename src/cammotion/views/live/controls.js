@@ -30,7 +30,9 @@ const write = (element, words) => {
 const strokeOf = ({ role, colour }) =>
   role === "own"
     ? `stroke:${paint(colour)};stroke-dasharray:${STYLES[colour % STYLES.length][1]}`
-    : "";
+    : role === "area"
+      ? `fill:${paint(colour)}`
+      : "";
 const paint = (colour) => `var(--cm-${STYLES[colour % STYLES.length][0]})`;
 
 /** A button; what it does is done at a press. */

@@ -125,7 +125,7 @@ class Panel {
     this.scale(now, traced);
     const { X, Y, top, bottom, left, right } = this.view;
     this.lines.forEach(({ path, twin }, i) => {
-      put(path, { d: this.pathOf(traced[i].own) });
+      put(path, { d: this.pathOf(traced[i].own, traced[i].line.role === "area") });
       if (twin) put(twin, { d: this.pathOf(traced[i].twin) });
     });
     for (const { box, rect, word } of this.boxes) {
@@ -277,12 +277,14 @@ class Panel {
     ];
   }
 
-  pathOf(points) {
+  /** The path of a curve; where it bounds an area, down to zero at both ends. */
+  pathOf(curve, isArea = false) {
     const { X, Y, top, bottom } = this.view;
     let d = "",
       pen = "M",
       before = 0;
-    for (const [x, y] of points) {
+    const foot = (end) => curve.slice(...end).map(([x]) => [x, 0]);
+    for (const [x, y] of isArea ? [...foot([0, 1]), ...curve, ...foot([-1])] : curve) {
       if (!Number.isFinite(x)) {
         pen = "M";
         continue;

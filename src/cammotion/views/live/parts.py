@@ -14,7 +14,7 @@ import sympy as sp
 from cammotion.quantities import InputError, Quantity, shorten
 from cammotion.views.live.expressions import as_curve, as_expression
 
-OWN, REFERENCE, ALARM, FRAME = "own", "reference", "alarm", "frame"
+OWN, REFERENCE, ALARM, FRAME, AREA = "own", "reference", "alarm", "frame", "area"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,8 +46,8 @@ class Line:
     `over` is the span of the variable, (low, high), the figure's own unless given. `joints` are
     where pieces meet, so that corners are drawn exactly. The curve is drawn only where the
     expression `only_where` is above 0. `colour` counts from 0 through the workbook's colours and
-    line styles. `role` is "own", "reference" (thin and dashed, what stays), "alarm" (red and wide)
-    or "frame" (thin, black).
+    line styles. `role` is "own", "reference" (thin and dashed, what stays), "alarm" (red and wide),
+    "frame" (thin, black) or "area" (no line, the area between the curve and zero is shaded).
 
     >>> import sympy as sp
     >>> t = sp.Symbol("t")
@@ -66,7 +66,7 @@ class Line:
 
     def __post_init__(self) -> None:
         """Raise InputError for an unknown role or colour, and for a span of other than two ends."""
-        roles = (OWN, REFERENCE, ALARM, FRAME)
+        roles = (OWN, REFERENCE, ALARM, FRAME, AREA)
         if self.role not in roles:
             raise InputError(
                 f"The role of a line is {shorten(self.role)}: give one of {', '.join(roles)}."
