@@ -24,7 +24,7 @@ def says(lesson: str, words: str) -> bool:
     return any(words in "".join(c["source"]) for c in cells if c["cell_type"] == "markdown")
 
 
-def test_the_force_on_the_cam_of_an_upright_die() -> None:
+def test_the_force_that_holds_an_upright_die() -> None:
     g, hard = 9.80665, 2 * np.pi * 0.050 / 0.275**2
     before, after = 12 * (g + hard), 12 * (g + hard / 5)
     assert (before, after) == pytest.approx((167.5, 127.6), abs=0.05)
@@ -38,12 +38,14 @@ def test_the_collision_of_notebook_04() -> None:
     def covered(x: float) -> float:
         return x - math.sin(2 * math.pi * x) / (2 * math.pi)
 
-    begins = 65 + 140 * brentq(lambda x: 50 * covered(x) - 19, 0, 1)
+    at_rim = 65 + 140 * brentq(lambda x: 50 * covered(x) - 20, 0, 1)
     ends = brentq(lambda deg: 100 * (1 - covered(deg / 150)) - 0.65, 120, 140)
-    assert 100 * (1 - covered(begins / 150)) == pytest.approx(2.4, abs=0.05)
+    assert at_rim == pytest.approx(127.9, abs=0.05)
+    assert 100 * (1 - covered(at_rim / 150)) == pytest.approx(2.0, abs=0.05)
     assert 50 * covered((ends - 65) / 140) - 19 == pytest.approx(6, abs=0.05)
-    assert says("04", "6 mm too deep at most")
-    assert says("04", "2.4 mm to go")
+    assert says("04", "the die is 6 mm too deep")
+    assert says("04", "At 127.9 degrees")
+    assert says("04", "2.0 mm to go")
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
-from cammotion.views.timing_plots import COLLISION
+from cammotion.views.timing_plots import BROKEN
 
 BEST, NAMED = COLOURS[:2]
 OUT_OF_REACH = "#e4e4e4"
@@ -219,10 +219,10 @@ def plot_weight(
 def _draw_corners(ax: Axes, corners: tuple[Pair, Pair]) -> None:
     """Hatch what is below two corners, and draw the line in the middle between them."""
     (from_u, _), (to_u, _) = corners
-    ax.fill_between(*_columns(corners), **COLLISION, alpha=0.6, linewidth=0)
-    ax.plot(*_columns(corners), "o", color=COLLISION["edgecolor"])
+    ax.fill_between(*_columns(corners), **BROKEN, alpha=0.6, linewidth=0)
+    ax.plot(*_columns(corners), "o", color=BROKEN["edgecolor"])
     for u, y in corners:
-        write(ax, f"({u:g}, {y:g})", (u, y), COLLISION["edgecolor"], offset=(8, 4))
+        write(ax, f"({u:g}, {y:g})", (u, y), BROKEN["edgecolor"], offset=(8, 4))
     middle = (from_u + to_u) / 2
     ax.axvline(middle, **REFERENCE_STYLE)
     write(ax, "mirror line", (middle, corners[0][1] / 2), REFERENCE_STYLE["color"], offset=(6, 0))

@@ -10,7 +10,7 @@ EXERCISES = (
         question=lambda m: (
             f"The mill moves over {m.mill_angle_deg:g} degrees of each turn, and the die stays "
             f"down for {m.work_deg:g} degrees. The two take turns. How many degrees are left for "
-            "each way of the die, if it goes down and up equally fast?"
+            "each way of the die, if down and up get equally many?"
         ),
         unit="deg",
         answer=lambda m: m.die_angle_deg,
@@ -154,7 +154,7 @@ EXERCISES = (
         ),
         options={
             "a": "They collide at 200 degrees.",
-            "b": "At 200 degrees both have moved equally far from where their curves begin.",
+            "b": "At 200 degrees both are equally many millimetres from their zero.",
             "c": "At 200 degrees both are equally fast.",
             "d": "One of them has to be moved in the diagram until the curves keep apart.",
         },
@@ -188,21 +188,22 @@ PREDICTIONS = (
         "01.half",
         "degrees for each way",
         92.5,
-        "Twice as many, 110, is the usual guess, and 130 the next: 55 and the 75 that the mill "
+        "A likely guess is twice as many, 110, and another 130: 55 and the 75 that the mill "
         "gives up. But the work keeps its 100, and the 75 have to serve two ways.",
     ),
     Prediction(
         "01.harder",
         "mill or die, and how many times",
         "the die, 3.72 times",
-        "Many name the mill, because it goes further. And many say 1.4 times, which is the "
-        "ratio of the velocities.",
+        "It is tempting to name the mill, because it goes further, or to say 1.4 times, which is "
+        "the ratio of the velocities.",
     ),
     Prediction(
         "01.rate",
         "factors of displacement, velocity, acceleration",
         "1, 2 and 4",
-        "Who lets the displacement grow too thinks of an axis with seconds. And who only doubles "
-        "the acceleration has counted the time once: it counts once for each derivative.",
+        "The stroke is cut into the cam: a faster turn makes it shorter in time, not longer in "
+        "millimetres. And who only doubles the acceleration has counted the time once: it counts "
+        "once for each derivative.",
     ),
 )

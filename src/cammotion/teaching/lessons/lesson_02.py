@@ -187,7 +187,7 @@ EXERCISES = (
         number="02.3",
         question=lambda m: (
             f"The die has a mass of {m.die_mass_kg:g} kg and moves as in exercise 02.1. What is "
-            "the largest force that its inertia asks of the cam?"
+            "the largest force that its inertia asks for?"
         ),
         unit="N",
         answer=lambda m: m.die_mass_kg * _peak(m),
@@ -298,23 +298,24 @@ PREDICTIONS = (
         "02.fraction",
         "fraction of the time tm",
         0.25,
-        "Many say 0, where the die has to get going, or 0.5, where it is fastest. But how fast "
-        "it is says nothing of how hard it is pushed: what counts is how quickly its velocity "
-        "changes.",
+        "It is tempting to say 0, where the die has to get going, or 0.5, where it is fastest. But "
+        "how fast it is says nothing of how hard it is pushed: what counts is how quickly its "
+        "velocity changes.",
         also=(0.75,),
     ),
     Prediction(
         "02.peak",
         "peak at 110 deg in m/s²",
         1.039,
-        "Half of it, 2.08, is the usual guess. In twice the time half the velocity is enough, "
+        "Half of it, 2.08, is a likely guess. In twice the time half the velocity is enough, "
         "and for that half there is twice the time: the time counts twice.",
     ),
     Prediction(
         "02.few",
         "percent less",
         15.97,
-        "Five degrees are 9 % of 55, and 9 % is the usual guess. But the angle counts twice. On "
+        "Five degrees are 9 % of 55, and 9 % is a likely guess. But the angle counts twice: 18 %, "
+        "says who doubles the 9, and what is left is (55/60)², which is 16 % less. On "
         "top of 110 degrees the same five take away no more than 8.5 %, and of a smaller peak.",
     ),
 )

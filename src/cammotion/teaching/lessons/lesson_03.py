@@ -95,9 +95,9 @@ EXERCISES = (
     NumberExercise(
         number="03.2",
         question=lambda m: (
-            f"For the die the mill is still during the first and last {m.quiet_deg:g} of its "
-            f"{m.mill_angle_deg:g} degrees. The die works for {m.work_deg:g} degrees, and moves "
-            "only while the mill is still in this sense. How many degrees does it get for each way?"
+            f"For the die the mill counts as standing during the first and last {m.quiet_deg:g} "
+            f"of its {m.mill_angle_deg:g} degrees. The die works for {m.work_deg:g} degrees, and "
+            "moves only while it does. How many degrees does the die get for each way?"
         ),
         unit="deg",
         answer=lambda m: m.overlapped_deg,
@@ -140,7 +140,7 @@ EXERCISES = (
         question=lambda m: (
             f"The die has a stroke of {m.stroke_mm:g} mm and touches the mill after {m.wait_mm:g} "
             f"mm. With a margin of {m.margin_mm:g} mm: at which x of its cycloidal move is it as "
-            "deep as it may be while the mill is still on its way?"
+            "deep as it may be as long as the mill is not near its stop?"
         ),
         unit="",
         answer=_place,
@@ -333,8 +333,8 @@ PREDICTIONS = (
         "03.share",
         "percent of the stroke",
         0.645,
-        "At constant velocity it would be 10 %. Many know that it starts gently and say 5 % or "
-        "2 %. It starts far more gently than that.",
+        "At constant velocity it would be 10 %. Who knows that it starts gently says 5 % "
+        "or 2 %. It starts far more gently than that.",
     ),
     Prediction(
         "03.widest",
@@ -347,6 +347,6 @@ PREDICTIONS = (
         "03.harder",
         "mill or die",
         "the mill",
-        "Many still say the die, because it has been the hard-driven one for three notebooks.",
+        "It is tempting to say the die still: it has been the hard-driven one for three notebooks.",
     ),
 )

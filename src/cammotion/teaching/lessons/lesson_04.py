@@ -185,15 +185,15 @@ PREDICTIONS = (
         "04.start",
         "depth of the die in mm, at 0 deg",
         30.9,
-        "Many say 0, since the die has to be out of the way, or 19, the depth of the rule. But "
-        "the mill starts so gently that it needs 15 degrees for its first 0.65 mm, and in these "
-        "the die comes up to 19 mm.",
+        "It is tempting to say 0, since the die has to be out of the way, or 19, the depth of the "
+        "rule. But the mill starts so gently that it needs 15 degrees for its first 0.65 mm, and "
+        "in these the die comes up to 19 mm.",
     ),
     Prediction(
         "04.collision",
-        "first at which angle; down, up or both",
+        "from which angle; down, up or both",
         "at 126.5 deg, on the way down",
-        "Many expect it both ways, because the turn is full. But the way up has only 120 "
+        "Both ways seems likely, because the turn is full. But the way up has only 120 "
         "degrees, and more would be allowed.",
     ),
 )
