@@ -1,7 +1,6 @@
 """The explorer of the follower: a mass on a spring, driven through one rise and left alone."""
 
 from collections.abc import Iterable, Iterator
-from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -90,8 +89,8 @@ def _picture(s: sp.Expr, z: sp.Expr) -> Panel:
     coil = sp.sin(2 * sp.pi * _COILS * x) / 4
     return Panel(
         lines=[
-            Line(x=s - (1 - x) * (s + 1), y=0, over=(0, 1), colour=_CAM),
-            Line(x=s, y=x, over=(-0.7, 0.7), colour=_CAM),
+            Line(x=s - (1 - x) * (s + 1), y=0, over=(0, 1), role=FRAME),
+            Line(x=s, y=x, over=(-0.7, 0.7), role=FRAME),
             Line(x=s + x * length, y=coil, over=(0, 1), role=FRAME),
             Line(
                 x=middle + _HALF_MASS * square[0],
@@ -116,13 +115,12 @@ def _picture(s: sp.Expr, z: sp.Expr) -> Panel:
 
 def _sentences(law: Any, c_a: Any, of_mass: sp.Expr) -> Iterator[Say]:
     size = sp.Abs(of_mass, evaluate=False)
-    ends = 0, sp.Rational(1, 2), 1, 1 + 1 / n  # searched one by one, to miss no crest
-    peaks = [largest(size, (x, *span)) for span in pairwise(ends)]
-    peak = sp.Max(*peaks, evaluate=False)
+    after = largest(size, (x, 1, 1 + 1 / n))  # later it only dies away
+    peak = sp.Max(largest(size, (x, 0, 1)), after, evaluate=False)
     yield Say(
         "{law}: largest |A| of the cam {cam:.3g}, of the mass {peak:.3g}, "
         "which is {times:.3g} times as much",
         {"law": law, "cam": c_a, "peak": peak, "times": peak / c_a},
     )
-    yield Say("after the move the mass swings with |A| up to {after:.3g}", {"after": peaks[-1]})
+    yield Say("after the move the mass swings with |A| up to {after:.3g}", {"after": after})
     yield Say("(deflection of the spring drawn {shown:.3g} times as large)", {"shown": _SHOWN})
