@@ -4,6 +4,7 @@ import math
 import re
 from pathlib import Path
 
+import node
 import numpy as np
 import pytest
 from explored import at_corners, drawn, lines_of, panel_of
@@ -15,6 +16,10 @@ from cammotion.views.live.figure import LiveFigure
 
 LAWS = ("constant acceleration", "simple harmonic", "cycloidal")
 X = np.linspace(0, 2.5, 301)
+TRACED = """
+const now = compile(given.description)(given.settings, given.settings);
+return given.clocks.map((clock) => trace(given.line, now, clock));
+"""
 
 
 @pytest.fixture(scope="module")
@@ -84,3 +89,20 @@ def test_own_laws_and_one_alone() -> None:
 
 def test_its_page_is_small(figure: LiveFigure, tmp_path: Path) -> None:
     assert figure.save(tmp_path / "follower.html").stat().st_size <= MOST_BYTES
+
+
+def test_the_spring_of_a_page_moves_with_its_clock(figure: LiveFigure) -> None:
+    (_, _, spring, _) = panel_of(figure, "The cam moves")["lines"]
+    given = {
+        "description": figure.description,
+        "line": spring,
+        "settings": figure.settings,
+        "clocks": [0.1, 0.7, 2.0],
+    }
+    page = node.run(TRACED, given)
+    for clock, points in zip(given["clocks"], page, strict=True):
+        x, y, _ = np.transpose(points)
+        places = np.linspace(0, 1, len(points))
+        assert x == pytest.approx(figure._now[spring["x"]](places, clock))
+        assert y == pytest.approx(figure._now[spring["y"]](places, clock), abs=1e-12)
+    assert page[0][0] != page[1][0] != page[2][0]
