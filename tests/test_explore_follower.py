@@ -69,7 +69,12 @@ def test_the_picture_moves_with_the_clock(figure: LiveFigure) -> None:
 
 
 def test_a_stiff_spring_is_drawn_larger_and_says_so(figure: LiveFigure) -> None:
+    choose(figure, "cycloidal")
     figure.values = {n: 10}
+    own = panel_of(figure, "The cam moves")["points"][1]["x"]
+    mass, cam = cm.OneMass("cycloidal", 10)(0.3), cm.LAWS["cycloidal"](0.3)
+    drawn_at = cam + 0.85 + (20 * math.pi) ** 2 / 60 * (mass - cam)
+    assert figure._now[own](0.3, 0.3) == pytest.approx(drawn_at)
     assert figure.text.splitlines()[-1] == (
         f"(deflection of the spring drawn {(20 * math.pi) ** 2 / 60:.3g} times as large)"
     )

@@ -169,10 +169,10 @@ def test_undamped_in_resonance() -> None:
 def test_the_largest_is_not_missed() -> None:
     rng = np.random.default_rng(5)
     for name in NAMES:
-        swings, ratio = rng.uniform(0.3, 30), rng.uniform(0, 0.5)
-        mass = cm.OneMass(name, swings, ratio)
-        dense = np.abs(mass(np.linspace(0, 3, 60001), 2)).max()
-        assert dense * (1 - 1e-9) <= mass.peak <= dense * (1 + 1e-4)
+        for swings in (0.3, 0.7, rng.uniform(1, 30)):  # after the move, where the spring is soft
+            mass = cm.OneMass(name, swings, rng.uniform(0, 0.5))
+            dense = np.abs(mass(np.linspace(0, 5, 60001), 2)).max()
+            assert dense * (1 - 1e-8) <= mass.peak <= dense * (1 + 1e-4)
 
 
 def test_shapes() -> None:
