@@ -30,6 +30,7 @@ MAX_BYTES = 1_000_000
 MAX_CODE_LINES = 20
 NOTEBOOK_METADATA = {"kernelspec", "language_info"}
 CELL_METADATA = {"alt", "tags", "nbgrader", "jupyter", "editable", "deletable"}
+FOLDED, OPTIONAL = "jp-MarkdownHeadingCollapsed", re.compile(r"^#+ .*if you like", re.MULTILINE)
 EMPTY_LINK_TEXTS = {"", "here", "click here", "this", "link", "this link", "more", "read more"}
 PORTABLE_SCHEMES = {"", "http", "https", "mailto", "data", "attachment"}
 WIDGET = "application/vnd.jupyter.widget-view+json"
@@ -122,8 +123,9 @@ def notebook_metadata(notebook: Notebook) -> Iterator[str]:
 
 @cell_rule
 def cell_metadata(cell: Cell) -> Iterator[str]:
-    """Refuse times and folds, which change with each run."""
-    for key in sorted(cell.node.metadata.keys() - CELL_METADATA):
+    """Refuse times and folds, which change with each run; what is optional may be folded."""
+    allowed = CELL_METADATA | ({FOLDED} if OPTIONAL.search(cell.prose) else set())
+    for key in sorted(cell.node.metadata.keys() - allowed):
         yield f"metadata '{key}' must not be stored"
 
 

@@ -1,6 +1,7 @@
 """What a live figure computes in a page, in Node, against what it computes in Python."""
 
 import math
+import re
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -66,6 +67,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     ),
     "explore_shares": lambda: cm.explore_shares(cm.EXAMPLE.diagram),
     "explore_scca": cm.explore_scca,
+    "explore_follower": cm.explore_follower,
     "explore_overlap": lambda: cm.explore_overlap(
         cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20
     ),
@@ -128,6 +130,15 @@ def random_cases(figure: LiveFigure, count: int, seed: int) -> list[Any]:
     return cases
 
 
+def searched(formulas: list[str]) -> list[bool]:
+    """Return which formulas search, themselves or in one before them."""
+    found: list[bool] = []
+    for formula in formulas:
+        calls = [found[int(number)] for number in re.findall(r"\bf(\d+)\(", formula)]
+        found.append("largest(" in formula or "inverse(" in formula or any(calls))
+    return found
+
+
 def in_python(figure: LiveFigure, cases: list[Any], numbers: list[int], y: float) -> Floats:
     values = np.empty((len(cases), len(numbers), PLACES))
     with np.errstate(all="ignore"):
@@ -160,7 +171,7 @@ def at_a_quarter(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_every_formula_in_a_page_and_in_python(figure: LiveFigure) -> None:
     formulas = figure.description["formulas"]
-    is_search = ["largest(" in formula or "inverse(" in formula for formula in formulas]
+    is_search = searched(formulas)
     for wanted, count in ((False, SETTINGS), (True, SEARCHED)):
         numbers = [number for number, search in enumerate(is_search) if search is wanted]
         cases = random_cases(figure, count, seed=count)

@@ -21,9 +21,9 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg"><title>Cam</title>{}</svg>'
 Edit = Callable[[dict[str, Any]], None]
 
 
-def markdown(source: str) -> Edit:
+def markdown(source: str, **changes: object) -> Edit:
     """Append a Markdown cell."""
-    cell = {"cell_type": "markdown", "id": "added", "metadata": {}, "source": source}
+    cell = {"cell_type": "markdown", "id": "added", "metadata": {}, "source": source} | changes
     return lambda notebook: notebook["cells"].append(cell)
 
 
@@ -108,6 +108,7 @@ FAILS: dict[str, list[Edit]] = {
     "cell_metadata": [
         last_code(metadata={"execution": {"iopub.execute_input": "2026-01-01T00:00:00Z"}}),
         last_code(metadata={"ExecuteTime": {}}),
+        markdown("## More", metadata={"jp-MarkdownHeadingCollapsed": True}),
     ],
     "file_size": [
         shown({"text/plain": "x" * MAX_BYTES}),

@@ -1,3 +1,4 @@
+from .dynamics.one_mass import OneMass
 from .exchange.tables import read_segments, write_curves, write_segments
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
 from .laws.from_points import law_from_points
@@ -32,6 +33,7 @@ from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.session import ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
 from .views.animation.picture import animate
+from .views.explorers.follower import explore_follower
 from .views.explorers.move import explore_move
 from .views.explorers.overlap import explore_overlap
 from .views.explorers.scca import explore_scca
@@ -66,6 +68,7 @@ __all__ = [
     "MotionLaw",
     "Move",
     "NumberControl",
+    "OneMass",
     "Panel",
     "Point",
     "Say",
@@ -84,6 +87,7 @@ __all__ = [
     "cycle_time",
     "dwell",
     "explore",
+    "explore_follower",
     "explore_move",
     "explore_overlap",
     "explore_scca",

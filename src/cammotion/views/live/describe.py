@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
 from cammotion.quantities import InputError, shorten
-from cammotion.views.live.expressions import as_condition, as_curve, as_expression, shortly
+from cammotion.views.live.expressions import NOW, as_condition, as_curve, as_expression, shortly
 from cammotion.views.live.formulas import Formulas
 from cammotion.views.live.parts import (
     Box,
@@ -47,7 +47,7 @@ class Describer:
         self.symbols = list(controls)
         self._height = sp.Dummy("height")
         self._twins = {symbol: sp.Dummy(symbol.name) for symbol in controls}
-        names = {variable: "x", self._height: "y"}
+        names = {variable: "x", self._height: "y", NOW: "y"}
         names |= {symbol: f"c{number}" for number, symbol in enumerate(controls)}
         names |= {twin: f"p{number}" for number, twin in enumerate(self._twins.values())}
         self.formulas = Formulas(names)

@@ -9,6 +9,9 @@ import sympy as sp
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import InputError, shorten
 
+NOW = sp.Dummy("now", real=True)
+"""Where the clock stands. In a line the variable runs: what of it moves depends on this."""
+
 _LONGEST = 70  # of an expression in a sentence
 _MOST = 10**300  # beyond it a number is none in a page
 _UNDONE = sp.Derivative, sp.Integral, sp.Sum, sp.Product, sp.Limit, sp.Subs

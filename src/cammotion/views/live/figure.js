@@ -27,7 +27,8 @@ class Figure {
       ),
     );
     const starts = controls.map(({ start }) => start);
-    for (const panel of this.panels.flat()) panel.keep(this.make(starts, starts));
+    const first = this.make(starts, starts);
+    for (const panel of this.panels.flat()) panel.keep(first, first[description.range[0]]());
     this.play = button("Play", () => (this.frame ? this.pause() : this.start()));
     this.slider = html("input", {
       type: "range",

@@ -171,14 +171,14 @@ export function tick(width) {
 /** How far an arrow key moves a point: a power of ten, of which 50 to 500 make an axis. */
 export const nudge = ([low, high]) => 10 ** Math.floor(Math.log10((high - low) / 50));
 
-/** The points of a line: its joints from both sides, and the ends of what is real, by halving. */
-export function trace({ over, where, y, x, joints }, now) {
+/** The points of a line, where the clock stands: its joints from both sides, and the ends of what is real, by halving. */
+export function trace({ over, where, y, x, joints }, now, clock) {
   const [low, high] = over.map((i) => now[i]()),
     gap = NEAR * (high - low);
-  const isThere = (place) => where === null || now[where](place) > 0;
+  const isThere = (place) => where === null || now[where](place, clock) > 0;
   const at = (place) => [
-    x === null ? place : now[x](place),
-    isThere(place) ? now[y](place) : NaN,
+    x === null ? place : now[x](place, clock),
+    isThere(place) ? now[y](place, clock) : NaN,
     place,
   ];
   const isReal = ([a, b]) => Number.isFinite(a) && Number.isFinite(b);

@@ -5,7 +5,7 @@ What has no closed form can still stand in an expression: `largest`, `place_of_l
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.printing.codeprinter import PrintMethodNotImplementedError
 
 from cammotion.quantities import Floats, InputError, shorten
-from cammotion.views.live.expressions import as_curve, as_expression, check_computable, shortly
+from cammotion.views.live.expressions import NOW, as_curve, as_expression, check_computable, shortly
 from cammotion.views.live.printers import JavaScript, Python, SearchBase, is_search
 
 SAMPLES, HALVINGS, NARROWINGS = 200, 60, 48
@@ -122,6 +122,9 @@ class Formulas:
         """
         expression = as_expression(expression)
         if expression not in self._known:
+            for piece in _moving_in(expression):
+                if piece != expression:
+                    self.add(piece)
             javascript, python = self._print(expression)
             self._known[expression] = len(self.javascript)
             self.javascript.append(javascript)
@@ -187,6 +190,16 @@ class Formulas:
             f"add it to the controls, {{{name}: (low, high)}}, or give it a value, "
             f"values={{{name}: ...}}."
         )
+
+
+def _moving_in(expression: sp.Basic) -> Iterator[sp.Piecewise]:
+    """Return the outermost pieces that move with the clock, which all lines of a picture share."""
+    if NOW in expression.free_symbols:
+        if isinstance(expression, sp.Piecewise):
+            yield expression
+        else:
+            for part in expression.args:
+                yield from _moving_in(part)
 
 
 def find_largest(function: Callable[[Any], Any], low: float, high: float) -> float:

@@ -119,8 +119,8 @@ class Panel {
     const { panel } = this;
     const traced = this.lines.map(({ line, twin }) => ({
       line,
-      own: trace(line, now),
-      twin: twin ? trace(line, then) : [],
+      own: trace(line, now, clock),
+      twin: twin ? trace(line, then, clock) : [],
     }));
     this.scale(now, traced);
     const { X, Y, top, bottom, left, right } = this.view;
@@ -144,8 +144,8 @@ class Panel {
       });
     }
     for (const { point, dot, word } of this.points) {
-      const x = X(now[point.x](clock)),
-        y = Y(now[point.y](clock)),
+      const x = X(now[point.x](clock, clock)),
+        y = Y(now[point.y](clock, clock)),
         isThere = Number.isFinite(x + y);
       dot.style.display = word.style.display = isThere ? "" : "none";
       if (isThere) {
@@ -178,8 +178,8 @@ class Panel {
   }
 
   /** Keep what the axes hold at the start, so that a curve that shrinks is seen to do so. */
-  keep(first) {
-    const traced = this.lines.map(({ line }) => ({ line, own: trace(line, first), twin: [] }));
+  keep(first, clock) {
+    const traced = this.lines.map(({ line }) => ({ line, own: trace(line, first, clock), twin: [] }));
     this.kept = [0, 1].map((at) => limits(this.held(at, traced, first)).slice(0, 2));
     const ends = this.ends(traced, first).filter(Number.isFinite);
     this.first = [Math.min(...ends), Math.max(...ends)];

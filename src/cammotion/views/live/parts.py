@@ -43,11 +43,12 @@ class Control:
 class Line:
     """A curve: `y` over the figure's variable, or `x` and `y` while the variable runs.
 
-    `over` is the span of the variable, (low, high), the figure's own unless given. `joints` are
-    where pieces meet, so that corners are drawn exactly. The curve is drawn only where the
-    expression `only_where` is above 0. `colour` counts from 0 through the workbook's colours and
-    line styles. `role` is "own", "reference" (thin and dashed, what stays), "alarm" (red and wide),
-    "frame" (thin, black) or "area" (no line, the area between the curve and zero is shaded).
+    Where `expressions.NOW` stands in them, the curve moves with the clock. `over` is the span of
+    the variable, (low, high), the figure's own unless given. `joints` are where pieces meet, so
+    that corners are drawn exactly. The curve is drawn only where the expression `only_where` is
+    above 0. `colour` counts from 0 through the workbook's colours and line styles. `role` is "own",
+    "reference" (thin and dashed, what stays), "alarm" (red and wide), "frame" (thin, black) or
+    "area" (no line, the area between the curve and zero is shaded).
 
     >>> import sympy as sp
     >>> t = sp.Symbol("t")

@@ -118,8 +118,8 @@ class _Drawn:
                 continue
             is_own = line["role"] == "own"
             if then is not None and is_own:
-                self.ax.plot(*_sampled(line, then), **REFERENCE_STYLE)
-            (drawn,) = self.ax.plot(*_sampled(line, self.now))
+                self.ax.plot(*_sampled(line, then, self.clock), **REFERENCE_STYLE)
+            (drawn,) = self.ax.plot(*_sampled(line, self.now, self.clock))
             drawn.set_label(line["name"] or "_")
             if is_own:
                 style_line(drawn, line["colour"])
@@ -180,10 +180,10 @@ class _Drawn:
             line.set_ydata(y)
 
     def _at(self, formula: int) -> float:
-        return float(self.now[formula](self.clock))
+        return float(self.now[formula](self.clock, self.clock))
 
 
-def _sampled(line: dict[str, Any], now: Functions) -> tuple[Floats, Floats]:
+def _sampled(line: dict[str, Any], now: Functions, clock: float) -> tuple[Floats, Floats]:
     """Return x and y of a line, corners in it; not a number where it is broken."""
     low, high = (float(now[end]()) for end in line["over"])
     gap = 1e-9 * (high - low)
@@ -191,10 +191,10 @@ def _sampled(line: dict[str, Any], now: Functions) -> tuple[Floats, Floats]:
     sides = [place + side for place in joints for side in (-gap, gap) if low < place < high]
     places = np.sort(np.concatenate([np.linspace(low, high, _SAMPLES + 1), sides]))
     with np.errstate(all="ignore"):
-        y = np.array(np.broadcast_to(now[line["y"]](places), places.shape), dtype=float)
-        x = places if line["x"] is None else now[line["x"]](places)
+        y = np.array(np.broadcast_to(now[line["y"]](places, clock), places.shape), dtype=float)
+        x = places if line["x"] is None else now[line["x"]](places, clock)
     x = np.array(np.broadcast_to(x, places.shape), dtype=float)
     if line["where"] is not None:
-        y[~(now[line["where"]](places) > 0)] = np.nan
+        y[~(now[line["where"]](places, clock) > 0)] = np.nan
     y[~np.isfinite(y)] = np.nan
     return x, y

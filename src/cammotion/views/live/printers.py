@@ -7,6 +7,8 @@ import sympy as sp
 from sympy.printing.jscode import JavascriptCodePrinter
 from sympy.printing.numpy import NumPyPrinter
 
+from cammotion.views.live.expressions import NOW
+
 _LONG_CONSTANT = 6  # parts, from which on a number is shorter than its formula
 
 
@@ -46,7 +48,8 @@ class _Printer:
         is_whole = isinstance(expression, sp.Expr) and not expression.is_Atom
         number = self.known.get(expression) if is_whole else None
         if number is not None:
-            return self._call.format(number, self.names[self.variable])
+            moves = ",y" * (NOW in expression.free_symbols)
+            return self._call.format(number, self.names[self.variable] + moves)
         return str(super()._print(expression, **kwargs))  # type: ignore[misc]
 
     def _print_Symbol(self, symbol: sp.Symbol) -> str:  # noqa: N802 - SymPy's way to be asked

@@ -1,0 +1,126 @@
+"""The explorer of the follower: a mass on a spring, driven through one rise and left alone."""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import sympy as sp
+
+from cammotion.dynamics.one_mass import OneMass
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.laws.symbols import x
+from cammotion.views.live.explore import explore
+from cammotion.views.live.expressions import NOW
+from cammotion.views.live.figure import LiveFigure
+from cammotion.views.live.formulas import largest
+from cammotion.views.live.parts import FRAME, Control, Line, Panel, Point, Say, choice
+
+n, _SHOWN = sp.symbols("n shown", positive=True)
+_LAWS = ("constant acceleration", "simple harmonic", "cycloidal")
+_SPRING, _COILS, _HALF_MASS = sp.Rational(7, 10), 7, sp.Rational(3, 20)  # lengths in strokes
+_END = 2.5  # of the time that is shown, in indexing times
+_STIFF = 60  # a deflection of 1 is drawn as this much acceleration, unless the spring is softer
+_MASS, _CAM = 0, 1  # colours: the mass, which swings, has the unbroken line
+_MOST = 20  # acceleration on the axis
+
+
+def explore_follower(
+    laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping: float = 0.02
+) -> LiveFigure:
+    """Return a live figure of a mass on a spring, driven by a law through one rise.
+
+    The control n is how often the mass swings during the move, from 0.5 to 15, `start` at first.
+    `laws`, names or laws, are to choose from; `damping` is the damping ratio, dimensionless. The
+    accelerations are factors like Ca, to be multiplied by hm/tm². Raises InputError as `OneMass`
+    does, and where there is no law.
+
+    >>> figure = explore_follower()
+    >>> figure.values = {n: 4}
+    >>> print(figure.text.splitlines()[0])
+    constant acceleration: largest |A| of the cam 4, of the mass 8.59, which is 2.15 times as much
+    """
+    known = [as_law(law) for law in laws]
+    masses = [OneMass(law, n, damping) for law in known]
+    curves = {law.name: _curves(law, mass) for law, mass in zip(known, masses, strict=True)}
+    s, a, z, of_mass, c_a = choice("motion law", curves)
+    law = next(iter(symbol for symbol in c_a.free_symbols), None)
+    return explore(
+        [
+            _picture(*(each.xreplace({x: NOW}) for each in (s, z))),
+            Panel(
+                lines=[
+                    Line(y=a, name="cam", colour=_CAM),
+                    Line(y=of_mass, name="mass", colour=_MASS),
+                ],
+                y="acceleration A",
+                x="time x = t/tm",
+                x_ticks=0.25,
+                y_limits=(-_MOST, _MOST),
+                y_ticks=5,
+                height=190,
+            ),
+        ],
+        (x, 0, _END),
+        {n: Control(low=0.5, high=15, step=0.1, start=start, name="swings during the move")},
+        values={_SHOWN: sp.Max(1, (2 * sp.pi * n) ** 2 / _STIFF)},
+        says=list(_sentences(law or known[0].name, c_a, of_mass)),
+        clock=x,
+        seconds=8,
+        pin="Keep this one, dashed",
+        title="A mass on a spring, driven by a cam",
+    )
+
+
+def _curves(law: MotionLaw, mass: OneMass) -> tuple[Any, ...]:
+    """Return S and A of the cam, deflection and acceleration of the mass, and Ca."""
+    s = sp.Piecewise((law.s, x <= 1), (1, True), evaluate=False)
+    a = sp.Piecewise((law.a, x <= 1), (0, True), evaluate=False)
+    return s, a, mass.z, mass.a, law.Ca
+
+
+def _picture(s: sp.Expr, z: sp.Expr) -> Panel:
+    """Return the cam's end of the spring, the spring, and the mass, where the clock stands."""
+    length = _SPRING + _SHOWN * z
+    middle = s + length + _HALF_MASS
+    side = 2 * sp.Abs(x - 2) - 2  # runs round a square, cut at -1 and 1, while x goes from 0 to 4
+    other = 2 * sp.Abs(sp.Mod(x + 1, 4) - 2) - 2
+    corners = [sp.Rational(odd, 2) for odd in (1, 3, 5, 7)]
+    square = [sp.Max(-1, sp.Min(1, each, evaluate=False), evaluate=False) for each in (side, other)]
+    coil = sp.sin(2 * sp.pi * _COILS * x) / 4
+    return Panel(
+        lines=[
+            Line(x=s - (1 - x) * (s + 1), y=0, over=(0, 1), role=FRAME),
+            Line(x=s, y=x, over=(-0.7, 0.7), role=FRAME),
+            Line(x=s + x * length, y=coil, over=(0, 1), role=FRAME),
+            Line(
+                x=middle + _HALF_MASS * square[0],
+                y=0.8 * square[1],
+                over=(0, 4),
+                joints=corners,
+                colour=_MASS,
+            ),
+        ],
+        points=[
+            Point(x=s, y=0, name="cam", colour=_CAM),
+            Point(x=middle, y=0, name="mass", colour=_MASS),
+        ],
+        x_limits=(-0.4, 2.6),
+        y_limits=(-1, 1),
+        x="",
+        is_bare=True,
+        height=90,
+        title="The cam moves one end of the spring; the mass is at the other",
+    )
+
+
+def _sentences(law: Any, c_a: Any, of_mass: sp.Expr) -> Iterator[Say]:
+    size = sp.Abs(of_mass, evaluate=False)
+    after = largest(size, (x, 1, 1 + 1 / n))  # later it only dies away
+    peak = sp.Max(largest(size, (x, 0, 1)), after, evaluate=False)
+    yield Say(
+        "{law}: largest |A| of the cam {cam:.3g}, of the mass {peak:.3g}, "
+        "which is {times:.3g} times as much",
+        {"law": law, "cam": c_a, "peak": peak, "times": peak / c_a},
+    )
+    yield Say("after the move the mass swings with |A| up to {after:.3g}", {"after": after})
+    yield Say("(deflection of the spring drawn {shown:.3g} times as large)", {"shown": _SHOWN})

@@ -1,0 +1,113 @@
+"""The explorer of the follower, without a browser."""
+
+import math
+import re
+from pathlib import Path
+
+import node
+import numpy as np
+import pytest
+from explored import at_corners, drawn, lines_of, panel_of
+from live_page import MOST_BYTES
+
+import cammotion as cm
+from cammotion.views.explorers.follower import n
+from cammotion.views.live.figure import LiveFigure
+
+LAWS = ("constant acceleration", "simple harmonic", "cycloidal")
+X = np.linspace(0, 2.5, 301)
+TRACED = """
+const now = compile(given.description)(given.settings, given.settings);
+return given.clocks.map((clock) => trace(given.line, now, clock));
+"""
+
+
+@pytest.fixture(scope="module")
+def figure() -> LiveFigure:
+    return cm.explore_follower()
+
+
+def choose(figure: LiveFigure, law: str) -> None:
+    (symbol,) = [symbol for symbol in figure.values if symbol is not n]
+    figure.values = {symbol: LAWS.index(law)}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_what_is_drawn_and_said(figure: LiveFigure, law: str) -> None:
+    choose(figure, law)
+    for settings in at_corners(figure, n):
+        swings = settings[n]
+        mass = cm.OneMass(law, swings)
+        cam, own = lines_of(figure, "acceleration")
+        assert drawn(figure, own["y"], X) == pytest.approx(mass(X, 2), abs=1e-9)
+        inside = (X > 0.001) & (np.abs(X - 0.5) > 0.001) & (X < 0.999)
+        assert drawn(figure, cam["y"], X[inside]) == pytest.approx(mass.law(X[inside], 2))
+        assert not drawn(figure, cam["y"], X[X > 1]).any()
+        first, after, _ = figure.text.splitlines()
+        numbers = [float(number) for number in re.findall(r"[\d.]+", first)]
+        assert first.startswith(law)
+        assert numbers == pytest.approx([mass.law.Ca, mass.peak, mass.amplification], rel=6e-3)
+        later = np.abs(mass(np.linspace(1, 1 + 1 / swings, 2001), 2)).max()
+        assert float(after.split()[-1]) == pytest.approx(later, rel=6e-3)
+        assert mass.peak < 20  # the axis
+
+
+def test_the_picture_moves_with_the_clock(figure: LiveFigure) -> None:
+    choose(figure, "cycloidal")
+    figure.values = {n: 0.7}  # soft enough to be drawn as it is
+    mass, picture = cm.OneMass("cycloidal", 0.7), panel_of(figure, "The cam moves")
+    now = figure._now
+    cam, own = ([now[point["x"]](at, at) for at in X] for point in picture["points"])
+    assert cam == pytest.approx(cm.LAWS["cycloidal"](np.minimum(X, 1)))
+    assert own == pytest.approx(0.85 + mass(X))
+    rod, plate, spring, square = picture["lines"]
+    for at in (0.0, 0.4, 1.7):
+        ends = now[spring["x"]](np.array([0.0, 1.0]), at)
+        assert ends[0] == now[plate["x"]](0.0, at) == now[rod["x"]](1.0, at)
+        sides = now[square["x"]](np.linspace(0, 4, 41), at)
+        assert [ends[1], ends[1] + 0.3] == pytest.approx([sides.min(), sides.max()])
+
+
+def test_a_stiff_spring_is_drawn_larger_and_says_so(figure: LiveFigure) -> None:
+    choose(figure, "cycloidal")
+    figure.values = {n: 10}
+    own = panel_of(figure, "The cam moves")["points"][1]["x"]
+    mass, cam = cm.OneMass("cycloidal", 10)(0.3), cm.LAWS["cycloidal"](0.3)
+    drawn_at = cam + 0.85 + (20 * math.pi) ** 2 / 60 * (mass - cam)
+    assert figure._now[own](0.3, 0.3) == pytest.approx(drawn_at)
+    assert figure.text.splitlines()[-1] == (
+        f"(deflection of the spring drawn {(20 * math.pi) ** 2 / 60:.3g} times as large)"
+    )
+
+
+def test_own_laws_and_one_alone() -> None:
+    figure = cm.explore_follower(["modified trapezoid"], start=8, damping=0.1)
+    peak = cm.OneMass("modified trapezoid", 8, 0.1).peak
+    assert figure.text.startswith(
+        f"modified trapezoid: largest |A| of the cam 4.89, of the mass {peak:.3g}"
+    )
+    with pytest.raises(cm.InputError, match="no motion law"):
+        cm.explore_follower(["cycloid"])
+    with pytest.raises(cm.InputError, match="nothing to choose from"):
+        cm.explore_follower([])
+
+
+def test_its_page_is_small(figure: LiveFigure, tmp_path: Path) -> None:
+    assert figure.save(tmp_path / "follower.html").stat().st_size <= MOST_BYTES
+
+
+def test_the_spring_of_a_page_moves_with_its_clock(figure: LiveFigure) -> None:
+    (_, _, spring, _) = panel_of(figure, "The cam moves")["lines"]
+    given = {
+        "description": figure.description,
+        "line": spring,
+        "settings": figure.settings,
+        "clocks": [0.1, 0.7, 2.0],
+    }
+    page = node.run(TRACED, given)
+    for clock, points in zip(given["clocks"], page, strict=True):
+        x, y, _ = np.transpose(points)
+        places = np.linspace(0, 1, len(points))
+        assert x == pytest.approx(figure._now[spring["x"]](places, clock))
+        assert y == pytest.approx(figure._now[spring["y"]](places, clock), abs=1e-12)
+    assert page[0][0] != page[1][0] != page[2][0]
