@@ -113,7 +113,8 @@ class _Drawn:
     def _draw_lines(self, then: Functions | None) -> None:
         for line in self.panel["lines"]:
             if line["role"] == "area":
-                shade = self.ax.fill_between(*_sampled(line, self.now), alpha=0.25, linewidth=0)
+                curve = _sampled(line, self.now, self.clock)
+                shade = self.ax.fill_between(*curve, alpha=0.25, linewidth=0)
                 shade.set_color(colour(line["colour"]))
                 continue
             is_own = line["role"] == "own"
