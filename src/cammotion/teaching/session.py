@@ -211,14 +211,16 @@ def progress() -> Progress:
 
 
 def _judge(number: str, answer: Any) -> Feedback:
-    verdict = find_exercise(number).judge(answer, _SESSION.machine)
+    exercise = find_exercise(number)
+    verdict = exercise.judge(answer, _SESSION.machine)
     if GRADING in os.environ:
         if verdict.state != "right":
             raise AssertionError(f"{number}: {verdict.text}")
         return Unseen(number, verdict)
     if verdict.state != "open":
         _SESSION.note(number, answer, verdict)
-    return Feedback(number, verdict, _SESSION.store.complaint)
+    shown = exercise.show(answer, _SESSION.machine)
+    return Feedback(number, verdict, _SESSION.store.complaint, shown)
 
 
 def _letter(exercise: Exercise, record: Record) -> str:
