@@ -16,8 +16,7 @@ from cammotion.quantities import shorten
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, short_name
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, is_rounded, is_same
-from cammotion.teaching.shown.choosing import show_answer
-from cammotion.teaching.shown.frame import Shown, Shows
+from cammotion.teaching.shown.frame import Shows
 
 State = Literal["open", "right", "wrong"]
 GoingOn = Callable[[MillAndDie, float], float]
@@ -85,10 +84,6 @@ class Exercise:
             text = f"This cannot be read as an answer. What is asked for is {self.wanted}."
             return Verdict("wrong", text, NO_ANSWER)
         return Verdict("wrong", fault, short_name(fault)) if fault else Verdict("right", self.right)
-
-    def show(self, answer: Any, machine: MillAndDie) -> Shown | None:  # noqa: ARG002
-        """Return what an answer would do in a machine, None where nothing shows it; never raise."""
-        return None
 
     @property
     def wanted(self) -> str:
@@ -176,18 +171,6 @@ class NumberExercise(Exercise):
     def solution(self, machine: MillAndDie) -> float:
         """Return the right number for a machine."""
         return float(self.answer(machine))
-
-    def show(self, answer: Any, machine: MillAndDie) -> Shown | None:
-        """Return what a number would do in a machine, None where nothing shows it; never raise."""
-        if self.shows is None:
-            return None
-        try:
-            given, right = to_number(answer, self.wanted), self.solution(machine)
-            is_right = self.judge(answer, machine).state == "right"
-            known = self.question(machine)
-            return show_answer(self.shows, machine, right if is_right else given, right, known)
-        except Exception:  # a picture may be missing, the sentence never
-            return None
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a number is wrong; "" if it is right."""

@@ -10,6 +10,7 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
+from cammotion.teaching.shown.choosing import show_answer
 from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
 from cammotion.teaching.variants import machine_for
 
@@ -219,7 +220,7 @@ def _judge(number: str, answer: Any) -> Feedback:
         return Unseen(number, verdict)
     if verdict.state != "open":
         _SESSION.note(number, answer, verdict)
-    shown = exercise.show(answer, _SESSION.machine)
+    shown = show_answer(exercise, answer, _SESSION.machine)
     return Feedback(number, verdict, _SESSION.store.complaint, shown)
 
 

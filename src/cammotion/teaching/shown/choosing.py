@@ -3,9 +3,11 @@
 import math
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.shown.frame import Shown, Shows
+from cammotion.teaching.exercise import Exercise, NumberExercise, to_number
+from cammotion.teaching.shown.frame import Shown
 
 _NEAREST = 0.01  # so near to the right answer nothing is to be seen
 _FARTHEST = 1000.0
@@ -14,30 +16,41 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 _TEXT = re.compile(r"<text[^>]*>([^<]*)</text>")
 
 
-def show_answer(
-    shows: Shows, machine: MillAndDie, given: float, right: float, question: str
-) -> Shown | None:
-    """Return what an answer would do; None for an absurd one, and where nothing would be seen.
+def show_answer(exercise: Exercise, answer: Any, machine: MillAndDie) -> Shown | None:
+    """Return what an answer of any type would do in a machine; never raise.
 
-    Also None where the picture would hold the right number, though neither `question` nor the
-    answer does.
+    None for an exercise that shows nothing, for what is no number or an absurd one, and where
+    nothing would be seen. A right answer that is rounded is shown as if it were not.
     """
-    ratio = given / right
-    if not 1 / _FARTHEST < ratio < _FARTHEST or 0 < abs(ratio - 1) < _NEAREST:
+    if not isinstance(exercise, NumberExercise) or exercise.shows is None:
         return None
-    shown = shows(machine, given)
-    if shown is None or given == right:
-        return shown
-    known = [given, *numbers_in(question)]
-    told = [
-        value
-        for value in numbers_in(" ".join([shown.line, *_TEXT.findall(shown.svg)]))
-        if math.isclose(value, right, rel_tol=_ROUNDED)
-        and not any(math.isclose(value, other, rel_tol=_ROUNDED) for other in known)
-    ]
-    return None if told else shown
+    try:
+        given, right = to_number(answer, exercise.wanted), exercise.solution(machine)
+        if exercise.judge(answer, machine).state == "right":
+            return exercise.shows(machine, right)
+        ratio = given / right
+        if not 1 / _FARTHEST < ratio < _FARTHEST or abs(ratio - 1) < _NEAREST:
+            return None
+        shown = exercise.shows(machine, given)
+        known = [given, *numbers_in(exercise.question(machine))]
+        return None if shown is None or tells(shown, right, known) else shown
+    except Exception:  # a picture may be missing, the sentence never
+        return None
+
+
+def tells(shown: Shown, right: float, known: list[float]) -> bool:
+    """Tell whether the right number stands in line or picture, though it is not known already."""
+    written = numbers_in(" ".join([shown.line, *_TEXT.findall(shown.svg)]))
+    return any(
+        _is_near(number, right) and not any(_is_near(number, other) for other in known)
+        for number in written
+    )
 
 
 def numbers_in(text: str) -> Iterator[float]:
     """Yield the numbers that stand in a text, without their signs."""
     return map(float, _NUMBER.findall(text))
+
+
+def _is_near(number: float, other: float) -> bool:
+    return math.isclose(number, other, rel_tol=_ROUNDED)

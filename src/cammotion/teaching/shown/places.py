@@ -34,8 +34,8 @@ def place_of_die(machine: MillAndDie, x: float) -> Shown | None:
         return None
     depth = machine.stroke_mm * float(LAWS["cycloidal"](x))
     room = machine.limit_mm - depth
-    if depth > machine.wait_mm:
-        said = f"the die is {depth - machine.wait_mm:.1f} mm in the mill, which moves: it strikes."
+    if depth > machine.wait_mm + ROUNDING:
+        said = f"the die is {depth - machine.wait_mm:.2g} mm in the mill, which moves: it strikes."
     elif room < -ROUNDING:
         said = "the die is above the rim, but by less than the margin."
     elif room < ROUNDING:
@@ -109,7 +109,7 @@ def _draw_die_at(machine: MillAndDie, depth_mm: float, line: str, off_mm: float 
     half = _DIE_MM * scale / 2
     _draw_die(frame, half, bottom)
     stop = y(machine.wait_mm if off_mm else floor)
-    if bottom > stop:
+    if bottom > stop + ROUNDING:
         frame.alarm(_HALF - half, stop, 2 * half, bottom - stop)
     frame.line([(_BESIDE - 8, bottom), (_HALF - half, bottom)], DIE, 1, "4 3")
     frame.text(_MARGIN, bottom + 4, f"die: {depth_mm:.1f} mm", DIE_TEXT)

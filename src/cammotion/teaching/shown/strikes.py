@@ -38,7 +38,9 @@ def find_strike(machine: MillAndDie, die: Motion) -> Strike | None:
     if worst is None or worst.excess_mm < ROUNDING:
         return None
     depth, angle = machine.limit_mm + worst.excess_mm, worst.angle_deg % DEG_PER_TURN
-    return Strike(depth, angle, depth > machine.wait_mm, angle < machine.mill_angle_deg / 2)
+    return Strike(
+        depth, angle, depth > machine.wait_mm + ROUNDING, angle < machine.mill_angle_deg / 2
+    )
 
 
 def die_from(machine: MillAndDie, start_deg: float, way_deg: float, work_deg: float) -> Motion:

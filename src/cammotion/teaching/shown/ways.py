@@ -107,8 +107,8 @@ def _tell_depth(machine: MillAndDie, way_mm: float, head: str) -> str:
 
 def _tell_height(machine: MillAndDie, depth_mm: float, look_deg: float) -> str:
     head = f"After {look_deg:g} degrees, when the mill gets going, the die"
-    if depth_mm > machine.wait_mm:
-        return f"{head} is still {depth_mm - machine.wait_mm:.1f} mm below the rim: it strikes."
+    if depth_mm > machine.wait_mm + ROUNDING:
+        return f"{head} is still {depth_mm - machine.wait_mm:.2g} mm below the rim: it strikes."
     if depth_mm > machine.limit_mm + ROUNDING:
         return f"{head} is out of the pocket, but by less than the margin."
     if depth_mm > machine.limit_mm - ROUNDING:
