@@ -127,7 +127,7 @@ def test_any_number_breaks_nothing(exercise: NumberExercise) -> None:
         right = exercise.solution(machine)
         for times in np.geomspace(1e-4, 1e4, 82):
             shown = show_answer(exercise, float(right * times), machine)
-            assert shown is None or 0.999e-3 < times < 1.001e3
+            assert shown is None or 1.99e-3 < times < 501
             if shown:  # it is not an error that keeps a picture away
                 exercise.shows(machine, float(right * times))
                 assert_texts_keep_apart(shown)

@@ -10,7 +10,7 @@ from cammotion.teaching.exercise import Exercise, NumberExercise, to_number
 from cammotion.teaching.shown.frame import Shown
 
 _NEAREST = 0.01  # so near to the right answer nothing is to be seen
-_FARTHEST = 1000.0
+_FARTHEST = 500.0  # what is a unit off, like mm for m, is no machine any more
 _ROUNDED = 0.012  # a number so near to the right one might be taken for it
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 _TEXT = re.compile(r"<text[^>]*>([^<]*)</text>")
