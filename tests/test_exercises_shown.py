@@ -99,6 +99,15 @@ def test_the_right_answer_fits_however_it_is_rounded(exercise: NumberExercise) -
 
 
 @each_shown
+def test_what_lacks_digits_alone_is_not_shown_as_wrong(exercise: NumberExercise) -> None:
+    for machine in MACHINES:
+        answer = float(f"{exercise.solution(machine):.2g}")
+        verdict = exercise.judge(answer, machine)
+        if verdict.state == "wrong" and "so few digits" in verdict.text:
+            assert show_answer(exercise, answer, machine) is None
+
+
+@each_shown
 def test_a_wrong_answer_never_fits(exercise: NumberExercise) -> None:
     for _, answer, shown in wrong(exercise.number):
         assert not re.search(FITS, shown.line), answer

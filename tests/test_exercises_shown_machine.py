@@ -55,6 +55,7 @@ def assert_strikes(shown: Shown, machine: MillAndDie, built: cm.TimingDiagram) -
         angle, depth = map(float, found.groups())
         assert built.position_mm("die", angle) == pytest.approx(depth, abs=0.1)
         assert 0 < built.position_mm("mill", angle) < machine.pitch_mm
+        assert ("of the next turn" in shown.line) == (angle < built["die"].moves[0].from_deg)
 
 
 NO_ROOM = "more than a turn"

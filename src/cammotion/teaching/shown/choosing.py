@@ -7,6 +7,7 @@ from typing import Any
 
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Exercise, NumberExercise, to_number
+from cammotion.teaching.rounding import FEWEST, is_rounded
 from cammotion.teaching.shown.frame import Shown
 
 _NEAREST = 0.01  # so near to the right answer nothing is to be seen
@@ -30,6 +31,8 @@ def show_answer(exercise: Exercise, answer: Any, machine: MillAndDie) -> Shown |
             return exercise.shows(machine, right)
         ratio = given / right
         if not 1 / _FARTHEST < ratio < _FARTHEST or abs(ratio - 1) < _NEAREST:
+            return None
+        if is_rounded(given, right, FEWEST):  # right, but for the digits that are missing
             return None
         shown = exercise.shows(machine, given)
         known = [given, *numbers_in(exercise.question(machine))]
