@@ -15,12 +15,16 @@ from findings import Finding, percentile_95, say
 from package import seconds_of
 
 import cammotion as cm
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.shown.choosing import show_answer
 from cammotion.teaching.store import FILE
+from cammotion.teaching.variants import machine_for
 
 MS = 1000
 ROUNDS = 20
-CHECK_MS, PROGRESS_MS = 50, 100
+CHECK_MS, PROGRESS_MS, SHOWN_MS = 50, 100, 100
 PREDICTIONS = 200
 KINDS = ("right", "wrong", "odd")
 ODD: list[Any] = [None, "x", "4.15 m/s2", float("nan"), [1.0] * 1000, np.zeros(5), object(), 1j]
@@ -47,6 +51,32 @@ def measure_exercises() -> list[Finding]:
         ),
         Finding("progress, median", median(progress), PROGRESS_MS, "ms"),
     ]
+
+
+def measure_shown() -> list[Finding]:
+    """Draw what wrong answers would do, in new machines of 20 learners, their solves included."""
+    times: dict[str, list[float]] = {}
+    for count in range(ROUNDS):
+        for number, exercise in EXERCISES.items():
+            if getattr(exercise, "shows", None):
+                known, machine = (machine_for(f"learner {count}") for _ in range(2))
+                for answer in make_answers("wrong", exercise.solution(known)):
+                    draw = partial(draw_answer, exercise, answer, machine)
+                    times.setdefault(number, []).append(MS * seconds_of(draw))
+    for number, spent in times.items():
+        say(f"{number}: median {median(spent):.1f} ms, largest {max(spent):.1f} ms")
+    spent = [time for each in times.values() for time in each]
+    say(f"{len(spent)} answers to {len(times)} exercises")
+    return [
+        Finding("what an answer would do, median", median(spent), SHOWN_MS, "ms"),
+        Finding("what an answer would do, largest", max(spent), SHOWN_MS, "ms"),
+    ]
+
+
+def draw_answer(exercise: Exercise, answer: Any, machine: MillAndDie) -> str:
+    """Return the HTML of what an answer would do, "" where nothing is shown."""
+    shown = show_answer(exercise, answer, machine)
+    return shown.html if shown else ""
 
 
 @contextmanager

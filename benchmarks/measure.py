@@ -11,7 +11,7 @@ from collections.abc import Callable
 from accessibility import measure_accessibility
 from animation import measure_animation
 from curves import measure_factors, measure_lines
-from exercises import measure_exercises
+from exercises import measure_exercises, measure_shown
 from findings import Finding
 from laws import measure_first_use, measure_laws, measure_rival
 from limits import measure_limits
@@ -36,6 +36,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "overlap": measure_overlap,
     "round-trip": measure_round_trips,
     "setup": measure_setup,
+    "shown": measure_shown,
     "test": measure_test,
 }
 ROW = "{:<72} {:>10} {:>16}  {}"

@@ -16,6 +16,7 @@ from cammotion.quantities import shorten
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, short_name
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, is_rounded, is_same
+from cammotion.teaching.shown.frame import Shows
 
 State = Literal["open", "right", "wrong"]
 GoingOn = Callable[[MillAndDie, float], float]
@@ -145,7 +146,7 @@ class NumberExercise(Exercise):
 
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
     `goes_on_from` says how it comes out of earlier answers, by their numbers, and `carried` what
-    it then is with their slips; see `link`.
+    it then is with their slips; see `link`. `shows` draws what a number would do in the machine.
     """
 
     unit: str
@@ -154,6 +155,7 @@ class NumberExercise(Exercise):
     tolerance: float = 0.004
     goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
     carried: tuple[Slip, ...] = ()
+    shows: Shows | None = None
 
     @property
     def wanted(self) -> str:

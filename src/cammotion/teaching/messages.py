@@ -6,6 +6,7 @@ from html import escape
 from typing import Any
 
 from cammotion.teaching.exercise import State, Verdict
+from cammotion.teaching.shown.frame import Shown
 from cammotion.teaching.store import Record, count
 
 # Dark text on a light ground, in every theme; the word says what the colour says.
@@ -57,11 +58,12 @@ class Question(Card):
 
 @dataclass(frozen=True, repr=False)
 class Feedback(Card):
-    """What is said of an answer."""
+    """What is said of an answer, and shown of what it would do."""
 
     number: str
     verdict: Verdict
     note: str = ""
+    shown: Shown | None = None
 
     @property
     def is_right(self) -> bool:
@@ -71,14 +73,19 @@ class Feedback(Card):
     @property
     def text(self) -> str:
         """The plain text."""
-        return " ".join(filter(None, [*self._parts, self.note]))
+        return " ".join(filter(None, [*self._parts, self._line, self.note]))
 
     @property
     def html(self) -> str:
         """The HTML; a screen reader reads it out when it appears."""
         head, *rest = map(escape, self._parts)
         note = f"<div><small>{escape(self.note)}</small></div>" if self.note else ""
-        return box(self.verdict.state, f"<strong>{head}</strong> {' '.join(rest)}{note}")
+        shown = f"{self.shown.html}<div>{escape(self._line)}</div>" if self.shown else ""
+        return box(self.verdict.state, f"<strong>{head}</strong> {' '.join(rest)}{shown}{note}")
+
+    @property
+    def _line(self) -> str:
+        return self.shown.line if self.shown else ""
 
     @property
     def _parts(self) -> Sequence[str]:

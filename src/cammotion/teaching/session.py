@@ -10,6 +10,7 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
+from cammotion.teaching.shown.choosing import show_answer
 from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
 from cammotion.teaching.variants import machine_for
 
@@ -211,14 +212,16 @@ def progress() -> Progress:
 
 
 def _judge(number: str, answer: Any) -> Feedback:
-    verdict = find_exercise(number).judge(answer, _SESSION.machine)
+    exercise = find_exercise(number)
+    verdict = exercise.judge(answer, _SESSION.machine)
     if GRADING in os.environ:
         if verdict.state != "right":
             raise AssertionError(f"{number}: {verdict.text}")
         return Unseen(number, verdict)
     if verdict.state != "open":
         _SESSION.note(number, answer, verdict)
-    return Feedback(number, verdict, _SESSION.store.complaint)
+    shown = show_answer(exercise, answer, _SESSION.machine)
+    return Feedback(number, verdict, _SESSION.store.complaint, shown)
 
 
 def _letter(exercise: Exercise, record: Record) -> str:

@@ -1,8 +1,22 @@
 """Exercises of notebook 01, who moves when."""
 
-from cammotion.machine.kinematics import DEG_PER_TURN, SECONDS_PER_HOUR, cycle_time, indexing_time
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    SECONDS_PER_HOUR,
+    cycle_time,
+    indexing_time,
+    peak_acceleration,
+)
+from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.turns import way_after, work_in_turn
+from cammotion.teaching.shown.ways import peak_of_die
+
+
+def _mill_peak(m: MillAndDie) -> float:
+    return float(peak_acceleration(m.pitch_mm, m.mill_angle_deg, m.rate_per_hour))
+
 
 EXERCISES = (
     NumberExercise(
@@ -14,6 +28,7 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.die_angle_deg,
+        shows=way_after(),
         right=(
             "Mill and work come first, and the die has to do with what is left. This subtraction "
             "decides how hard it will be pushed."
@@ -53,6 +68,7 @@ EXERCISES = (
         ),
         unit="s",
         answer=lambda m: indexing_time(m.work_deg, m.rate_per_hour),
+        shows=work_in_turn,
         right=(
             "If the work needs this time, to heat or to glue, then the dwell cannot stay the same "
             "when the machine is to run faster."
@@ -100,6 +116,7 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / m.die_angle_deg) ** 2,
+        shows=peak_of_die("With this ratio", peak=lambda m, ratio: ratio * _mill_peak(m)),
         right=(
             "The angle counts twice and the stroke once. That is why a short way can be the harder "
             "one."

@@ -17,6 +17,7 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.ways import peak_of_die
 
 FASTER = 400  # pieces/h more, in 02.4
 ANGLE_FACTOR = 1.3  # in 02.5
@@ -107,6 +108,7 @@ EXERCISES = (
         ),
         unit="m/s²",
         answer=_peak,
+        shows=peak_of_die(),
         right="Times the mass of the die this is the force that the cam has to bear, twice a move.",
         slips=_PEAK_SLIPS,
         hints=(
@@ -191,6 +193,7 @@ EXERCISES = (
         ),
         unit="N",
         answer=lambda m: m.die_mass_kg * _peak(m),
+        shows=peak_of_die("With this force", peak=lambda m, force: force / m.die_mass_kg),
         right="The force scales as the acceleration does: what halves the one halves the other.",
         slips=(
             Slip(
@@ -227,6 +230,11 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: _ratio(m) ** 2,
+        shows=peak_of_die(
+            "With this factor",
+            peak=lambda m, factor: factor * _peak(m),
+            rate_per_hour=lambda m: m.rate_per_hour + FASTER,
+        ),
         right="A little more output is paid for twice. Ask for this before you turn up a rate.",
         slips=(
             Slip(

@@ -7,6 +7,9 @@ from cammotion.machine.kinematics import DEG_PER_TURN, peak_acceleration
 from cammotion.teaching.example import QUIET_SHARE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.places import mill_before_stop, place_of_die
+from cammotion.teaching.shown.turns import way_after, widened_way
+from cammotion.teaching.shown.ways import peak_of_die
 
 IN_DEGREES = (
     "This comes out if the sine counts in degrees. 2 pi x is in radians: let the sine count in "
@@ -51,6 +54,7 @@ EXERCISES = (
         ),
         unit="mm",
         answer=_quiet_way_mm,
+        shows=mill_before_stop(lambda m: m.quiet_deg),
         right="Not a hundredth of the way in a tenth of the time: this is where overlap lives.",
         slips=(
             Slip(
@@ -101,6 +105,7 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.overlapped_deg,
+        shows=way_after(quiet=True),
         right="A first improvement that costs nothing: only the mill's effective angle is blocked.",
         slips=(
             Slip(
@@ -144,6 +149,7 @@ EXERCISES = (
         ),
         unit="",
         answer=_place,
+        shows=place_of_die,
         right="The unknown stands inside a sine: there is an answer, but no formula for it.",
         slips=(
             Slip(
@@ -197,6 +203,7 @@ EXERCISES = (
             "03.2": lambda m, degrees: degrees / (1 - _place(m)),
             "03.3": lambda m, x: m.overlapped_deg / (1 - x),
         },
+        shows=widened_way,
         right="The move's first part costs nothing, since nobody is in the way of it.",
         slips=(
             Slip(
@@ -258,6 +265,13 @@ EXERCISES = (
         unit="",
         answer=lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 2,
         goes_on_from={"03.4": lambda m, angle: (angle / m.die_angle_deg) ** 2},
+        shows=peak_of_die(
+            "With a peak so many times smaller",
+            peak=lambda m, times: (
+                peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour) / times
+            ),
+            angle_deg=lambda m: m.widest_deg,
+        ),
         right="The inverse square again. No part of the machine was made better to get it.",
         slips=(
             Slip(

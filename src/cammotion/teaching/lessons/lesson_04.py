@@ -7,6 +7,9 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.bars import turn_on_screen
+from cammotion.teaching.shown.places import depth_before_down
+from cammotion.teaching.shown.turns import rest_in_turn
 
 BEFORE_DOWN_DEG = 30  # in 04.1
 TURN_S = 9  # in 04.2
@@ -32,6 +35,7 @@ EXERCISES = (
         ),
         unit="mm",
         answer=lambda m: _depth(m, m.widest_deg),
+        shows=depth_before_down(BEFORE_DOWN_DEG),
         right="You can now stop the animation anywhere and say beforehand what it will show.",
         slips=(
             Slip(
@@ -77,6 +81,7 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: (TURN_S / cycle_time(m.rate_per_hour)) ** 2,
+        shows=turn_on_screen(TURN_S),
         right="That is why slow motion makes every machine look gentle.",
         slips=(
             Slip(
@@ -116,6 +121,7 @@ EXERCISES = (
         unit="ms",
         answer=lambda m: 1000 * indexing_time(_rest_deg(m), m.rate_per_hour),
         tolerance=0.01,
+        shows=rest_in_turn,
         right="The overlapped die is hardly ever still, and that is what makes it gentle.",
         slips=(
             Slip(

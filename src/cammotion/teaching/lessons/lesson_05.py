@@ -17,6 +17,8 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.bars import angle_with_peak_of
+from cammotion.teaching.shown.ways import peak_of_die
 
 _CYCLOIDAL = LAWS["cycloidal"]
 _p = sympy.Symbol("p")
@@ -82,6 +84,7 @@ EXERCISES = (
         ),
         unit="m/s²",
         answer=_steady,
+        shows=peak_of_die(law="constant acceleration"),
         right="No law from rest to rest can do with less. Notebook 06 has the proof.",
         slips=(
             Slip(
@@ -228,6 +231,7 @@ EXERCISES = (
         unit="deg",
         answer=lambda m: m.die_angle_deg / math.sqrt(_kept()),
         goes_on_from={"05.2": lambda m, percent: m.die_angle_deg / math.sqrt(1 - percent / 100)},
+        shows=angle_with_peak_of("modified trapezoid"),
         right="So a better law is worth a few degrees. Overlap has found dozens.",
         slips=(
             Slip(
@@ -386,6 +390,9 @@ EXERCISES = (
         ),
         unit="m/s²",
         answer=lambda m: _overlapped(m, "modified sine"),
+        shows=peak_of_die(
+            angle_deg=lambda m: _widest(m, LAWS["modified sine"]), law="modified sine"
+        ),
         right="Each law has its own widest angle: one that sets off gently may set off earlier.",
         slips=(
             Slip(

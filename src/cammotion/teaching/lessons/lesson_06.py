@@ -16,6 +16,8 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.bars import push_of_force
+from cammotion.teaching.shown.ways import peak_of_die, push_up
 
 SCREW_LEAD_MM = 10
 MOTOR_INERTIA = 1e-4
@@ -236,6 +238,11 @@ EXERCISES = (
         ),
         unit="m/s²",
         answer=_least,
+        shows=push_up(
+            half_deg=lambda m: _turn_deg(m) / 2,
+            seconds_per_deg=_seconds,
+            look_deg=lambda m: m.overlapped_deg,
+        ),
         right="No motion whatever of this die can do with less, cam or not.",
         slips=(
             Slip(
@@ -325,6 +332,11 @@ EXERCISES = (
         answer=lambda m: _cycloidal(m) / _least(m),
         goes_on_from={"06.3": lambda m, least: _cycloidal(m) / least},
         tolerance=0.002,  # with 0.004 the slip of pi/2 would be right for the source
+        shows=peak_of_die(
+            "With this ratio",
+            peak=lambda m, ratio: ratio * _least(m),
+            angle_deg=lambda m: m.widest_deg,
+        ),
         right="This factor is all that is left to gain, and you now know that it is all.",
         slips=(
             Slip(
@@ -394,6 +406,7 @@ EXERCISES = (
         ),
         unit="N",
         answer=_force,
+        shows=push_of_force(_ACCELERATION, lambda m: m.die_mass_kg + _added_mass()),
         right="Motor and screw count for more than the die: most of the force is for themselves.",
         slips=(
             Slip(

@@ -1,0 +1,102 @@
+"""An answer that is compared: a bar for what is asked for, and one for what the answer makes."""
+
+import math
+
+from cammotion.machine.kinematics import cycle_time, peak_acceleration
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.shown.frame import (
+    DIE,
+    DIE_TEXT,
+    GREY,
+    INK,
+    WIDTH,
+    Frame,
+    Measure,
+    Shown,
+    Shows,
+)
+from cammotion.teaching.shown.strikes import ROUNDING
+
+_LEFT, _LONGEST = 16, WIDTH - 32
+_FARTHEST = 12.0  # so many times the shorter bar a bar is drawn at most
+
+
+def angle_with_peak_of(law: str) -> Shows:
+    """Show an answer in deg as the angle of a cycloidal die, by its peak and that of a law."""
+
+    def show(machine: MillAndDie, angle_deg: float) -> Shown:
+        asked, made = (
+            float(peak_acceleration(machine.stroke_mm, angle, machine.rate_per_hour, with_law))
+            for angle, with_law in ((machine.die_angle_deg, law), (angle_deg, "cycloidal"))
+        )
+        said = _compare(
+            made,
+            asked,
+            f"is still pushed harder than the {law}.",
+            f"is pushed just as hard as the {law}.",
+            f"is pushed less than the {law}: it does not need all of them.",
+        )
+        names = (
+            f"peak of the {law} over {machine.die_angle_deg:g} deg",
+            f"peak of the cycloid over {angle_deg:.4g} deg",
+        )
+        return _draw_bars(names, (asked, made), f"Over so many degrees the cycloid {said}")
+
+    return show
+
+
+def turn_on_screen(turn_s: float) -> Shows:
+    """Show an answer as the factor between accelerations, by how long a turn is on the screen."""
+
+    def show(machine: MillAndDie, factor: float) -> Shown:
+        made = math.sqrt(factor) * float(cycle_time(machine.rate_per_hour))
+        about = f"about {float(f'{made:.1g}'):g} s"
+        said = _compare(
+            made,
+            turn_s,
+            f"last longer than it does, {about}.",
+            "last as long as the question says.",
+            f"be over sooner than it is, in {about}.",
+        )
+        own = f"by your factor: {about}" if made != turn_s else "by your factor"
+        names = (f"a turn on the screen: {turn_s:g} s", own)
+        return _draw_bars(
+            names, (turn_s, made), f"With this factor a turn on the screen would {said}"
+        )
+
+    return show
+
+
+def push_of_force(asked: float, mass_kg: Measure) -> Shows:
+    """Show an answer in N by the acceleration that it gives to a mass, beside that asked for."""
+
+    def show(machine: MillAndDie, force: float) -> Shown:
+        made = force / mass_kg(machine)
+        said = _compare(made, asked, "harder than", "just as hard as", "not as hard as")
+        names = (f"asked for: {asked:g} m/s²", "what your force gives to die and motor")
+        return _draw_bars(
+            names, (asked, made), f"This force accelerates die and motor {said} it has to."
+        )
+
+    return show
+
+
+def _compare(made: float, asked: float, more: str, same: str, less: str) -> str:
+    if math.isclose(made, asked, rel_tol=ROUNDING):
+        return same
+    return more if made > asked else less
+
+
+def _draw_bars(names: tuple[str, str], values: tuple[float, float], line: str) -> Shown:
+    """Draw a bar under each name; a cut in it says that it is longer than can be drawn."""
+    frame, most = Frame(), min(max(values), _FARTHEST * min(values))
+    rows = zip(names, values, (GREY, DIE), (INK, DIE_TEXT), strict=True)
+    for row, (name, value, fill, ink) in enumerate(rows):
+        top, length = 40 + 78 * row, _LONGEST * min(value, most) / most
+        frame.text(_LEFT, top - 10, name, ink)
+        frame.box(_LEFT, top, length, 28, fill)
+        if value > most:
+            for back in (30, 38):
+                end = _LEFT + length - back
+                frame.line([(end, top + 32), (end + 8, top - 4)], "#fff", 3)
+    return frame.show(line)
