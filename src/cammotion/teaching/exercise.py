@@ -47,7 +47,10 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Slip:
-    """A known way to go wrong: what it leads to, a number or an expression, and the reason."""
+    """A known way to go wrong: what it leads to, a number or an expression, and the reason.
+
+    NaN stands for a number where nobody would go that way.
+    """
 
     answer: Callable[[MillAndDie], Any]
     reason: str
@@ -194,7 +197,11 @@ class NumberExercise(Exercise):
         """Return the slips by what they lead to, but for those that lead to the right number."""
         right = self.solution(machine)
         found = [(float(slip.answer(machine)), slip.reason) for slip in self.slips]
-        return {value: reason for value, reason in reversed(found) if not is_same(value, right)}
+        return {
+            value: reason
+            for value, reason in reversed(found)
+            if math.isfinite(value) and not is_same(value, right)
+        }
 
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""

@@ -101,6 +101,7 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.overlapped_deg,
+        goes_on_from={"01.1": lambda m, degrees: degrees + m.quiet_deg},
         right="A first improvement that costs nothing: only the mill's effective angle is blocked.",
         slips=(
             Slip(
