@@ -12,7 +12,8 @@ import sympy
 
 from cammotion.quantities import Floats, shorten
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import Exercise, OddAnswerError, Slip, to_number
+from cammotion.teaching.exercise import Exercise, Slip
+from cammotion.teaching.reading import OddAnswerError, to_number
 from cammotion.teaching.reasons import COMMON_RATIOS
 
 _PLACES = 24
