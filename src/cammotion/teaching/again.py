@@ -9,7 +9,7 @@ import math
 import re
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
@@ -95,7 +95,7 @@ def _spoken_of(asked: str, machine: MillAndDie) -> Iterator[str]:
         yield number
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Fresh:
     """The numbers that an exercise asks about now, and whether they have counted as right."""
 
@@ -138,7 +138,7 @@ class Practice:
     def count(self, number: str, verdict: Verdict) -> str:
         """Count an answer for fresh numbers, and say how many are right in a row."""
         fresh, before, row = self._now[number], 0, 0
-        is_right, counts_now = verdict.state == "right", not self._now[number].has_counted
+        is_right = verdict.state == "right"
         who = fresh.machine.who.casefold()
 
         def change(record: Record) -> Record:
@@ -146,14 +146,15 @@ class Practice:
             kept = _kept(record, who)
             before = row = kept.get("row", 0)
             if is_right:
-                row += counts_now
+                row += not fresh.has_counted
             elif verdict.reason != NO_ANSWER:  # a slip of the pen is no wrong answer
                 row = 0
             longest = max(row, kept.get("longest", 0))
             return {"again": {**kept, "who": who, "row": row, "longest": longest}}
 
         self._store.change("exercises", number, change)
-        fresh.has_counted = fresh.has_counted or is_right
+        if is_right:
+            self._now[number] = replace(fresh, has_counted=True)
         return _said_right(number, row) if is_right else _said_wrong(number, before, row)
 
 
