@@ -17,7 +17,7 @@ from cammotion.teaching import session
 from cammotion.teaching.classroom.collect import read_class
 from cammotion.teaching.classroom.page import write
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Slip
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.store import FILE, GRADING
 from cammotion.teaching.variants import machine_for
@@ -306,3 +306,19 @@ def test_no_number_is_asked_for_that_a_wrong_way_leads_to() -> None:
     assert "0 is not between 0 and 360 deg" in fresh_numbers.why_not(exercise, nowhere)
     doubled = MillAndDie(mill_angle_deg=100, work_deg=0)
     assert "a wrong way leads to 130" in fresh_numbers.why_not(exercise, doubled)
+
+
+def test_no_number_is_asked_for_that_four_digits_do_not_tell_from_a_wrong_one() -> None:
+    def beside(share: float) -> NumberExercise:
+        return NumberExercise(
+            number="00.0",
+            question=lambda _: "How much?",
+            right="It is.",
+            hints=("Look.", "Think.", "Count."),
+            unit="s",
+            answer=lambda _: 3,
+            slips=(Slip(lambda _: 3 * (1 + share), "Beside it."),),
+        )
+
+    assert "a wrong way leads to 3" in fresh_numbers.why_not(beside(0.0005), machine_for())
+    assert fresh_numbers.why_not(beside(0.002), machine_for()) == ""

@@ -185,6 +185,36 @@ def test_what_carries_nothing() -> None:
 
 
 @pytest.mark.usefixtures("work")
+def test_nothing_is_carried_from_one_learner_to_the_next_who_types_a_text() -> None:
+    cm.variant("Anna")
+    cm.check("02.1", 9)
+    mass = cm.variant("Bert").die_mass_kg
+    cm.check("02.1", "9")
+    assert "with your" not in cm.check("02.3", mass * 9).text
+
+
+@pytest.mark.usefixtures("work")
+def test_a_right_answer_that_was_rounded_is_not_called_wrong() -> None:
+    for who in range(40):
+        machine = cm.variant(who)
+        given = float(f"{EXERCISES['02.1'].solution(machine):.2g}")
+        later = cm.check("02.3", machine.die_mass_kg * given * 1.0001)
+        if cm.check("02.1", given).is_right and not later.is_right:
+            assert cm.check("02.3", machine.die_mass_kg * given * 1.0001).text == later.text
+            return
+    raise AssertionError("Nobody has such numbers.")
+
+
+@pytest.mark.usefixtures("work")
+def test_without_an_earlier_answer_a_ratio_is_told_first() -> None:
+    machine = cm.variant("")
+    twice = 2 * EXERCISES["03.4"].solution(machine)
+    assert "twice as much" in cm.check("03.4", twice).text
+    cm.check("03.2", 2 * EXERCISES["03.2"].solution(machine))
+    assert "with a wrong answer to 03.2. These are both ways" in cm.check("03.4", twice).text
+
+
+@pytest.mark.usefixtures("work")
 def test_a_known_slip_of_the_earlier_answer_says_more_than_its_number() -> None:
     machine = cm.variant("")
     earlier, later = EXERCISES["03.3"], EXERCISES["03.4"]
