@@ -152,9 +152,8 @@ def again(number: str) -> Question:
 
     It does so for this exercise alone, and until `ask(number)` or `variant(who)` is run. Ask again
     until three are right in a row: `check` counts them, and `progress` tells of it. The numbers
-    depend on whose turn it is and on how often it was asked again, on any computer. Raises
-    InputError for an unknown number, and for a choice, which has no numbers. While nbgrader grades
-    the numbers stay.
+    depend on who asks and how often, and are the same on any computer. Raises InputError for an
+    unknown number, and for a choice, which has no numbers. While nbgrader grades nothing changes.
 
     >>> again("01.1")
     Exercise 01.1. With fresh numbers: The mill moves over ... degrees of each turn, ...
