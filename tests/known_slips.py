@@ -120,6 +120,37 @@ def without_return(t: float, h_m: float, t_m: float) -> None:
     h_m / t_m**2 * (6 - 12 * t / t_m)
 
 
+def way(m: MillAndDie, y: Any = X) -> Any:
+    """Return the share of the stroke by the law of 02.2."""
+    p, q = m.laws.powers
+    return (q * y**p - p * y**q) / sympy.Integer(q - p)
+
+
+def speed(m: MillAndDie, y: Any = X) -> Any:
+    """Return its slope."""
+    p, q = m.laws.powers
+    return p * q * (y ** (p - 1) - y ** (q - 1)) / sympy.Integer(q - p)
+
+
+def push(m: MillAndDie, y: Any = X) -> Any:
+    """Return the slope of that."""
+    p, q = m.laws.powers
+    return p * q * ((p - 1) * y ** (p - 2) - (q - 1) * y ** (q - 2)) / sympy.Integer(q - p)
+
+
+def jolt(m: MillAndDie) -> Any:
+    """Return the slope of that, once more."""
+    p, q = m.laws.powers
+    first, second = (n * (n - 1) * (n - 2) * X ** (n - 3) for n in (p, q))
+    return (q * first - p * second) / sympy.Integer(q - p)
+
+
+def between_the_ends(m: MillAndDie) -> Any:
+    """Return a cosine that has the acceleration's values at both ends."""
+    at_start, at_end = push(m, sympy.Integer(0)), push(m, sympy.Integer(1))
+    return (at_start + at_end) / 2 + (at_start - at_end) / 2 * sympy.cos(sympy.pi * X)
+
+
 RIGHT: dict[str, Callable[[MillAndDie], float]] = {
     "01.1": die,
     "01.2": lambda m: time(m, m.work_deg),
@@ -257,25 +288,30 @@ SLIPS = [
         lambda m: 2 * math.pi * stroke(m) / 1000 / round(time(m, die(m)), 2) ** 2,
         "rounded",
     ),
-    KnownSlip("02.2", "no chain rule", lambda _: h_m * (6 - 12 * X), "chain rule"),
-    KnownSlip("02.2", "chain rule once", lambda _: h_m / t_m * (6 - 12 * X), "once"),
-    KnownSlip("02.2", "velocity", lambda _: h_m / t_m * (6 * X - 6 * X**2), "velocity"),
-    KnownSlip("02.2", "displacement", lambda _: h_m * (3 * X**2 - 2 * X**3), "displacement"),
-    KnownSlip("02.2", "jerk", lambda _: -12 * h_m / t_m**3, "jerk"),
-    KnownSlip("02.2", "sign", lambda _: h_m / t_m**2 * (12 * X - 6), "sign"),
-    KnownSlip("02.2", "left in x", lambda _: h_m / t_m**2 * (6 - 12 * x), "contains x"),
-    KnownSlip("02.2", "t for x", lambda _: h_m / t_m**2 * (6 - 12 * t), "t/t_m"),
-    KnownSlip("02.2", "a cosine", lambda _: 6 * h_m / t_m**2 * sympy.cos(sympy.pi * X), "ends"),
+    KnownSlip("02.2", "no chain rule", lambda m: h_m * push(m), "chain rule"),
+    KnownSlip("02.2", "chain rule once", lambda m: h_m / t_m * push(m), "once"),
+    KnownSlip("02.2", "velocity", lambda m: h_m / t_m * speed(m), "velocity"),
+    KnownSlip("02.2", "displacement", lambda m: h_m * way(m), "displacement"),
+    KnownSlip("02.2", "jerk", lambda m: h_m / t_m**3 * jolt(m), "jerk"),
+    KnownSlip("02.2", "sign", lambda m: -h_m / t_m**2 * push(m), "sign"),
+    KnownSlip("02.2", "left in x", lambda m: h_m / t_m**2 * push(m, x), "contains x"),
+    KnownSlip("02.2", "t for x", lambda m: h_m / t_m**2 * push(m, t), "t/t_m"),
+    KnownSlip("02.2", "a cosine", lambda m: h_m / t_m**2 * between_the_ends(m), "ends"),
     KnownSlip(
         "02.2",
         "the cycloid's",
         lambda _: 2 * sympy.pi * h_m / t_m**2 * sympy.sin(2 * sympy.pi * X),
         "cycloid",
     ),
-    KnownSlip("02.2", "factor 2 lost", lambda _: h_m / t_m**2 * (3 - 6 * X), "half"),
-    KnownSlip("02.2", "no stroke", lambda _: (6 - 12 * X) / t_m**2, "h_m"),
-    KnownSlip("02.2", "by x", lambda _: 6 - 12 * X, "by x"),
-    KnownSlip("02.2", "peak alone", lambda _: 6 * h_m / t_m**2, "peak"),
+    KnownSlip("02.2", "factor 2 lost", lambda m: h_m / t_m**2 * push(m) / 2, "half"),
+    KnownSlip("02.2", "no stroke", lambda m: push(m) / t_m**2, "h_m"),
+    KnownSlip("02.2", "by x", push, "by x"),
+    KnownSlip(
+        "02.2", "the start alone", lambda m: h_m / t_m**2 * push(m, sympy.Integer(0)), "alone"
+    ),
+    KnownSlip(
+        "02.2", "the end alone", lambda m: h_m / t_m**2 * push(m, sympy.Integer(1)), "end alone"
+    ),
     KnownSlip("02.2", "no return", lambda _: without_return, "return"),
     KnownSlip("02.2", "a text", lambda _: "h_m/t_m**2*(6 - 12*t/t_m)", "quotes"),
     KnownSlip("02.3", "weight", lambda m: m.die_mass_kg * G, "weight"),

@@ -9,6 +9,7 @@ from collections.abc import Callable
 import numpy as np
 import sympy
 from known_slips import G, KnownSlip, die, later, peak, place, stroke, time, widest
+from test_laws import FACTORS
 
 from cammotion.teaching.example import MillAndDie
 
@@ -29,6 +30,82 @@ def hard(m: MillAndDie, angle: float, factor: float, way: float | None = None) -
 def percent_less(one: float, other: float) -> float:
     """Return by how many percent one is smaller than the other."""
     return 100 * (1 - one / other)
+
+
+def gentle(m: MillAndDie) -> float:
+    """Return Ca of the law of 05.2 with the smaller peak."""
+    return FACTORS[m.laws.compared[0]][1]
+
+
+def harsh(m: MillAndDie) -> float:
+    """Return Ca of the law of 05.2 with the larger peak."""
+    return FACTORS[m.laws.compared[1]][1]
+
+
+def jerk_more(m: MillAndDie) -> float:
+    """Return by how many percent the first law's jerk is larger."""
+    one, other = (FACTORS[name][2] for name in m.laws.compared)
+    return 100 * (one / other - 1)
+
+
+def unless(m: MillAndDie, law: str, value: float) -> float:
+    """Return what a mistake leads to; where the question is about that law there is none."""
+    return math.nan if law in m.laws.compared else value
+
+
+def of_another_law(law: str, said: str) -> KnownSlip:
+    """Take another law than the first one of 05.2; where there is no slip the answer is NaN."""
+    return KnownSlip(
+        "05.2",
+        law,
+        lambda m: unless(m, law, percent_less(FACTORS[law][1], harsh(m))),
+        f"{said}|finite",
+    )
+
+
+def than_another_law(law: str) -> KnownSlip:
+    """Take another law than the second one of 05.2."""
+    return KnownSlip(
+        "05.2",
+        f"than the {law}",
+        lambda m: unless(m, law, percent_less(gentle(m), FACTORS[law][1])),
+        f"compared with the {law.removesuffix('al')}|finite",
+    )
+
+
+def as_good_as(law: str) -> KnownSlip:
+    """Take another law than the one of 05.3 to be as good as."""
+    return KnownSlip(
+        "05.3",
+        law,
+        lambda m: unless(m, law, die(m) * math.sqrt(harsh(m) / FACTORS[law][1])),
+        f"{law}|finite",
+    )
+
+
+def fastest(m: MillAndDie) -> sympy.Rational:
+    """Return Cv in 05.4."""
+    return sympy.Rational(f"{m.laws.fastest:g}")
+
+
+def over(m: MillAndDie) -> sympy.Expr:
+    """Return what that is divided by."""
+    return 1 - p + fastest(m) * p
+
+
+def pause(m: MillAndDie) -> sympy.Rational:
+    """Return the share of the time in 06.2 in which nothing pushes."""
+    return sympy.Rational(f"{m.laws.pause:g}")
+
+
+def ramped(m: MillAndDie, counted: sympy.Expr) -> sympy.Expr:
+    """Return Ca in 06.2 if so much of the push is counted."""
+    return 2 / (1 + pause(m)) / counted
+
+
+def pushed(m: MillAndDie) -> sympy.Expr:
+    """Return how long the push lasts there."""
+    return sympy.Rational(1, 2) - pause(m) / 2
 
 
 def sine(x: float) -> float:
@@ -123,10 +200,10 @@ MOTOR_KG = 1e-4 * SCREW**2
 
 RIGHT: dict[str, Callable[[MillAndDie], float]] = {
     "05.1": lambda m: hard(m, die(m), 4),
-    "05.2": lambda _: 100 * (1 - 4 / (2 + math.pi)),
-    "05.3": lambda m: die(m) * math.sqrt((2 + math.pi) / 4),
+    "05.2": lambda m: percent_less(gentle(m), harsh(m)),
+    "05.3": lambda m: die(m) * math.sqrt(harsh(m) / gentle(m)),
     "05.5": sine_peak,
-    "06.1": lambda _: 2,
+    "06.1": lambda m: 2 * (1 - m.laws.head_start),
     "06.3": least,
     "06.4": times_least,
     "06.5": lambda m: servo(m, MOTOR_KG),
@@ -172,95 +249,96 @@ SLIPS = [
     KnownSlip("05.1", "per minute", lambda m: 3600 * hard(m, die(m), 4), "minute"),
     KnownSlip("05.1", "the mill", lambda m: hard(m, m.mill_angle_deg, 4, m.pitch_mm), "mill"),
     KnownSlip("05.1", "angle in radians", lambda m: hard(m, math.radians(die(m)), 4), "radian"),
-    # By how many percent the modified trapezoid is smaller.
+    # By how many percent the peak of one law is smaller than that of another.
     KnownSlip(
-        "05.2",
-        "of the smaller",
-        lambda _: 100 * (CYCLOID / TRAPEZOID - 1),
-        "Compare with the cycloid",
+        "05.2", "of the smaller", lambda m: 100 * (harsh(m) / gentle(m) - 1), "Compare with the"
     ),
-    KnownSlip("05.2", "as a share", lambda _: 1 - TRAPEZOID / CYCLOID, "share|percent|100"),
-    KnownSlip("05.2", "what is left", lambda _: 100 * TRAPEZOID / CYCLOID, "are left"),
-    KnownSlip("05.2", "ratio", lambda _: TRAPEZOID / CYCLOID, "what is left"),
-    KnownSlip("05.2", "ratio upside down", lambda _: CYCLOID / TRAPEZOID, "ratio|times|percent"),
-    KnownSlip("05.2", "difference", lambda _: CYCLOID - TRAPEZOID, "difference"),
-    KnownSlip("05.2", "modified sine", lambda _: percent_less(SINE, CYCLOID), "modified sine"),
-    KnownSlip("05.2", "3-4-5", lambda _: percent_less(POLYNOMIAL, CYCLOID), "polynomial|3-4-5"),
-    KnownSlip("05.2", "constant", lambda _: percent_less(4, CYCLOID), "constant|jump"),
-    KnownSlip("05.2", "harmonic", lambda _: percent_less(HARMONIC, CYCLOID), "harmonic|jump"),
-    KnownSlip("05.2", "negative", lambda _: -percent_less(TRAPEZOID, CYCLOID), "sign"),
-    KnownSlip("05.2", "of the sine", lambda _: percent_less(TRAPEZOID, SINE), "modified sine"),
-    KnownSlip(
-        "05.2",
-        "the jerk",
-        lambda _: -percent_less(4 * math.pi * TRAPEZOID, 4 * math.pi**2),
-        "jerk",
-    ),
-    # How many degrees the cycloid needs.
-    KnownSlip("05.3", "no root", lambda m: die(m) * CYCLOID / TRAPEZOID, "root|square"),
+    KnownSlip("05.2", "as a share", lambda m: 1 - gentle(m) / harsh(m), "share|percent|100"),
+    KnownSlip("05.2", "what is left", lambda m: 100 * gentle(m) / harsh(m), "are left"),
+    KnownSlip("05.2", "ratio", lambda m: gentle(m) / harsh(m), "what is left"),
+    KnownSlip("05.2", "ratio upside down", lambda m: harsh(m) / gentle(m), "ratio|times|percent"),
+    KnownSlip("05.2", "difference", lambda m: harsh(m) - gentle(m), "difference"),
+    of_another_law("modified trapezoid", "modified trapezoid"),
+    of_another_law("modified sine", "modified sine"),
+    of_another_law("3-4-5 polynomial", "polynomial|3-4-5"),
+    of_another_law("constant acceleration", "constant|jump"),
+    of_another_law("simple harmonic", "harmonic|jump"),
+    KnownSlip("05.2", "negative", lambda m: -percent_less(gentle(m), harsh(m)), "sign"),
+    than_another_law("modified sine"),
+    than_another_law("cycloidal"),
+    KnownSlip("05.2", "the jerk", jerk_more, "jerk"),
+    # How many degrees the harsher law needs.
+    KnownSlip("05.3", "no root", lambda m: die(m) * harsh(m) / gentle(m), "root|square"),
     KnownSlip(
         "05.3",
         "upside down",
-        lambda m: die(m) * math.sqrt(TRAPEZOID / CYCLOID),
+        lambda m: die(m) * math.sqrt(gentle(m) / harsh(m)),
         "more of them",
     ),
     KnownSlip(
-        "05.3",
-        "upside down, no root",
-        lambda m: die(m) * TRAPEZOID / CYCLOID,
-        "fewer degrees",
+        "05.3", "upside down, no root", lambda m: die(m) * gentle(m) / harsh(m), "fewer degrees"
     ),
-    KnownSlip(
-        "05.3",
-        "squared",
-        lambda m: die(m) * (CYCLOID / TRAPEZOID) ** 2,
-        "root",
-    ),
+    KnownSlip("05.3", "squared", lambda m: die(m) * (harsh(m) / gentle(m)) ** 2, "root"),
     KnownSlip(
         "05.3",
         "how many more",
-        lambda m: die(m) * (math.sqrt(CYCLOID / TRAPEZOID) - 1),
+        lambda m: die(m) * (math.sqrt(harsh(m) / gentle(m)) - 1),
         "in addition",
     ),
     KnownSlip(
-        "05.3", "factor", lambda _: math.sqrt(CYCLOID / TRAPEZOID), "factor|ratio|how many times"
+        "05.3",
+        "factor",
+        lambda m: math.sqrt(harsh(m) / gentle(m)),
+        "factor|ratio|how many times",
     ),
     KnownSlip(
         "05.3",
         "the percent of 05.2 added",
-        lambda m: die(m) * (1 + percent_less(TRAPEZOID, CYCLOID) / 100),
+        lambda m: die(m) * (2 - gentle(m) / harsh(m)),
         "percent|square|root",
     ),
     KnownSlip(
         "05.3",
         "half the percent added",
-        lambda m: die(m) * (1 + percent_less(TRAPEZOID, CYCLOID) / 200),
+        lambda m: die(m) * (1 + percent_less(gentle(m), harsh(m)) / 200),
         "percent",
     ),
-    KnownSlip(
-        "05.3", "modified sine", lambda m: die(m) * math.sqrt(CYCLOID / SINE), "modified sine"
-    ),
-    KnownSlip("05.3", "constant", lambda m: die(m) * math.sqrt(CYCLOID / 4), "constant"),
-    KnownSlip("05.3", "both ways", lambda m: 2 * die(m) * math.sqrt(CYCLOID / TRAPEZOID), "twice"),
+    as_good_as("modified sine"),
+    as_good_as("modified trapezoid"),
+    as_good_as("constant acceleration"),
+    KnownSlip("05.3", "both ways", lambda m: 2 * die(m) * math.sqrt(harsh(m) / gentle(m)), "twice"),
     KnownSlip("05.3", "the same", die, "larger peak"),
     KnownSlip(
-        "05.3", "third root", lambda m: die(m) * (CYCLOID / TRAPEZOID) ** (1 / 3), "jerk|root"
+        "05.3", "third root", lambda m: die(m) * (harsh(m) / gentle(m)) ** (1 / 3), "jerk|root"
     ),
     # The velocity factor with a straight line in the middle.
-    KnownSlip("05.4", "way not shared", lambda _: 2 / (1 - p), "slower, not faster"),
-    KnownSlip("05.4", "time not shared", lambda _: 2 / (1 + 2 * p), "time"),
-    KnownSlip("05.4", "upside down", lambda _: (1 + p) / 2, "upside|turned over|faster than"),
-    KnownSlip("05.4", "times 1 + p", lambda _: 2 * (1 + p), "slower|upside"),
-    KnownSlip("05.4", "times 1 - p", lambda _: 2 * (1 - p), "p = 1"),
-    KnownSlip("05.4", "mixed by time", lambda _: 2 - p, "straight line between"),
-    KnownSlip("05.4", "half", lambda _: 1 / (1 + p), "half"),
-    KnownSlip("05.4", "unchanged", lambda _: sympy.Integer(2), "depend|without the line|p = "),
+    KnownSlip("05.4", "way not shared", lambda m: fastest(m) / (1 - p), "slower, not faster"),
+    KnownSlip("05.4", "time not shared", lambda m: fastest(m) / (1 + fastest(m) * p), "time"),
+    KnownSlip(
+        "05.4", "upside down", lambda m: over(m) / fastest(m), "upside|turned over|faster than"
+    ),
+    KnownSlip("05.4", "times 1 + p", lambda m: fastest(m) * (1 + p), "slower|upside"),
+    KnownSlip("05.4", "times 1 - p", lambda m: fastest(m) * (1 - p), "p = 1"),
+    KnownSlip(
+        "05.4",
+        "mixed by time",
+        lambda m: fastest(m) * (1 - p) + p,
+        "straight line between",
+    ),
+    KnownSlip("05.4", "half", lambda m: fastest(m) / over(m) / 2, "half"),
+    KnownSlip("05.4", "unchanged", fastest, "depend|without the line|p = "),
     KnownSlip("05.4", "line takes all", lambda _: 1 / p, "two ends"),
-    KnownSlip("05.4", "squared", lambda _: 2 / (1 + p) ** 2, "squared|once"),
-    KnownSlip("05.4", "p in percent", lambda _: 2 / (1 + p / 100), "percent|share"),
-    KnownSlip("05.4", "acceleration", lambda _: 2 * sympy.pi / (1 - p**2), "acceleration"),
-    KnownSlip("05.4", "share of the way", lambda _: (1 - p) / (1 + p), "way|stroke"),
-    KnownSlip("05.4", "a line's share of the way", lambda _: 2 * p / (1 + p), "way|stroke"),
+    KnownSlip("05.4", "squared", lambda m: fastest(m) / over(m) ** 2, "squared|once"),
+    KnownSlip(
+        "05.4", "p in percent", lambda m: fastest(m) / over(m).subs(p, p / 100), "percent|share"
+    ),
+    KnownSlip("05.4", "the cycloid", lambda _: 2 / (1 + p), "Cv = 2"),
+    KnownSlip("05.4", "half the cycloid", lambda m: fastest(m) / (1 + p), "Cv = 2"),
+    KnownSlip("05.4", "ends as fast", lambda m: 1 / (p + fastest(m) * (1 - p)), "ends are slower"),
+    KnownSlip("05.4", "share of the way", lambda m: (1 - p) / over(m), "way|stroke"),
+    KnownSlip(
+        "05.4", "a line's share of the way", lambda m: fastest(m) * p / over(m), "way|stroke"
+    ),
     KnownSlip("05.4", "a line through all", lambda _: sympy.Integer(1), "depend|alone|p = "),
     # The overlap by the modified sine.
     KnownSlip(
@@ -328,44 +406,77 @@ SLIPS = [
     ),
     # The least factor of a hammer.
     KnownSlip("06.1", "at rest at both ends", lambda _: 4.0, "rest|brak|arrive"),
-    KnownSlip("06.1", "half forgotten", lambda _: 1.0, "half"),
-    KnownSlip("06.1", "half upside down", lambda _: 0.5, "one divided by|upside"),
+    KnownSlip("06.1", "half forgotten", lambda m: 1 - m.laws.head_start, "half"),
+    KnownSlip("06.1", "half upside down", lambda _: 0.5, "divided by|upside"),
+    KnownSlip(
+        "06.1", "all of it upside down", lambda m: (1 - m.laws.head_start) / 2, "quarter|divided"
+    ),
+    KnownSlip("06.1", "from rest", lambda _: 2.0, "from rest"),
+    KnownSlip("06.1", "against it", lambda m: 2 + 2 * m.laws.head_start, "against|helps"),
+    KnownSlip("06.1", "taken away once", lambda m: 2 - m.laws.head_start, "once"),
     KnownSlip("06.1", "the cycloid", lambda _: CYCLOID, "cycloid"),
     KnownSlip("06.1", "half the cycloid", lambda _: math.pi, "cycloid"),
-    KnownSlip("06.1", "none", lambda _: 0.0, "it stays"),
+    KnownSlip("06.1", "none", lambda _: 0.0, "does not arrive"),
     KnownSlip(
         "06.1",
         "half the harmonic",
-        lambda _: math.pi**2 / 4,
+        lambda m: math.pi**2 / 4 * (1 - m.laws.head_start),
         "cosine|sine|not all the time|only at",
     ),
     KnownSlip("06.1", "the harmonic", lambda _: HARMONIC, "harmonic|at rest"),
-    KnownSlip("06.1", "in the square of half", lambda _: 8.0, "half|four"),
-    KnownSlip("06.1", "a cubic", lambda _: 6.0, "all the time|at once|jump"),
+    KnownSlip("06.1", "in the square of half", lambda m: 8 * (1 - m.laws.head_start), "half|four"),
+    KnownSlip(
+        "06.1", "a cubic", lambda m: 6 * (1 - m.laws.head_start), "all the time|at once|jump"
+    ),
     KnownSlip("06.1", "modified trapezoid", lambda _: TRAPEZOID, "trapezoid"),
     KnownSlip("06.1", "free fall", lambda _: G, "gravity|fall"),
     # The trapezoid of straight lines.
-    KnownSlip("06.2", "one ramp", lambda _: 4 / (1 - r), "ramp"),
-    KnownSlip("06.2", "area of the flat part", lambda _: 4 / (1 - 4 * r), "ramp|line|flat|triang"),
-    KnownSlip("06.2", "mean velocity", lambda _: 2 / (1 - 2 * r), "half|velocity"),
-    KnownSlip("06.2", "twice", lambda _: 8 / (1 - 2 * r), "twice"),
+    KnownSlip("06.2", "one ramp", lambda m: ramped(m, pushed(m) - r / 2), "ramp"),
     KnownSlip(
-        "06.2", "upside down", lambda _: 4 * (1 - 2 * r), "upside|larger peak|higher|ramps cost"
+        "06.2",
+        "area of the flat part",
+        lambda m: ramped(m, pushed(m) - 2 * r),
+        "ramp|line|flat|triang",
     ),
-    KnownSlip("06.2", "sign", lambda _: 4 / (1 + 2 * r), "sign|larger|higher|ramps cost"),
-    KnownSlip("06.2", "no ramps", lambda _: sympy.Integer(4), "depend|r = 0|without ramps"),
-    KnownSlip("06.2", "velocity factor", lambda _: sympy.Integer(2), "velocity"),
-    KnownSlip("06.2", "jerk", lambda _: 4 / (r * (1 - 2 * r)), "jerk"),
+    KnownSlip("06.2", "mean velocity", lambda m: ramped(m, 2 * (pushed(m) - r)), "half|velocity"),
+    KnownSlip("06.2", "twice", lambda m: ramped(m, (pushed(m) - r) / 2), "twice"),
+    KnownSlip(
+        "06.2",
+        "upside down",
+        lambda m: ramped(m, pushed(m)) * (1 - r / pushed(m)),
+        "upside|larger peak|higher|ramps cost",
+    ),
+    KnownSlip(
+        "06.2",
+        "sign",
+        lambda m: ramped(m, pushed(m) + r),
+        "sign|larger|higher|ramps cost",
+    ),
+    KnownSlip("06.2", "no ramps", lambda m: ramped(m, pushed(m)), "depend|r = 0|without ramps"),
+    KnownSlip("06.2", "no pause", lambda _: 4 / (1 - 2 * r), "pause"),
+    KnownSlip("06.2", "2 in the middle", lambda m: 2 / (pushed(m) - r), "pause"),
+    KnownSlip("06.2", "velocity factor", lambda m: 2 / (1 + pause(m)), "velocity"),
+    KnownSlip("06.2", "jerk", lambda m: ramped(m, r * (pushed(m) - r)), "jerk"),
     KnownSlip(
         "06.2",
         "sines for lines",
-        lambda _: 2 / (sympy.Rational(1, 2) - 2 * r + 4 * r / sympy.pi),
+        lambda m: ramped(m, pushed(m) - 2 * r + 4 * r / sympy.pi),
         "sine|line|area",
     ),
-    KnownSlip("06.2", "a straight guess", lambda _: 4 + 16 * r, "ends|r = |straight|between"),
-    KnownSlip("06.2", "a triangle", lambda _: sympy.Integer(8), "triang|r = 1/4"),
-    KnownSlip("06.2", "all of the time", lambda _: 1 / (1 - 2 * r), "quarter|half"),
-    KnownSlip("06.2", "two over one minus r", lambda _: 2 / (1 - r), "r = 0|half"),
+    KnownSlip(
+        "06.2",
+        "a straight guess",
+        lambda m: ramped(m, pushed(m)) * (1 + 2 * r / pushed(m)),
+        "ends|r = |straight|between",
+    ),
+    KnownSlip("06.2", "a triangle", lambda m: ramped(m, pushed(m) / 2), "triang|r = 1/4"),
+    KnownSlip("06.2", "all of the time", lambda m: ramped(m, 4 * (pushed(m) - r)), "quarter|half"),
+    KnownSlip(
+        "06.2",
+        "one ramp of both pushes",
+        lambda m: ramped(m, 2 * pushed(m) - r),
+        "r = 0|half",
+    ),
     KnownSlip("06.2", "a text", lambda _: "4/(1 - 2*r)", "quotes"),
     # The least peak of the die.
     KnownSlip(

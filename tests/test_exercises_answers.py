@@ -1,5 +1,6 @@
 """Answers to the exercises: what is right, what is wrong, and whether the reason fits."""
 
+import math
 import re
 from collections.abc import Callable
 from decimal import Decimal
@@ -85,7 +86,8 @@ def test_four_digits_are_enough_and_one_percent_off_is_close(exercise: NumberExe
         assert is_right(exercise, float(f"{right:.4g}"), machine)
         for off in (0.985, 1.015):
             said = say(exercise, off * right, machine)
-            assert re.match(r"Close, but off by 1\.5 %", said) or said in reasons_of(exercise)
+            known = {*reasons_of(exercise), *(slip.reason for slip in exercise.carried)}
+            assert re.match(r"Close, but off by 1\.5 %", said) or said in known
 
 
 @each_number
@@ -107,8 +109,8 @@ def test_each_slip_gets_its_own_reason(exercise: NumberExercise) -> None:
     for machine in MACHINES[: 7 if exercise.number[:2] == "04" else 21]:  # those are slow
         values = [(float(slip.answer(machine)), slip.reason) for slip in exercise.slips]
         for value, _ in values:
-            if is_right(exercise, value, machine):
-                continue  # with these numbers the wrong way leads to the right number
+            if math.isnan(value) or is_right(exercise, value, machine):
+                continue  # with these numbers nobody goes that way, or it leads to the right one
             near = [
                 said for other, said in values if other == pytest.approx(value, exercise.tolerance)
             ]

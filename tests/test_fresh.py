@@ -12,6 +12,7 @@ from fresh.runner import CHECKS, examine, main, run
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
+from cammotion.teaching import again
 
 SEED, SOUND = "cam", range(6)
 Patch = tuple[object, str, Callable[[Any], Any]]
@@ -82,6 +83,7 @@ FAULTS: dict[str, Patch] = {
     "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
     "least": (cm, "least_acceleration", bounded),
+    "questions": (again, "whole_question", lambda _: lambda one, machine: one.question(machine)),
 }
 
 

@@ -19,8 +19,9 @@ from cammotion.machine.clearance import find_violations
 from cammotion.quantities import Floats
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise
+from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.lessons import EXERCISES
-from cammotion.teaching.variants import NAMELESS, machine_for
+from cammotion.teaching.variants import LAW_CHOICES, NAMELESS, machine_for
 
 RANGES = {
     "rate_per_hour": (1200, 3000),
@@ -41,6 +42,29 @@ NEVER_CHANGED: dict[str | int, tuple[float, ...]] = {
     "Jörg Müller": (1600, 90, 16, 160, 120, 19, 39, 1, 1, 27),
 }
 """What a name has led to since the first day; a notebook of last year has to stay right."""
+LAWS_NEVER_CHANGED: dict[str | int, LawNumbers] = {
+    "Anna": LawNumbers(
+        powers=(2, 4),
+        compared=("3-4-5 polynomial", "cycloidal"),
+        fastest=1.6,
+        head_start=0.45,
+        pause=0.25,
+    ),
+    7: LawNumbers(
+        powers=(2, 4),
+        compared=("modified trapezoid", "3-4-5 polynomial"),
+        fastest=1.6,
+        head_start=0.65,
+        pause=0.5,
+    ),
+    "Jörg Müller": LawNumbers(
+        powers=(3, 5),
+        compared=("Freudenstein 1-3-5", "cycloidal"),
+        fastest=1.75,
+        head_start=0.35,
+        pause=0.2,
+    ),
+}
 
 
 @pytest.fixture(scope="module")
@@ -69,6 +93,13 @@ def test_every_number_is_in_its_range(machines: list[MillAndDie]) -> None:
         assert low <= values.min()
         assert values.max() <= high
         assert {low, high} <= {*values}, name
+
+
+def test_every_law_is_drawn_and_never_the_sources(machines: list[MillAndDie]) -> None:
+    for name, choices in LAW_CHOICES.items():
+        assert {getattr(machine.laws, name) for machine in machines} == {*choices}
+        assert getattr(EXAMPLE.laws, name) not in choices
+        assert getattr(NAMELESS.laws, name) in choices
 
 
 def test_the_die_always_has_room(machines: list[MillAndDie]) -> None:
@@ -135,6 +166,7 @@ def test_the_numbers_agree_with_those_done_by_hand(sample: list[MillAndDie]) -> 
 @pytest.mark.parametrize("who", [*NEVER_CHANGED], ids=str)
 def test_a_name_leads_to_the_same_numbers_for_ever(who: str | int) -> None:
     assert numbers_of(machine_for(who)) == NEVER_CHANGED[who]
+    assert machine_for(who).laws == LAWS_NEVER_CHANGED[who]
 
 
 def test_the_numbers_do_not_depend_on_the_hash_of_a_run() -> None:

@@ -30,7 +30,7 @@ from .machine.segments import Segment
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
-from .teaching.session import ask, check, choose, hint, predict, progress, variant
+from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
 from .views.animation.picture import animate
 from .views.explorers.follower import explore_follower
@@ -76,6 +76,7 @@ __all__ = [
     "TimingDiagram",
     "WidestMove",
     "WrongAnswerError",
+    "again",
     "animate",
     "as_law",
     "ask",

@@ -1,11 +1,13 @@
 """An error that is carried forward: a later answer that is right for a wrong earlier one."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import Exercise, GoingOn, NumberExercise, Slip
+from cammotion.teaching.exercise import YOURS, Exercise, GoingOn, NumberExercise, Slip
+from cammotion.teaching.reading import number_or_none
+from cammotion.teaching.store import Record
 
 
 def link(exercises: Iterable[Exercise]) -> dict[str, Exercise]:
@@ -22,23 +24,51 @@ def link(exercises: Iterable[Exercise]) -> dict[str, Exercise]:
     return linked
 
 
+def after(
+    exercise: Exercise,
+    records: Mapping[str, Record],
+    machine: MillAndDie,
+    find: Callable[[str], Exercise],
+) -> Exercise:
+    """Return an exercise that knows what a learner's wrong answers to earlier ones lead to.
+
+    `records` keep the number that was last given to an exercise, and whose numbers that was asked
+    for; only those of this machine count. `find` returns the exercise of a number.
+    """
+    if not isinstance(exercise, NumberExercise):
+        return exercise
+    brought = []
+    for number, going_on in exercise.goes_on_from.items():
+        record = records.get(number, {})
+        given = number_or_none(record.get("given"))
+        if given is None or record.get("who") != machine.who.casefold():
+            continue
+        if find(number).judge(given, machine).state == "wrong":
+            said = YOURS.format(f"{given:.5g}", number)
+            brought.append(Slip(_going_on(going_on, given), said))
+    return replace(exercise, brought=tuple(brought))
+
+
 def _carry(exercise: NumberExercise, linked: dict[str, Exercise]) -> Iterator[Slip]:
     for number, going_on in exercise.goes_on_from.items():
         earlier = linked[number]
         if isinstance(earlier, NumberExercise):
             head = f"What you did here is right, but with a wrong answer to {number}."
             for slip in earlier.slips:
-                yield Slip(_after(slip, going_on), f"{head} {slip.reason}")
+                yield Slip(_going_on(going_on, slip.answer), f"{head} {slip.reason}")
             for slip in earlier.carried:  # it names the exercise that it comes from
-                yield Slip(_after(slip, going_on), slip.reason)
+                yield Slip(_going_on(going_on, slip.answer), slip.reason)
 
 
-def _after(slip: Slip, going_on: GoingOn) -> Callable[[MillAndDie], float]:
+def _going_on(
+    going_on: GoingOn, earlier: float | Callable[[MillAndDie], float]
+) -> Callable[[MillAndDie], float]:
     def answer(machine: MillAndDie) -> float:
-        """Return what an earlier slip leads to, NaN where nobody would go on with it."""
+        """Return what an earlier answer leads to, NaN where nobody would go on with it."""
         try:
-            return float(going_on(machine, float(slip.answer(machine))))
-        except (ValueError, ZeroDivisionError):
+            value = earlier(machine) if callable(earlier) else earlier
+            return float(going_on(machine, float(value)))
+        except (ValueError, ArithmeticError):
             return math.nan
 
     return answer

@@ -1,19 +1,15 @@
 """The kinds of exercises, and how an answer is judged: right, wrong for a reason, or still open."""
 
-import cmath
 import math
-import numbers
 import unicodedata
-from collections.abc import Callable, Iterable, Mapping, Sized
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
-
-import numpy as np
-import sympy
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.quantities import shorten
 from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.reading import OddAnswerError, to_number
 from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, short_name
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, is_rounded, is_same
 from cammotion.teaching.shown.frame import Shows
@@ -32,9 +28,9 @@ _TOO_FEW = (
     "With so few digits this cannot be told from an answer that went wrong: give {} digits at "
     "least."
 )
+YOURS = "What you did here is right, but with your {} from {}, which was not right yet."
 _DIGITS = {3: "three", 4: "four"}
 _AROUND_A_LETTER = " \t\n().:'\""
-_NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share
 
 
 @dataclass(frozen=True)
@@ -48,14 +44,13 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Slip:
-    """A known way to go wrong: what it leads to, a number or an expression, and the reason."""
+    """A known way to go wrong: what it leads to, a number or an expression, and the reason.
+
+    NaN stands for a number where nobody would go that way.
+    """
 
     answer: Callable[[MillAndDie], Any]
     reason: str
-
-
-class OddAnswerError(Exception):
-    """An answer that is no answer to the question at all; the message says why."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,45 +103,14 @@ class Exercise:
         raise NotImplementedError
 
 
-def to_number(answer: Any, wanted: str) -> float:
-    """Return an answer as a float if it is one real, finite number, else raise OddAnswerError."""
-    if isinstance(answer, str | bytes):
-        raise OddAnswerError(f"This is a text. Write {wanted}, without quotes and unit.")
-    if isinstance(answer, np.ndarray) and answer.ndim == 0:
-        answer = answer.item()
-    if isinstance(answer, Iterable | Sized):
-        raise OddAnswerError(
-            f"This may hold several values (it is of type {type(answer).__name__}). What is asked "
-            f"for is {wanted}: take it out, for example with [0]."
-        )
-    symbols = sorted(map(str, getattr(answer, "free_symbols", ())))
-    if symbols:
-        raise OddAnswerError(
-            f"There still is {', '.join(symbols)} in it. Put in the numbers, with subs."
-        )
-    is_number = isinstance(answer, numbers.Number | sympy.Expr)
-    if not is_number or isinstance(answer, bool | np.bool_):
-        raise OddAnswerError(f"{shorten(answer)} is no number. Write {wanted}.")
-    try:
-        value = complex(answer)
-    except OverflowError:
-        raise OddAnswerError(
-            "This number is larger than any that a computer counts with."
-        ) from None
-    if not cmath.isfinite(value):
-        raise OddAnswerError("This is not a finite number. Was something divided by zero?")
-    if abs(value.imag) > _NO_IMAGINARY_PART * abs(value):
-        raise OddAnswerError("This is a complex number. Is there a root of something negative?")
-    return value.real
-
-
 @dataclass(frozen=True, kw_only=True)
 class NumberExercise(Exercise):
     """A number with a unit, right within `tolerance`, a share of it, where no slip is nearer.
 
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
-    `goes_on_from` says how it comes out of earlier answers, by their numbers, and `carried` what
-    it then is with their slips; see `link`. `shows` draws what a number would do in the machine.
+    `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
+    then is with their slips, and `brought` what it is with wrong answers that this learner gave;
+    see `link` and `after`. `shows` draws what a number would do in the machine.
     """
 
     unit: str
@@ -155,6 +119,7 @@ class NumberExercise(Exercise):
     tolerance: float = 0.004
     goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
     carried: tuple[Slip, ...] = ()
+    brought: tuple[Slip, ...] = ()
     shows: Shows | None = None
 
     @property
@@ -196,26 +161,36 @@ class NumberExercise(Exercise):
         """Return the slips by what they lead to, but for those that lead to the right number."""
         right = self.solution(machine)
         found = [(float(slip.answer(machine)), slip.reason) for slip in self.slips]
-        return {value: reason for value, reason in reversed(found) if not is_same(value, right)}
+        return {
+            value: reason
+            for value, reason in reversed(found)
+            if math.isfinite(value) and not is_same(value, right)
+        }
 
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
         known = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
         ratios = (said for ratio, said in known.items() if self._is(given, ratio * right))
-        carried = (s.reason for s in self.carried if self._is(given, s.answer(machine)))
+        carried = self._first(self.carried, given, machine)
+        brought = self._first(self.brought, given, machine)
         rounded = (
             reason
             for value, reason in wrong.items()
             if is_rounded(given, value, FEWEST) and abs(given - value) <= MOST_OFF * abs(value)
         )
         return (
-            self._in_g(given, right)
+            (brought and (carried or brought))
+            or self._in_g(given, right)
             or next(ratios, "")
-            or next(carried, "")
+            or carried
             or next(rounded, "")
             or self._far(given, right)
         )
+
+    def _first(self, slips: Iterable[Slip], given: float, machine: MillAndDie) -> str:
+        """Return the reason of the first slip that leads to a number, "" if none does."""
+        return next((s.reason for s in slips if self._is(given, s.answer(machine))), "")
 
     def _is(self, given: float, value: float) -> bool:
         return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)
@@ -252,7 +227,8 @@ class NumberExercise(Exercise):
             self._too("small"),
         )
         slips = (slip.reason for slip in (*self.slips, *self.carried))
-        return (*slips, _IN_G, *ratios.values(), *unknown)
+        brought = (YOURS.format("…", number) for number in self.goes_on_from)
+        return (*slips, *brought, _IN_G, *ratios.values(), *unknown)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,7 +12,8 @@ import sympy
 
 from cammotion.quantities import Floats, shorten
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import Exercise, OddAnswerError, Slip, to_number
+from cammotion.teaching.exercise import Exercise, Slip
+from cammotion.teaching.reading import OddAnswerError, to_number
 from cammotion.teaching.reasons import COMMON_RATIOS
 
 _PLACES = 24
@@ -31,14 +32,14 @@ _ANOTHER = "This is another formula. Put in numbers for which you know the resul
 class ExpressionExercise(Exercise):
     """A formula in named `variables`, compared with the right one at many places.
 
-    `answer` is an expression in symbols of these names; whatever their assumptions, symbols are
-    known by their names alone. The places lie `between` two values, the same for each variable; if
-    the formula runs along a move, `along` is the variable that goes from 0 to the value of the
-    variable `until`.
+    `answer` is for a machine an expression in symbols of these names; whatever their assumptions,
+    symbols are known by their names alone. The places lie `between` two values, the same for each
+    variable; if the formula runs along a move, `along` is the variable that goes from 0 to the
+    value of the variable `until`.
     """
 
     variables: tuple[str, ...]
-    answer: sympy.Expr
+    answer: Callable[[MillAndDie], sympy.Expr]
     slips: tuple[Slip, ...] = ()
     along: str = ""
     until: str = ""
@@ -51,20 +52,20 @@ class ExpressionExercise(Exercise):
         them = "it" if len(self.variables) == 1 else "them"
         return f"an expression in {', '.join(self.variables)}, or a function of {them}"
 
-    def solution(self, machine: MillAndDie) -> sympy.Expr:  # noqa: ARG002 - it is the same for all
-        """Return the right expression."""
-        return self.answer
+    def solution(self, machine: MillAndDie) -> sympy.Expr:
+        """Return the right expression for a machine."""
+        return self.answer(machine)
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a formula is wrong; "" if it is right."""
-        places = self._places()
-        given, right = self._values(answer, places), self._values(self.answer, places)
+        places, solution = self._places(), self.solution(machine)
+        given, right = self._values(answer, places), self._values(solution, places)
         if self._same(given, right):
             return ""
         for slip in self.slips:
             if self._same(given, self._values(slip.answer(machine), places)):
                 return slip.reason
-        return _constant_factor(given, right) or self._at_ends(answer) or _ANOTHER
+        return _constant_factor(given, right) or self._at_ends(answer, solution) or _ANOTHER
 
     @property
     def faults(self) -> tuple[str, ...]:
@@ -72,7 +73,7 @@ class ExpressionExercise(Exercise):
         slips = (slip.reason for slip in self.slips)
         return (*slips, *COMMON_RATIOS.values(), _FACTOR.format("…"), _ENDS_ONLY, _ANOTHER)
 
-    def _at_ends(self, answer: Any) -> str:
+    def _at_ends(self, answer: Any, solution: sympy.Expr) -> str:
         """Say so if a formula is right at both ends of the move."""
         if not self.along:
             return ""
@@ -80,7 +81,7 @@ class ExpressionExercise(Exercise):
         for share in (0, 1):
             places = self._places()
             places[along] = share * places[until]
-            if not self._same(self._values(answer, places), self._values(self.answer, places)):
+            if not self._same(self._values(answer, places), self._values(solution, places)):
                 return ""
         return _ENDS_ONLY
 

@@ -16,6 +16,7 @@ _COLOURS: dict[State, tuple[str, str]] = {
     "open": ("#eef1f4", "#5b6670"),
 }
 _WORDS: dict[State, str] = {"right": "Right.", "wrong": "Not yet.", "open": ""}
+_IN_WORDS = {2: "two", 3: "three"}
 
 
 class Card:
@@ -123,28 +124,34 @@ class Hint(Card):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What has become of an exercise: a line of the progress."""
+    """What has become of an exercise: a line of the progress.
+
+    `row` is how many were right in a row with fresh numbers, at most so far.
+    """
 
     number: str
     state: State
     tries: int = 0
     hints: int = 0
+    row: int = 0
 
     @classmethod
     def of(cls, number: str, record: Record) -> "Outcome":
         """Read what has become of an exercise out of its record."""
         tries, hints = count(record, "tries"), count(record, "hints")
         state: State = "right" if record.get("state") == "right" else "wrong" if tries else "open"
-        return cls(number, state, tries, hints)
+        row = count(record.get("again"), "longest")
+        return cls(number, state, tries, hints, row)
 
     @property
     def said(self) -> str:
         """What has become of it, in words."""
+        row = f", {in_a_row(self.row)}" if self.row > 1 else ""
         if not self.tries:
-            return "open"
+            return f"open{row}"
         tries = f"{self.tries} {'try' if self.tries == 1 else 'tries'}"
         hints = f", {self.hints} {'hint' if self.hints == 1 else 'hints'}" if self.hints else ""
-        return f"{'right' if self.state == 'right' else 'not yet'}, {tries}{hints}"
+        return f"{'right' if self.state == 'right' else 'not yet'}, {tries}{hints}{row}"
 
 
 @dataclass(frozen=True, repr=False)
@@ -190,3 +197,12 @@ def box(state: State, content: str) -> str:
         f'<div role="status" style="background: {ground}; color: #1b1b1b; padding: 0.6em 0.9em; '
         f'border-left: 5px solid {edge}; max-width: 50em; line-height: 1.5">{content}</div>'
     )
+
+
+def in_a_row(row: int) -> str:
+    """Return how many were right in a row, in words.
+
+    >>> in_a_row(3), in_a_row(12)
+    ('three in a row', '12 in a row')
+    """
+    return f"{_IN_WORDS.get(row, row)} in a row"

@@ -81,14 +81,14 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
 
 NO_ANSWER = "no-answer"
 """The short name of all reasons that speak of what is no answer to the question at all."""
-_MEASURED = re.compile(r"\S+ (?=%|times what it)")
+_MEASURED = re.compile(r"\S+ (?=%|times what it|from \d\d\.\d, which)")
 _WORDS = 4
 
 
 def short_name(reason: str) -> str:
     """Return the name under which a reason is counted: its first words, and four signs of the rest.
 
-    What was measured, a percentage or a factor, is no part of it.
+    What was measured, a percentage or a factor, is no part of it, nor is what was given before.
 
     >>> short_name("Close, but off by 1.5 %.") == short_name("Close, but off by 0.8 %.")
     True

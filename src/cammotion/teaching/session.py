@@ -5,15 +5,19 @@ from dataclasses import replace
 from typing import Any
 
 from cammotion.quantities import InputError, shorten
+from cammotion.teaching.again import Practice, fresh_machines, whole_question
+from cammotion.teaching.carried import after
 from cammotion.teaching.controls import ChoiceControl, PredictionControl
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
+from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.shown.choosing import show_answer
 from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
 from cammotion.teaching.variants import machine_for
 
+_FRESH = 'cm.again("{}") asks it with fresh numbers.'
 _LONGEST_NAME = 100  # that is offered
 _OFFER = (
     "You have given a name before: write cm.variant({name!r}) here for the numbers of that name."
@@ -26,20 +30,28 @@ class Session:
     def __init__(self, store: Store) -> None:
         self.machine: MillAndDie = machine_for()
         self.store = store
+        self.practice = Practice(store)
         self.hints: dict[str, int] = {}
         self.predictions: dict[tuple[str, str], PredictionControl] = {}
 
-    def note(self, number: str, answer: Any, verdict: Verdict) -> None:
+    def note(self, number: str, answer: Any, verdict: Verdict) -> str:
         """Keep what has become of an answer; what was right once stays right for these numbers.
 
-        A choice that is shown or checked again is no new try.
+        Return an offer of fresh numbers where it is right for the first time. A choice that is
+        shown or checked again is no new try.
         """
         who, exercise = self.machine.who.casefold(), find_exercise(number)
         choice = exercise.letter(answer) if isinstance(exercise, ChoiceExercise) else ""
+        given = number_or_none(answer) if isinstance(exercise, NumberExercise) else None
+        was_right = False
 
         def change(before: Record) -> Record:
-            was_right = before.get("state") == "right" and before.get("who") == who
+            nonlocal was_right
+            is_same_who = before.get("who") == who
+            was_right = before.get("state") == "right" and is_same_who
             changes: Record = {"who": who, "state": "right" if was_right else verdict.state}
+            if given is not None or not is_same_who:
+                changes["given"] = given
             if choice:
                 changes["choice"] = choice
             if choice and choice == _letter(exercise, before):
@@ -50,6 +62,9 @@ class Session:
             return changes | {"tries": count(before, "tries") + 1}
 
         self.store.change("exercises", number, change)
+        is_first = verdict.state == "right" and not was_right
+        offered = is_first and not isinstance(exercise, ChoiceExercise)
+        return _FRESH.format(number) if offered else ""
 
     def record(self, number: str) -> Record:
         """Return what is kept of an exercise."""
@@ -97,6 +112,7 @@ class Session:
         if name and not machine.who:
             machine = replace(machine, remark=_OFFER.format(name=name))
         self.machine = machine
+        self.practice.end()
         return machine
 
 
@@ -128,7 +144,32 @@ def ask(number: str) -> Question:
     """
     exercise = find_exercise(number)
     machine = _SESSION.machine
+    _SESSION.practice.end(number)
     return Question(number, exercise.question(machine), exercise.wanted_for(machine))
+
+
+def again(number: str) -> Question:
+    """Return the question of an exercise with fresh numbers, which `check` then judges by.
+
+    It does so for this exercise alone, and until `ask(number)` or `variant(who)` is run. Ask again
+    until three are right in a row: `check` counts them, and `progress` tells of it. The numbers
+    depend on who asks and how often, and are the same on any computer. Raises InputError for an
+    unknown number, and for a choice, which has no numbers. While nbgrader grades nothing changes.
+
+    >>> again("01.1")
+    Exercise 01.1. With fresh numbers: The mill moves over ... degrees of each turn, ...
+    >>> check("01.1", 70)
+    01.1: Not yet. ... This is about the fresh numbers; cm.ask("01.1") goes back to yours.
+    >>> ask("01.1")
+    Exercise 01.1. The mill moves over 120 degrees of each turn, ...
+    """
+    exercise = find_exercise(number)
+    fresh_machines(exercise, _SESSION.machine)  # raises for a choice, also while it is graded
+    if GRADING in os.environ:
+        return ask(number)
+    machine = _SESSION.practice.begin(exercise, _SESSION.machine)
+    question = f"With fresh numbers: {whole_question(exercise, machine)}"
+    return Question(number, question, exercise.wanted_for(machine))
 
 
 def check(number: str, answer: Any) -> Feedback:
@@ -213,14 +254,24 @@ def progress() -> Progress:
 
 def _judge(number: str, answer: Any) -> Feedback:
     exercise = find_exercise(number)
-    verdict = exercise.judge(answer, _SESSION.machine)
     if GRADING in os.environ:
+        verdict = exercise.judge(answer, _SESSION.machine)
         if verdict.state != "right":
             raise AssertionError(f"{number}: {verdict.text}")
         return Unseen(number, verdict)
+    fresh = _SESSION.practice.machine(number)
+    machine = fresh or _SESSION.machine
+    if not fresh:
+        records = _SESSION.store.records("exercises")
+        exercise = after(exercise, records, machine, find_exercise)
+    verdict = exercise.judge(answer, machine)
     if verdict.state != "open":
-        _SESSION.note(number, answer, verdict)
-    shown = show_answer(exercise, answer, _SESSION.machine)
+        if fresh:
+            more = _SESSION.practice.count(number, verdict)
+        else:
+            more = _SESSION.note(number, answer, verdict)
+        verdict = replace(verdict, text=" ".join(filter(None, [verdict.text, more])))
+    shown = show_answer(exercise, answer, machine)
     return Feedback(number, verdict, _SESSION.store.complaint, shown)
 
 

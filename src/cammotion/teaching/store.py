@@ -5,7 +5,8 @@ elsewhere, as in a test or when it is graded, nothing is written and all is forg
 It holds records by kind and key, fields that are not known are left as they are:
 
 exercises    "01.1": state; tries; hints, the furthest one; who, whose numbers were asked for;
-             choice, a letter; slips, how often each reason was given, by its short name
+             given, the last number; choice, a letter; slips, how often each reason was given, by
+             its short name; again, the rows with fresh numbers
 predictions  "01.half": text, as it was typed
 learner      "variant": name, as it was given to cm.variant
 """
@@ -139,7 +140,7 @@ class Store:
                 )
 
 
-def count(record: Record, field: str) -> int:
+def count(record: Any, field: str) -> int:
     """Return a count of a record; what a file holds that is none counts as 0."""
     return counts(record).get(field, 0)
 

@@ -9,12 +9,14 @@ import hashlib
 import numbers
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.law_numbers import LawNumbers
 
 NAMELESS = MillAndDie(
     rate_per_hour=2600,
@@ -26,6 +28,13 @@ NAMELESS = MillAndDie(
     pocket_mm=37,
     margin_mm=3,
     die_mass_kg=17,
+    laws=LawNumbers(
+        powers=(3, 5),
+        compared=("3-4-5 polynomial", "4-5-6-7 polynomial"),
+        fastest=1.8,
+        head_start=0.35,
+        pause=0.2,
+    ),
 )
 """The machine of who gives no name; no number of a lesson is taken for one of its answers."""
 
@@ -42,6 +51,28 @@ _CHOICES: Mapping[str, Sequence[float]] = {
     "margin_mm": (1, 1.5, 2, 2.5, 3),
     "die_mass_kg": range(5, 31),
 }
+LAW_CHOICES: Mapping[str, Sequence[Any]] = {
+    "powers": ((2, 4), (2, 5), (2, 6), (3, 4), (3, 5), (3, 6), (4, 5), (4, 6), (4, 8), (5, 6)),
+    "compared": (
+        ("Freudenstein 1-3-5", "cycloidal"),
+        ("Gutman 1-3", "cycloidal"),
+        ("Freudenstein 1-3", "cycloidal"),
+        ("modified sine", "cycloidal"),
+        ("3-4-5 polynomial", "cycloidal"),
+        ("modified trapezoid", "4-5-6-7 polynomial"),
+        ("Freudenstein 1-3-5", "4-5-6-7 polynomial"),
+        ("Gutman 1-3", "4-5-6-7 polynomial"),
+        ("modified sine", "4-5-6-7 polynomial"),
+        ("3-4-5 polynomial", "4-5-6-7 polynomial"),
+        ("modified trapezoid", "3-4-5 polynomial"),
+        ("modified trapezoid", "Freudenstein 1-3"),
+    ),
+    "fastest": (1.5, 1.6, 1.75, 1.8, 2.2, 2.25, 2.4, 2.5, 2.8, 3),
+    "head_start": (0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.55, 0.6, 0.65, 0.7),
+    "pause": (0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5),
+}
+"""Never the source's: of those the lessons speak."""
+
 _LEAST_DIE_DEG = 40
 _LEAST_REST_DEG = 4  # what the overlapped die rests at the top
 
@@ -71,17 +102,27 @@ def machine_for(who: Any = "") -> MillAndDie:
         ) from None
     if not name:
         return NAMELESS
-    return next(filter(_is_sensible, _machines(name)))
+    return next(drawn(name.casefold(), name))
 
 
-def _machines(who: str) -> Iterator[MillAndDie]:
-    """Yield machines with drawn numbers, without an end; the draw depends on the name alone."""
-    numbers = _draws(who.casefold())
+def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
+    """Yield sensible machines with drawn numbers, without an end; they depend on the seed alone.
+
+    >>> next(drawn("anna", "Anna")) == machine_for("Anna")
+    True
+    """
+    laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
+    for chosen in _choices(seed, _CHOICES):
+        machine = MillAndDie(who=who, **chosen)
+        if _is_sensible(machine):
+            yield replace(machine, laws=LawNumbers(**next(laws)))
+
+
+def _choices(seed: str, among: Mapping[str, Sequence[Any]]) -> Iterator[dict[str, Any]]:
+    """Yield one of its choices for each name, again and again."""
+    numbers = _draws(seed)
     while True:
-        drawn: dict[str, Any] = {
-            name: choices[next(numbers) % len(choices)] for name, choices in _CHOICES.items()
-        }
-        yield MillAndDie(who=who, **drawn)
+        yield {name: choices[next(numbers) % len(choices)] for name, choices in among.items()}
 
 
 def _draws(seed: str) -> Iterator[int]:

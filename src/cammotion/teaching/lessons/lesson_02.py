@@ -25,6 +25,29 @@ ANGLE_FACTOR = 1.3  # in 02.5
 _t, _h_m, _t_m = sympy.symbols("t h_m t_m")
 
 
+def _powers(m: MillAndDie, x: sympy.Expr) -> sympy.Expr:
+    """Return the law of 02.2, which rests at both ends whatever its two powers."""
+    low, high = m.laws.powers
+    return (high * x**low - low * x**high) / (high - low)
+
+
+def _law(m: MillAndDie, derivative: int = 0, at: sympy.Expr = _t / _t_m) -> sympy.Expr:
+    """Return the law of 02.2 differentiated by x, at x = t/t_m or elsewhere."""
+    x = sympy.Symbol("x")
+    return sympy.diff(_powers(m, x), x, derivative).subs(x, at)
+
+
+def _in_x(m: MillAndDie) -> str:
+    """Return the law of 02.2 as it is written, in brackets unless it is a fraction."""
+    low, high = m.laws.powers
+    parts, over = (high, low), high - low
+    shared = math.gcd(high, low, over)
+    first, second = ("" if part == shared else str(part // shared) for part in parts)
+    sum_of_both = f"{first}x^{low} - {second}x^{high}"
+    over //= shared
+    return f"\\frac{{{sum_of_both}}}{{{over}}}" if over > 1 else f"\\left({sum_of_both}\\right)"
+
+
 def _time(m: MillAndDie) -> float:
     return float(indexing_time(m.die_angle_deg, m.rate_per_hour))
 
@@ -120,57 +143,61 @@ EXERCISES = (
     ExpressionExercise(
         number="02.2",
         question=lambda m: (
-            "Another motion law: $h = h_m\\left(3x^2 - 2x^3\\right)$ with $x = t/t_m$. Derive its "
-            "acceleration $a$ as an expression in the symbols `t`, `h_m` and `t_m`, or as a "
-            "function of these three."
+            f"Another motion law: $h = h_m {_in_x(m)}$ with $x = t/t_m$. Derive its acceleration "
+            "$a$ as an expression in the symbols `t`, `h_m` and `t_m`, or as a function of these "
+            "three."
         ),
         variables=("t", "h_m", "t_m"),
         along="t",
         until="t_m",
-        answer=_h_m / _t_m**2 * (6 - 12 * _t / _t_m),
+        answer=lambda m: _h_m / _t_m**2 * _law(m, 2),
         right=(
-            "It jumps from nothing to its peak at the start. You will meet this law again in "
-            "notebook 05, and what the jump does."
+            "It ends with a jump, from its hardest braking to nothing. Notebook 05 shows what a "
+            "jump in the acceleration does."
         ),
         slips=(
             Slip(
-                lambda m: _h_m * (6 - 12 * _t / _t_m),
+                lambda m: _h_m * _law(m, 2),
                 "The chain rule is missing: each derivative by t brings out a factor 1/t_m.",
             ),
             Slip(
-                lambda m: _h_m / _t_m * (6 - 12 * _t / _t_m),
+                lambda m: _h_m / _t_m * _law(m, 2),
                 "The chain rule was used once only. Each of the two derivatives brings out a "
                 "factor 1/t_m.",
             ),
             Slip(
-                lambda m: 6 * _h_m / _t_m * (_t / _t_m - _t**2 / _t_m**2),
+                lambda m: _h_m / _t_m * _law(m, 1),
                 "This is the velocity. Differentiate once more.",
             ),
             Slip(
-                lambda m: _h_m * (3 * _t**2 / _t_m**2 - 2 * _t**3 / _t_m**3),
+                lambda m: _h_m * _law(m),
                 "This is the displacement itself. Differentiate it twice.",
             ),
             Slip(
-                lambda m: -12 * _h_m / _t_m**3,
+                lambda m: _h_m / _t_m**3 * _law(m, 3),
                 "This is the jerk: differentiated once too often.",
             ),
             Slip(
-                lambda m: _h_m / _t_m**2 * (6 - 12 * _t),
+                lambda m: _h_m / _t_m**2 * _law(m, 2, at=_t),
                 "In the bracket t stands where x does: put in x = t/t_m there, too.",
             ),
             Slip(
-                lambda m: (6 - 12 * _t / _t_m) / _t_m**2,
+                lambda m: _law(m, 2) / _t_m**2,
                 "The stroke is missing: h_m is a constant factor, and stays one when you "
                 "differentiate.",
             ),
             Slip(
-                lambda m: 6 - 12 * _t / _t_m,
+                lambda m: _law(m, 2),
                 "This is the second derivative by x. In a the stroke is a factor, and each of the "
                 "two derivatives by t brings out 1/t_m.",
             ),
             Slip(
-                lambda m: 6 * _h_m / _t_m**2,
-                "This is the peak alone, at t = 0. What is asked for changes with t.",
+                lambda m: _h_m / _t_m**2 * _law(m, 2, at=sympy.Integer(0)),
+                "This is the acceleration at the start alone. What is asked for changes with t.",
+            ),
+            Slip(
+                lambda m: _h_m / _t_m**2 * _law(m, 2, at=sympy.Integer(1)),
+                "This is the acceleration at the end alone. What is asked for changes with t.",
             ),
             Slip(
                 lambda m: 2 * sympy.pi * _h_m / _t_m**2 * sympy.sin(2 * sympy.pi * _t / _t_m),
@@ -180,9 +207,10 @@ EXERCISES = (
         ),
         hints=(
             "Put x = t/t_m into the law first, and differentiate by t.",
-            "The velocity is h_m/t_m times (6x - 6x²). Once more the same way.",
-            "Each derivative by t brings out 1/t_m. What is left is the second derivative of "
-            "3x² - 2x³ by x.",
+            "The velocity is h_m/t_m times the first derivative of the law by x. Once more the "
+            "same way.",
+            "Each derivative by t brings out 1/t_m. What is left is the second derivative of the "
+            "law by x, a power less by one each time.",
         ),
     ),
     NumberExercise(
@@ -193,6 +221,7 @@ EXERCISES = (
         ),
         unit="N",
         answer=lambda m: m.die_mass_kg * _peak(m),
+        goes_on_from={"02.1": lambda m, peak: m.die_mass_kg * peak},
         shows=peak_of_die("With this force", peak=lambda m, force: force / m.die_mass_kg),
         right="The force scales as the acceleration does: what halves the one halves the other.",
         slips=(

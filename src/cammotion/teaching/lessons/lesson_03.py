@@ -105,6 +105,7 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: m.overlapped_deg,
+        goes_on_from={"01.1": lambda m, degrees: degrees + m.quiet_deg},
         shows=way_after(quiet=True),
         right="A first improvement that costs nothing: only the mill's effective angle is blocked.",
         slips=(

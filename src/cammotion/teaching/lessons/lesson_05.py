@@ -17,7 +17,7 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.prediction import Prediction
-from cammotion.teaching.shown.bars import angle_with_peak_of
+from cammotion.teaching.shown.bars import angle_with_the_same_peak
 from cammotion.teaching.shown.ways import peak_of_die
 
 _CYCLOIDAL = LAWS["cycloidal"]
@@ -38,9 +38,19 @@ def _time(m: MillAndDie) -> float:
     return float(indexing_time(m.die_angle_deg, m.rate_per_hour))
 
 
-def _kept() -> float:
-    """Return what the modified trapezoid leaves of the cycloid's peak."""
-    return LAWS["modified trapezoid"].Ca / _CYCLOIDAL.Ca
+def _gentle(m: MillAndDie) -> MotionLaw:
+    """Return the law of 05.2 and 05.3 with the smaller peak."""
+    return LAWS[m.laws.compared[0]]
+
+
+def _harsh(m: MillAndDie) -> MotionLaw:
+    """Return the law of 05.2 and 05.3 with the larger peak."""
+    return LAWS[m.laws.compared[1]]
+
+
+def _kept(m: MillAndDie) -> float:
+    """Return what the gentler of the two laws leaves of the other one's peak."""
+    return float(_gentle(m).Ca / _harsh(m).Ca)
 
 
 def _widest(m: MillAndDie, law: MotionLaw, limit_mm: float | None = None) -> float:
@@ -64,13 +74,35 @@ def _still_to_go(m: MillAndDie) -> float:
     return m.overlapped_deg / _widest(m, LAWS["modified sine"])
 
 
-def _less_percent(law: str, than: str = "cycloidal") -> float:
-    return 100 * (1 - LAWS[law].Ca / LAWS[than].Ca)
+def _is_another(m: MillAndDie, law: str) -> bool:
+    """Tell whether a law is none of the two that are compared: only then it can be a slip."""
+    return law not in m.laws.compared
 
 
-def _as_wide(m: MillAndDie, law: str, root: float = 2) -> float:
-    """Return the angle that the cycloid needs to be no worse than a law, by a root of the ratio."""
-    return float(m.die_angle_deg * (_CYCLOIDAL.Ca / LAWS[law].Ca) ** (1 / root))
+def _less_percent(m: MillAndDie, law: str) -> float:
+    """Return by how many percent another law's peak would be smaller."""
+    return 100 * (1 - LAWS[law].Ca / _harsh(m).Ca) if _is_another(m, law) else math.nan
+
+
+def _less_percent_than(m: MillAndDie, law: str) -> float:
+    """Return by how many percent the peak is smaller than another law's."""
+    return 100 * (1 - _gentle(m).Ca / LAWS[law].Ca) if _is_another(m, law) else math.nan
+
+
+def _as_wide(m: MillAndDie, law: str) -> float:
+    """Return the angle that is needed to be no worse than another law."""
+    root = math.sqrt(_harsh(m).Ca / LAWS[law].Ca)
+    return m.die_angle_deg * root if _is_another(m, law) else math.nan
+
+
+def _fastest(m: MillAndDie) -> sympy.Expr:
+    """Return Cv of the law of 05.4."""
+    return sympy.Rational(str(m.laws.fastest))
+
+
+def _line(m: MillAndDie) -> sympy.Expr:
+    """Return what Cv is divided by in the answer to 05.4."""
+    return 1 + (_fastest(m) - 1) * _p
 
 
 EXERCISES = (
@@ -160,58 +192,70 @@ EXERCISES = (
     NumberExercise(
         number="05.2",
         question=lambda m: (
-            "Among the named laws without a jump in the acceleration the modified trapezoid has "
-            "the smallest peak. By how many percent is it smaller than that of the cycloid?"
+            f"The same stroke in the same time, by the law *{_gentle(m).name}* and by the law "
+            f"*{_harsh(m).name}*. By how many percent is the peak acceleration of the first "
+            "smaller than that of the second?"
         ),
         unit="%",
-        answer=lambda m: 100 * (1 - _kept()),
+        answer=lambda m: 100 * (1 - _kept(m)),
         right=(
-            "It is paid for with jerk: Cj is 61 in place of 39. Notebook 06 shows how little more "
-            "there is to gain."
+            "It is paid for with jerk: compare Cj of the two. Notebook 06 shows how far any law "
+            "can go."
         ),
         slips=(
             Slip(
-                lambda m: 100 * _kept(),
+                lambda m: 100 * _kept(m),
                 "So many percent are left. By how many percent is it smaller?",
             ),
-            Slip(lambda m: _kept(), "This is what is left, as a share. How much is gone, in %?"),
+            Slip(_kept, "This is what is left, as a share. How much is gone, in %?"),
             Slip(
-                lambda m: 100 * (1 / _kept() - 1),
-                "By so many percent the cycloid's peak is larger. Compare with the cycloid's, not "
-                "with the smaller one.",
+                lambda m: 100 * (1 / _kept(m) - 1),
+                "By so many percent the larger peak is larger. Compare with the larger one, not "
+                "with the smaller.",
             ),
             Slip(
-                lambda m: _less_percent("constant acceleration"),
-                "This is what the law of constant acceleration saves, which jumps. The modified "
-                "trapezoid has to ramp up first.",
+                lambda m: _less_percent(m, "constant acceleration"),
+                "This is what the law of constant acceleration saves, which jumps. The first law "
+                "of the question has to ramp up.",
             ),
             Slip(
-                lambda m: _less_percent("modified sine"),
-                "This is the modified sine. The modified trapezoid has a flat top.",
+                lambda m: _less_percent(m, "modified trapezoid"),
+                "This is the modified trapezoid. Take the first law of the question.",
             ),
             Slip(
-                lambda m: _less_percent("3-4-5 polynomial"),
-                "This is the 3-4-5 polynomial. Look for the modified trapezoid in the table.",
+                lambda m: _less_percent(m, "modified sine"),
+                "This is the modified sine. Take the first law of the question.",
             ),
             Slip(
-                lambda m: _less_percent("simple harmonic"),
+                lambda m: _less_percent(m, "3-4-5 polynomial"),
+                "This is the 3-4-5 polynomial. Take the first law of the question.",
+            ),
+            Slip(
+                lambda m: _less_percent(m, "simple harmonic"),
                 "This is the simple harmonic motion, which jumps at both ends.",
             ),
             Slip(
-                lambda m: _less_percent("modified trapezoid", than="modified sine"),
-                "Here it is compared with the modified sine. Compare it with the cycloid.",
+                lambda m: _less_percent_than(m, "modified sine"),
+                "Here it is compared with the modified sine. Compare it with the second law of "
+                "the question.",
             ),
             Slip(
-                lambda m: _CYCLOIDAL.Ca - LAWS["modified trapezoid"].Ca,
-                "This is the difference of the two factors. How much of the cycloid's is that, "
+                lambda m: _less_percent_than(m, "cycloidal"),
+                "Here it is compared with the cycloid. Compare it with the second law of the "
+                "question.",
+            ),
+            Slip(
+                lambda m: _harsh(m).Ca - _gentle(m).Ca,
+                "This is the difference of the two factors. How much of the larger one is that, "
                 "in %?",
             ),
             Slip(
-                lambda m: 1 / _kept(),
-                "So many times larger is the cycloid's. By how many percent is the other smaller?",
+                lambda m: 1 / _kept(m),
+                "So many times larger is the larger peak. By how many percent is the other "
+                "smaller?",
             ),
             Slip(
-                lambda m: 100 * (LAWS["modified trapezoid"].Cj / _CYCLOIDAL.Cj - 1),
+                lambda m: 100 * (_gentle(m).Cj / _harsh(m).Cj - 1),
                 "By so much the jerk is larger, which is the price. The acceleration is asked for.",
             ),
         ),
@@ -224,54 +268,54 @@ EXERCISES = (
     NumberExercise(
         number="05.3",
         question=lambda m: (
-            f"The cycloidal die moves over {m.die_angle_deg:g} degrees. How many degrees would it "
-            "need to have no larger a peak than the modified trapezoid has over "
-            f"{m.die_angle_deg:g}?"
+            f"The die moves over {m.die_angle_deg:g} degrees by the law *{_harsh(m).name}*. How "
+            "many degrees would it need to have no larger a peak than the law "
+            f"*{_gentle(m).name}* has over {m.die_angle_deg:g}?"
         ),
         unit="deg",
-        answer=lambda m: m.die_angle_deg / math.sqrt(_kept()),
+        answer=lambda m: m.die_angle_deg / math.sqrt(_kept(m)),
         goes_on_from={"05.2": lambda m, percent: m.die_angle_deg / math.sqrt(1 - percent / 100)},
-        shows=angle_with_peak_of("modified trapezoid"),
-        right="So a better law is worth a few degrees. Overlap has found dozens.",
+        shows=angle_with_the_same_peak,
+        right="So many degrees are what a better law is worth. Overlap has found more.",
         slips=(
             Slip(
-                lambda m: m.die_angle_deg / _kept(),
+                lambda m: m.die_angle_deg / _kept(m),
                 "The angle counts squared. So the ratio of the angles is the root of that of the "
                 "peaks.",
             ),
             Slip(
-                lambda m: m.die_angle_deg * math.sqrt(_kept()),
-                "With fewer degrees the peak gets larger. The cycloid needs more of them.",
+                lambda m: m.die_angle_deg * math.sqrt(_kept(m)),
+                "With fewer degrees the peak gets larger. The harsher law needs more of them.",
             ),
             Slip(
-                lambda m: m.die_angle_deg * _kept(),
+                lambda m: m.die_angle_deg * _kept(m),
                 "With fewer degrees the peak gets larger, and the angle counts squared.",
             ),
             Slip(
-                lambda m: m.die_angle_deg * (1 / math.sqrt(_kept()) - 1),
+                lambda m: m.die_angle_deg * (1 / math.sqrt(_kept(m)) - 1),
                 "So many degrees it needs in addition. How many is that altogether?",
             ),
             Slip(
-                lambda m: m.die_angle_deg * (2 - _kept()),
+                lambda m: m.die_angle_deg * (2 - _kept(m)),
                 "The percentage of the peak was put on the angle. The peak goes with the inverse "
                 "square of the angle.",
             ),
             Slip(
-                lambda m: m.die_angle_deg * (3 - _kept()) / 2,
+                lambda m: m.die_angle_deg * (3 - _kept(m)) / 2,
                 "Half of the percentage was put on the angle. For small changes that is nearly "
                 "right; the root is exact.",
             ),
             Slip(
-                lambda m: m.die_angle_deg / _kept() ** 2,
+                lambda m: m.die_angle_deg / _kept(m) ** 2,
                 "The ratio of the peaks was squared. In the peak the angle is squared: the other "
                 "way round that is a root.",
             ),
             Slip(
-                lambda m: _as_wide(m, "modified trapezoid", root=3),
+                lambda m: m.die_angle_deg / _kept(m) ** (1 / 3),
                 "The third root belongs to the jerk. In the acceleration the angle is squared.",
             ),
             Slip(
-                lambda m: 1 / math.sqrt(_kept()),
+                lambda m: 1 / math.sqrt(_kept(m)),
                 "This is how many times wider it has to be. How many degrees is that?",
             ),
             Slip(
@@ -280,13 +324,18 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: _as_wide(m, "modified sine"),
-                "So it would be no worse than the modified sine. Take Ca of the modified "
-                "trapezoid.",
+                "So it would be no worse than the modified sine. Take Ca of the law in the "
+                "question.",
+            ),
+            Slip(
+                lambda m: _as_wide(m, "modified trapezoid"),
+                "So it would be no worse than the modified trapezoid. Take Ca of the law in the "
+                "question.",
             ),
             Slip(
                 lambda m: _as_wide(m, "constant acceleration"),
                 "So it would be no worse than the law of constant acceleration. Take Ca of the "
-                "modified trapezoid.",
+                "law in the question.",
             ),
         ),
         hints=(
@@ -298,32 +347,33 @@ EXERCISES = (
     ExpressionExercise(
         number="05.4",
         question=lambda m: (
-            "A symmetric law is fastest in the middle, with $C_v = 2$, like the cycloid. It is cut "
+            f"A symmetric law is fastest in the middle, with $C_v = {m.laws.fastest:g}$. It is cut "
             "there, and a straight line is put in that takes the share `p` of the whole time, with "
             "no kink where they meet. What is its new velocity factor? An expression in the symbol "
             "`p`, or a function of it."
         ),
         variables=("p",),
         between=(0.0, 1.0),
-        answer=2 / (1 + _p),
-        right="From 2, without a line, it comes down to 1, the velocity of the line alone.",
+        answer=lambda m: _fastest(m) / _line(m),
+        right="From Cv, without a line, it comes down to 1, the velocity of the line alone.",
         slips=(
             Slip(
-                lambda m: 2 - _p,
+                lambda m: _fastest(m) - (_fastest(m) - 1) * _p,
                 "At p = 0 and 1 this is right, but the factor is no straight line between. How far "
                 "does the law come in each of its three parts?",
             ),
             Slip(
-                lambda m: 2 * (1 - _p),
+                lambda m: _fastest(m) * (1 - _p),
                 "With p = 1 only the line is left, and it has to go all the way in all the time: "
                 "its velocity is 1, not 0.",
             ),
             Slip(
-                lambda m: 1 / (_p + 2 * (1 - _p)),
-                "The ends are slower than the line: their mean velocity is half of it, not twice.",
+                lambda m: 1 / (_p + _fastest(m) * (1 - _p)),
+                "The ends are slower than the line: their mean velocity is the line's divided by "
+                "Cv, not times Cv.",
             ),
             Slip(
-                lambda m: 2 / (1 - _p),
+                lambda m: _fastest(m) / (1 - _p),
                 "A longer line makes it slower, not faster. The ends are only squeezed here, as "
                 "if they still made the whole way; but the line makes a part of it.",
             ),
@@ -332,25 +382,34 @@ EXERCISES = (
                 "This lets the line make the whole way. The two ends have their part in it.",
             ),
             Slip(
-                lambda m: 2 / (1 + 2 * _p),
+                lambda m: _fastest(m) / (1 + _fastest(m) * _p),
                 "Here the two ends keep all of their time, and the line comes on top. All three "
                 "share the time: for the ends 1 - p is left.",
             ),
             Slip(
-                lambda m: (1 + _p) / 2,
-                "This is upside down. Without a line, at p = 0, it has to be 2.",
+                lambda m: 2 / (1 + _p),
+                "This is for a law with Cv = 2. The question names another.",
             ),
             Slip(
-                lambda m: 2 * (1 + _p),
+                lambda m: _fastest(m) / (1 + _p),
+                "At p = 1 only the line is left, and its velocity is 1. The 1 + p belongs to a law "
+                "with Cv = 2.",
+            ),
+            Slip(
+                lambda m: _line(m) / _fastest(m),
+                "This is upside down. Without a line, at p = 0, it has to be Cv.",
+            ),
+            Slip(
+                lambda m: _fastest(m) * (1 + _p),
                 "With a line it gets slower, not faster. What is it at p = 1, where only the line "
                 "is left?",
             ),
             Slip(
-                lambda m: 2 / (1 + _p) ** 2,
+                lambda m: _fastest(m) / _line(m) ** 2,
                 "At p = 1 only the line is left, whose velocity is 1. Was something squared?",
             ),
             Slip(
-                lambda m: sympy.Integer(2),
+                _fastest,
                 "This is what it is without the line, at p = 0. How does it change with p?",
             ),
             Slip(
@@ -358,26 +417,23 @@ EXERCISES = (
                 "This is the line alone, at p = 1. How does it change with p?",
             ),
             Slip(
-                lambda m: 2 / (1 + _p / 100),
+                lambda m: _fastest(m) / _line(m).subs(_p, _p / 100),
                 "Here p is in percent. It is a share of the time, between 0 and 1.",
             ),
             Slip(
-                lambda m: 2 * sympy.pi / (1 - _p**2),
-                "This is the factor of the acceleration, for a cycloid. The velocity is asked for.",
-            ),
-            Slip(
-                lambda m: (1 - _p) / (1 + _p),
+                lambda m: (1 - _p) / _line(m),
                 "So much of the way the two ends make. How fast is the line?",
             ),
             Slip(
-                lambda m: 2 * _p / (1 + _p),
+                lambda m: _fastest(m) * _p / _line(m),
                 "So much of the way the line makes. How fast is it, if that takes p of the time?",
             ),
         ),
         hints=(
             "Call the new velocity V. How far does the line go, which lasts p?",
-            "Over the two ends the mean velocity is V/2: without a line it was 1, with Cv = 2.",
-            "V p + V/2 (1 - p) = 1.",
+            "Over the two ends the mean velocity is V/Cv: without a line it was 1, where the "
+            "largest was Cv.",
+            "V p + V/Cv (1 - p) = 1.",
         ),
     ),
     NumberExercise(

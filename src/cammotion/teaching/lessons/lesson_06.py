@@ -83,34 +83,97 @@ def _force(m: MillAndDie) -> float:
     return (m.die_mass_kg + _added_mass()) * _ACCELERATION
 
 
+def _left(m: MillAndDie) -> float:
+    """Return which share of its way the hammer of 06.1 would not make with the speed it has."""
+    return 1 - m.laws.head_start
+
+
+def _sets_off(m: MillAndDie) -> str:
+    start = m.laws.head_start
+    return f"sets off with {start:g} times its mean velocity" if start else "starts from rest"
+
+
+def _and_stays(m: MillAndDie) -> str:
+    pause = m.laws.pause
+    if not pause:
+        return " at $x = 1/2$"
+    return f", where it stays for the share {pause:g} of the whole time, about $x = 1/2$"
+
+
+def _still(m: MillAndDie) -> sympy.Expr:
+    """Return the share of the time for which nothing pushes in 06.2."""
+    return sympy.Rational(str(m.laws.pause))
+
+
+def _in_the_middle(m: MillAndDie) -> sympy.Expr:
+    """Return the velocity of the law of 06.2 in the middle, where it stays for its pause."""
+    return 2 / (1 + _still(m))
+
+
+def _pushed(m: MillAndDie) -> sympy.Expr:
+    """Return for which share of the time it is pushed, before the pause."""
+    return (1 - _still(m)) / 2
+
+
+def _ramped(m: MillAndDie) -> sympy.Expr:
+    return _in_the_middle(m) / (_pushed(m) - _r)
+
+
+def _without_ramps(m: MillAndDie) -> sympy.Expr:
+    return _in_the_middle(m) / _pushed(m)
+
+
+def _times_longer(m: MillAndDie) -> sympy.Expr:
+    """Return r as a share of the push."""
+    return _r / _pushed(m)
+
+
 EXERCISES = (
     NumberExercise(
         number="06.1",
         question=lambda m: (
-            "A hammer starts from rest, and it may arrive at any speed. What is the smallest $C_a$ "
+            f"A hammer {_sets_off(m)}, and it may arrive at any speed. What is the smallest $C_a$ "
             "that any law for it can have?"
         ),
         unit="",
-        answer=lambda m: 2.0,
-        right="Half of what a move to rest needs. To stop costs as much as to get going.",
+        answer=lambda m: 2 * _left(m),
+        right=(
+            "It is pushed evenly all the way. To have to stop as well would cost at least as much "
+            "again."
+        ),
         slips=(
             Slip(
                 lambda m: 4.0,
-                "This holds for a move that ends at rest. Without that condition there is nothing "
+                "This holds for a move from rest to rest. Without rest at the end there is nothing "
                 "to take away from the weight 1 - x.",
             ),
             Slip(
-                lambda m: 0.5,
-                "This is the integral of the weight 1 - x. The bound is one divided by it.",
+                lambda m: 2.0 if m.laws.head_start else math.nan,
+                "This is for a hammer that starts from rest. The speed at the start makes a part "
+                "of the way.",
             ),
             Slip(
-                lambda m: 1.0,
-                "With this even push it comes only half of the way. From rest, the way is half "
-                "the acceleration times the time squared.",
+                lambda m: 2 * (2 - _left(m)) if m.laws.head_start else math.nan,
+                "The speed at the start was counted against the hammer. It helps: what is left to "
+                "do gets less.",
+            ),
+            Slip(
+                lambda m: 2 - m.laws.head_start if m.laws.head_start else math.nan,
+                "The speed at the start was taken away once. How far does the hammer come with it "
+                "alone, and what is then the push for the rest?",
+            ),
+            Slip(
+                lambda m: 0.5,
+                "This is the integral of the weight 1 - x. The bound is divided by it.",
+            ),
+            Slip(
+                _left,
+                "With this even push it comes only half as far as it has to. From rest, the way is "
+                "half the acceleration times the time squared.",
             ),
             Slip(
                 lambda m: 0.0,
-                "It has to come from 0 to 1 in its time, from rest. Without acceleration it stays.",
+                "With the speed that it has at the start alone it does not arrive in its time.",
             ),
             Slip(
                 lambda m: LAWS["cycloidal"].Ca,
@@ -131,14 +194,14 @@ EXERCISES = (
                 "need not.",
             ),
             Slip(
-                lambda m: LAWS["simple harmonic"].Ca / 2,
+                lambda m: LAWS["simple harmonic"].Ca / 2 * _left(m),
                 "This is half a simple harmonic motion, pushed by a cosine. That is at its peak "
                 "only for a moment. Can a law be there for longer?",
             ),
             Slip(
-                lambda m: LAWS["cubic"].Ca,
-                "The law S = x³ has this peak, and is not there all the time. Can a law be there "
-                "for longer?",
+                lambda m: LAWS["cubic"].Ca * _left(m),
+                "This is a push that grows evenly from nothing, as for S = x³, and is not at its "
+                "peak all the time. Can a law be there for longer?",
             ),
             Slip(
                 lambda m: STANDARD_GRAVITY,
@@ -146,85 +209,102 @@ EXERCISES = (
             ),
         ),
         hints=(
-            "S(1) = 1 is still the integral of (1 - x) A. What has become of the other condition?",
+            "S(1) = 1 is still the integral of (1 - x) A, and what the speed at the start brings "
+            "comes on top. What has become of the other condition?",
             "V(1) is free now, so nothing may be taken away from the weight.",
-            "The integral of 1 - x from 0 to 1 is one half. The peak times this is at least S(1).",
+            "The integral of 1 - x from 0 to 1 is one half. The peak times this is at least what "
+            "is left to do.",
         ),
     ),
     ExpressionExercise(
         number="06.2",
         question=lambda m: (
             "The acceleration of a symmetric law rises along a straight line over the time `r`, "
-            "stays at its peak, and comes down along a line over `r` to zero at $x = 1/2$; then "
+            f"stays at its peak, and comes down along a line over `r` to zero{_and_stays(m)}; then "
             "the same with the other sign. What is $C_a$? An expression in `r`, or a function of "
             "it."
         ),
         variables=("r",),
-        between=(0.0, 0.25),
-        answer=4 / (1 - 2 * _r),
-        right="With r = 1/8 it is 16/3. This is the price of a limited jerk, in closed form.",
+        between=(0.0, 0.125),
+        answer=_ramped,
+        right=(
+            "This is the price of a limited jerk, in closed form. Without a pause in the middle "
+            "it is 4/(1 - 2r)."
+        ),
         slips=(
             Slip(
-                lambda m: 4 / (1 - _r),
+                lambda m: _in_the_middle(m) / (_pushed(m) - _r / 2),
                 "Only one ramp was counted. Up to the middle there are two, one up and one down.",
             ),
             Slip(
-                lambda m: 4 / (1 - 4 * _r),
+                lambda m: _in_the_middle(m) / (_pushed(m) - 2 * _r),
                 "A ramp is worth half of a flat piece of its length. Here it counts for nothing.",
             ),
             Slip(
-                lambda m: 2 / (1 - 2 * _r),
-                "Nearly: this comes to rest at the end, but only half-way. The velocity in the "
-                "middle of a symmetric law like this is 2.",
+                lambda m: _ramped(m) / 2,
+                "Nearly: this comes to rest at the end, but only half-way. While it is pushed its "
+                "mean velocity is only half of that in the middle.",
             ),
             Slip(
-                lambda m: 4 * (1 + 2 * _r),
+                lambda m: 4 / (1 - 2 * _r),
+                "This is without the pause in the middle. The question has one.",
+            ),
+            Slip(
+                lambda m: 2 / (_pushed(m) - _r),
+                "The push is as long as it is, but the velocity in the middle is not 2: through "
+                "the pause the law goes on with it, and it need not be so large.",
+            ),
+            Slip(
+                lambda m: _without_ramps(m) * (1 + _times_longer(m)),
                 "This is right for very short ramps only. Do not stop after the first term.",
             ),
             Slip(
-                lambda m: 4 / (1 - 2 * _r) / _r,
+                lambda m: _ramped(m) / _r,
                 "This is the jerk, the peak over the time of a ramp. The peak itself is asked for.",
             ),
             Slip(
-                lambda m: sympy.Integer(4),
+                _without_ramps,
                 "This is the law without ramps, at r = 0. A ramp has less area below it, so the "
                 "peak has to be higher.",
             ),
             Slip(
-                lambda m: sympy.Integer(8),
-                "This is a triangle, without a flat piece, at r = 1/4. And before that?",
+                lambda m: 2 * _without_ramps(m),
+                "This is a triangle, with the longest ramps that there can be. And before that?",
             ),
             Slip(
-                lambda m: sympy.Integer(2),
+                _in_the_middle,
                 "This is the velocity in the middle. From which area does it come?",
             ),
             Slip(
-                lambda m: 4 + 16 * _r,
-                "This is right without ramps and for a triangle, at r = 0 and r = 1/4, but it is "
+                lambda m: _without_ramps(m) * (1 + 2 * _times_longer(m)),
+                "This is right without ramps and for a triangle, with the longest ramps, but it is "
                 "no straight line between. What is the area below A?",
             ),
             Slip(
-                lambda m: 4 * (1 - 2 * _r),
+                lambda m: _without_ramps(m) * (1 - _times_longer(m)),
                 "With longer ramps the peak has to be higher, not lower. Is something upside down?",
             ),
             Slip(
-                lambda m: 4 / (1 + 2 * _r),
+                lambda m: _without_ramps(m) / (1 + _times_longer(m)),
                 "With longer ramps the peak has to be higher, not lower. Look at the sign of r.",
             ),
             Slip(
-                lambda m: 2 / (1 - _r),
-                "Without ramps, at r = 0, this is 2. Which law is it then, and what is its Ca?",
+                lambda m: _in_the_middle(m) / (2 * _pushed(m) - _r),
+                "Without ramps, at r = 0, this is half of what it has to be. How long is the push, "
+                "and how much of it are the ramps?",
             ),
             Slip(
-                lambda m: 2 / (sympy.Rational(1, 2) - 2 * _r + 4 * _r / sympy.pi),
+                lambda m: _in_the_middle(m) / (_pushed(m) - 2 * _r + 4 * _r / sympy.pi),
                 "This is with quarter waves of a sine, which are fuller. Here the ramps are "
                 "straight lines.",
             ),
         ),
         hints=(
             "The area below A up to the middle is the velocity there.",
-            "It is Ca times (1/2 - r): the flat piece, and two ramps that count half.",
-            "Up to the middle the mean velocity is half of it, and the way is 1/2: so V is 2.",
+            "It is Ca times the time of the push less r: a flat piece, and two ramps that count "
+            "half.",
+            "While it is pushed the mean velocity is half of that in the middle, and in a pause it "
+            "is all of it. Up to the middle the way is 1/2.",
         ),
     ),
     NumberExercise(
@@ -324,9 +404,9 @@ EXERCISES = (
     NumberExercise(
         number="06.4",
         question=lambda m: (
-            f"With the cycloid over its widest angle, {m.widest_deg:.2f} degrees, the die of "
-            "exercise 06.3 overlaps as far as it can. How many times the least possible peak is "
-            "its peak?"
+            f"With the cycloid, {m.stroke_mm:g} mm over its widest angle of {m.widest_deg:.2f} "
+            "degrees, the die of exercise 06.3 overlaps as far as it can. How many times the least "
+            "possible peak is its peak?"
         ),
         unit="",
         answer=lambda m: _cycloidal(m) / _least(m),

@@ -21,28 +21,25 @@ _LEFT, _LONGEST = 16, WIDTH - 32
 _FARTHEST = 12.0  # so many times the shorter bar a bar is drawn at most
 
 
-def angle_with_peak_of(law: str) -> Shows:
-    """Show an answer in deg as the angle of a cycloidal die, by its peak and that of a law."""
-
-    def show(machine: MillAndDie, angle_deg: float) -> Shown:
-        asked, made = (
-            float(peak_acceleration(machine.stroke_mm, angle, machine.rate_per_hour, with_law))
-            for angle, with_law in ((machine.die_angle_deg, law), (angle_deg, "cycloidal"))
-        )
-        said = _compare(
-            made,
-            asked,
-            f"is still pushed harder than the {law}.",
-            f"is pushed just as hard as the {law}.",
-            f"is pushed less than the {law}: it does not need all of them.",
-        )
-        names = (
-            f"peak of the {law} over {machine.die_angle_deg:g} deg",
-            f"peak of the cycloid over {angle_deg:.4g} deg",
-        )
-        return _draw_bars(names, (asked, made), f"Over so many degrees the cycloid {said}")
-
-    return show
+def angle_with_the_same_peak(machine: MillAndDie, angle_deg: float) -> Shown:
+    """Show an answer in deg by the peak of the harsher law over it, beside the gentler law's."""
+    gentle, harsh = machine.laws.compared
+    asked, made = (
+        float(peak_acceleration(machine.stroke_mm, angle, machine.rate_per_hour, law))
+        for angle, law in ((machine.die_angle_deg, gentle), (angle_deg, harsh))
+    )
+    said = _compare(
+        made,
+        asked,
+        f"is still pushed harder than the {gentle}.",
+        f"is pushed just as hard as the {gentle}.",
+        f"is pushed less than the {gentle}: it does not need all of them.",
+    )
+    names = (
+        f"peak of the {gentle} over {machine.die_angle_deg:g} deg",
+        f"peak of the {harsh} over {angle_deg:.4g} deg",
+    )
+    return _draw_bars(names, (asked, made), f"Over so many degrees the {harsh} {said}")
 
 
 def turn_on_screen(turn_s: float) -> Shows:

@@ -1,0 +1,61 @@
+"""An answer of any type, read as a number; what is none is told so in a sentence."""
+
+import cmath
+import numbers
+from collections.abc import Iterable, Sized
+from typing import Any
+
+import numpy as np
+import sympy
+
+from cammotion.quantities import shorten
+
+_NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share
+
+
+class OddAnswerError(Exception):
+    """An answer that is no answer to the question at all; the message says why."""
+
+
+def to_number(answer: Any, wanted: str) -> float:
+    """Return an answer as a float if it is one real, finite number, else raise OddAnswerError."""
+    if isinstance(answer, str | bytes):
+        raise OddAnswerError(f"This is a text. Write {wanted}, without quotes and unit.")
+    if isinstance(answer, np.ndarray) and answer.ndim == 0:
+        answer = answer.item()
+    if isinstance(answer, Iterable | Sized):
+        raise OddAnswerError(
+            f"This may hold several values (it is of type {type(answer).__name__}). What is asked "
+            f"for is {wanted}: take it out, for example with [0]."
+        )
+    symbols = sorted(map(str, getattr(answer, "free_symbols", ())))
+    if symbols:
+        raise OddAnswerError(
+            f"There still is {', '.join(symbols)} in it. Put in the numbers, with subs."
+        )
+    is_number = isinstance(answer, numbers.Number | sympy.Expr)
+    if not is_number or isinstance(answer, bool | np.bool_):
+        raise OddAnswerError(f"{shorten(answer)} is no number. Write {wanted}.")
+    try:
+        value = complex(answer)
+    except OverflowError:
+        raise OddAnswerError(
+            "This number is larger than any that a computer counts with."
+        ) from None
+    if not cmath.isfinite(value):
+        raise OddAnswerError("This is not a finite number. Was something divided by zero?")
+    if abs(value.imag) > _NO_IMAGINARY_PART * abs(value):
+        raise OddAnswerError("This is a complex number. Is there a root of something negative?")
+    return value.real
+
+
+def number_or_none(answer: Any) -> float | None:
+    """Return an answer as a number, None if it is none.
+
+    >>> number_or_none(92), number_or_none("92")
+    (92.0, None)
+    """
+    try:
+        return to_number(answer, "one number")
+    except Exception:  # an object may do anything when it is looked at
+        return None
