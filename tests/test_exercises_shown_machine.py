@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from known_slips import die, later, law, place, stroke, turn, widest
+from known_slips_laws import gentle, harsh
 from shown import NUMBER, SVG, curve, is_red, numbers, texts, wrong
 
 import cammotion as cm
@@ -169,9 +170,8 @@ def assert_bars(shown: Shown, ratio: float) -> None:
 
 
 def test_bars() -> None:
-    trapezoid = 8 * math.pi / (2 + math.pi)
     for machine, angle, shown in wrong("05.3"):
-        ratio = 2 * math.pi / trapezoid * (die(machine) / angle) ** 2
+        ratio = harsh(machine) / gentle(machine) * (die(machine) / angle) ** 2
         assert ("harder" in shown.line) == (ratio > 1)
         assert ("pushed less" in shown.line) == (ratio < 1)
         assert_bars(shown, ratio)

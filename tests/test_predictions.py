@@ -103,9 +103,11 @@ def test_no_cell_that_reveals_can_be_read_for_the_answer() -> None:
 def test_each_prediction_is_revealed_once_and_below(path: Path) -> None:
     """What is stored of a reveal says nothing where it is plain text."""
     sources = cells_of(path)
-    asked = re.findall(r"^(\w+) = cm\.predict\(", "\n".join(sources), re.MULTILINE)
-    revealed = re.findall(r"^(\w+)\.reveal\(", "\n".join(sources), re.MULTILINE)
-    assert revealed == asked
+    code = "\n".join(sources)
+    asked = {m[1]: m.start() for m in re.finditer(r"^(\w+) = cm\.predict\(", code, re.MULTILINE)}
+    revealed = re.findall(r"^(\w+)\.reveal\(", code, re.MULTILINE)
+    assert sorted(revealed) == sorted(asked)
+    assert all(code.index(f"{name}.reveal(") > at for name, at in asked.items())
     reveals = reveals_of(path)
     assert len(reveals) == len(asked)
     for text, _ in reveals:

@@ -59,12 +59,13 @@ class Question(Card):
 
 @dataclass(frozen=True, repr=False)
 class Feedback(Card):
-    """What is said of an answer, and shown of what it would do."""
+    """What is said of an answer, shown of what it would do, and offered next (`more`)."""
 
     number: str
     verdict: Verdict
     note: str = ""
     shown: Shown | None = None
+    more: str = ""
 
     @property
     def is_right(self) -> bool:
@@ -74,7 +75,7 @@ class Feedback(Card):
     @property
     def text(self) -> str:
         """The plain text."""
-        return " ".join(filter(None, [*self._parts, self._line, self.note]))
+        return " ".join(filter(None, [*self._parts, self._line, self.more, self.note]))
 
     @property
     def html(self) -> str:
@@ -82,7 +83,9 @@ class Feedback(Card):
         head, *rest = map(escape, self._parts)
         note = f"<div><small>{escape(self.note)}</small></div>" if self.note else ""
         shown = f"{self.shown.html}<div>{escape(self._line)}</div>" if self.shown else ""
-        return box(self.verdict.state, f"<strong>{head}</strong> {' '.join(rest)}{shown}{note}")
+        more = f"<div>{escape(self.more)}</div>" if self.more else ""
+        said = f"<strong>{head}</strong> {' '.join(rest)}{shown}{more}{note}"
+        return box(self.verdict.state, said)
 
     @property
     def _line(self) -> str:

@@ -265,14 +265,13 @@ def _judge(number: str, answer: Any) -> Feedback:
         records = _SESSION.store.records("exercises")
         exercise = after(exercise, records, machine, find_exercise)
     verdict = exercise.judge(answer, machine)
-    if verdict.state != "open":
-        if fresh:
-            more = _SESSION.practice.count(number, verdict)
-        else:
-            more = _SESSION.note(number, answer, verdict)
-        verdict = replace(verdict, text=" ".join(filter(None, [verdict.text, more])))
+    more = ""
+    if verdict.state != "open" and fresh:
+        more = _SESSION.practice.count(number, verdict)
+    elif verdict.state != "open":
+        more = _SESSION.note(number, answer, verdict)
     shown = show_answer(exercise, answer, machine)
-    return Feedback(number, verdict, _SESSION.store.complaint, shown)
+    return Feedback(number, verdict, _SESSION.store.complaint, shown, more)
 
 
 def _letter(exercise: Exercise, record: Record) -> str:
