@@ -67,9 +67,9 @@ def plot_curves(
     """Draw one curve of each move against time and return the Axes.
 
     `curve` is one of "displacement", "velocity", "acceleration" and "jerk"; `labels`, one for each
-    move, stand at the end of its curve and are the indexing angles unless given. Where the peak is
-    infinite, which no curve shows, the label says so. Raises InputError for an unknown curve, no
-    move, and labels of another number.
+    move, stand at the end of its curve, or under its lowest place, and are the indexing angles
+    unless given. Where the peak is infinite, which no curve shows, the label says so. Raises
+    InputError for an unknown curve, no move, and labels of another number.
 
     >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     >>> plot_curves(die, curve="velocity").get_ylabel()
@@ -82,7 +82,8 @@ def plot_curves(
         time, values = sample_curve(move, curve)
         style_line(ax.plot(time, values, label=label)[0], number)
         peak = "" if math.isfinite(_peak(move, curve)) else ", peak ∞"
-        write(ax, label + peak, (time[-1], values[-1]), colour(number))
+        at, offset = _free_place(values)
+        write(ax, label + peak, (time[at], values[at]), colour(number), offset)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0.08, y=0.12)
     return ax
@@ -149,9 +150,8 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     for angle, peak in zip(angles, peaks, strict=True):
         write(ax, f"{angle:g}°: {peak:#.3g}", (angle, peak), offset=(8, 4))
     middle = np.sqrt(line.prod())
-    write(
-        ax, r"slope $-2$", (middle, law[0] * (line[0] / middle) ** 2), COLOURS[1], offset=(-70, -24)
-    )
+    on_line = (middle, law[0] * (line[0] / middle) ** 2)
+    write(ax, "slope $-2$:\ntwice the angle,\na quarter", on_line, COLOURS[1], offset=(-8, -54))
     _plain_ticks(ax)
     ax.set_xlim(line[0], line[1] * 1.25)
     return ax
@@ -205,7 +205,7 @@ def write(
         textcoords="offset points",
         color=color,
         fontsize=11,
-        ha="left" if offset[0] else "center",
+        ha="left" if offset[0] > 0 else "right" if offset[0] else "center",
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
     )
 
@@ -215,6 +215,16 @@ def _styled(ax: Axes | None, xlabel: str, ylabel: str) -> Axes:
         _, ax = plt.subplots(figsize=(7.5, 4.2), facecolor="white")
     style_axes(ax, xlabel, ylabel)
     return ax
+
+
+def _free_place(values: Floats) -> tuple[int, tuple[float, float]]:
+    """Return where a curve's label is not in the way of others: the sample, and how far off it.
+
+    Curves of moves that all begin at 0 s lie over one another where they are high, and apart
+    where they brake.
+    """
+    lowest = np.flatnonzero(values <= values.min() * (1 - 1e-9))
+    return (int(lowest[len(lowest) // 2]), (0, -17)) if values.min() < 0 else (-1, (0, 6))
 
 
 def _labelled(

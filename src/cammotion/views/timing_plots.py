@@ -24,7 +24,8 @@ TICK_DEG = 30
 SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
 LANE = 0.75  # the share of a lane that a curve fills
 BAR_INCHES, ROW_INCHES = 0.33, 1.4
-DOT_DEG, LABELLED_DOT_DEG = 5, 10
+DOT_DEG, LABELLED_DOT_DEG = 5, 15
+ROOM = 0.03  # of an axis, so that it does not hide a path along it
 ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "velocity": TimingDiagram.velocity,
     "acceleration": TimingDiagram.acceleration,
@@ -113,15 +114,16 @@ def plot_clearance(
     broken = [
         violation for diagram in named.values() for violation in find_violations(diagram, rule)
     ]
-    ax.set_xlim(0, span_mm or (widest if broken else near))  # no broken rule outside the picture
-    ax.set_ylim(0, 1.1 * highest)
+    span = span_mm or (widest if broken else near)  # no broken rule outside the picture
+    ax.set_xlim(-ROOM * span, span)
+    ax.set_ylim(-ROOM * highest, 1.1 * highest)
     region = _forbidden_region(rule, ax)
     ax.add_patch(region)
     labels: dict[tuple[float, float], str] = {}
     for number, (name, diagram) in enumerate(named.items()):
         labels = _draw_path(ax, diagram, rule, number, name) or labels
     for place, label in labels.items():  # the last path's; the others have theirs below or above
-        write(ax, label, place, colour(number), offset=(6, 6))
+        write(ax, label, place, colour(number), offset=(-3, -17))
     if any(named):
         ax.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False, fontsize=10)
     middle_x, middle_y = region.get_center()
@@ -242,7 +244,10 @@ def _share_angle(*axes: Axes) -> None:
 def _draw_path(
     ax: Axes, diagram: TimingDiagram, rule: ClearanceRule, number: int, name: str
 ) -> dict[tuple[float, float], str]:
-    """Draw a path with its dots; return where the cam angles belong that name some of them."""
+    """Draw a path with its dots; return where the cam angles belong that name some of them.
+
+    A path comes by a place more than once if the ways to and fro are alike.
+    """
     across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
     close = np.union1d(curve_angles(across), curve_angles(up))
     style_line(ax.plot(across.offset_mm(close), up.offset_mm(close), label=name)[0], number)
@@ -250,9 +255,12 @@ def _draw_path(
     x, y = np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
     under_way = (x > 0) & (y > 0) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])
     ax.plot(x[under_way], y[under_way], "o", color=colour(number), markersize=5)
-    named = under_way & (angles % LABELLED_DOT_DEG == 0)
-    places = zip(x[named].round(6), y[named].round(6), strict=True)
-    return {place: f"{angle}°" for place, angle in zip(places, angles[named], strict=True)}
+    high = y > 2 * ROOM * ax.get_ylim()[1]  # a label has room below its dot
+    named = under_way & high & (angles % LABELLED_DOT_DEG == 0)
+    found: dict[tuple[float, float], list[str]] = {}
+    for across_mm, up_mm, angle in zip(x[named], y[named], angles[named], strict=True):
+        found.setdefault((round(across_mm, 6), round(up_mm, 6)), []).append(str(angle))
+    return {place: f"{'/'.join(names)}°" for place, names in found.items()}
 
 
 def _forbidden_region(rule: ClearanceRule, ax: Axes) -> Rectangle:

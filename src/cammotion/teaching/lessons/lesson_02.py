@@ -132,7 +132,7 @@ EXERCISES = (
         unit="m/s²",
         answer=_peak,
         shows=peak_of_die(),
-        right="Times the mass of the die this is the force that its inertia asks for, twice a move.",
+        right="Times the mass of the die this is the force its inertia asks for, twice a move.",
         slips=_PEAK_SLIPS,
         hints=(
             "You need the indexing time first: which part of a turn does the die have?",

@@ -125,7 +125,7 @@ class Panel:
     >>> import sympy as sp
     >>> t = sp.Symbol("t")
     >>> Panel(lines=[Line(y=sp.sin(t))], y="acceleration a in m/s²").height
-    150
+    108
     """
 
     lines: Sequence[Line] = ()
@@ -140,7 +140,7 @@ class Panel:
     x_ticks: float | None = None
     is_equal: bool = False
     is_bare: bool = False
-    height: float = 150
+    height: float = 108
     title: str = ""
 
     def __post_init__(self) -> None:
