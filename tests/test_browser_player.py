@@ -182,6 +182,14 @@ def test_a_view_that_is_not_to_play_stands_wherever_it_comes_into_a_page(stage: 
     assert stage.standing_at() == pytest.approx(255, abs=0.1)
 
 
+def test_the_seam_of_a_label_lies_under_its_letters(stage: Stage) -> None:
+    """Drawn over them it leaves white blobs."""
+    stage.render()
+    stage.attach()
+    order = "() => getComputedStyle(view.el.querySelector('svg text')).paintOrder"
+    assert stage.evaluate(order).startswith("stroke")
+
+
 def test_of_a_view_that_ended_nothing_runs(stage: Stage) -> None:
     stage.render()
     stage.attach()

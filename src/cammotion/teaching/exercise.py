@@ -17,10 +17,14 @@ from cammotion.teaching.shown.frame import Shows
 State = Literal["open", "right", "wrong"]
 GoingOn = Callable[[MillAndDie, float], float]
 """How an answer comes out of the answer to an earlier exercise."""
-_NEAR = 0.02  # so near to the right answer it is the rounding
+_NEAR, _NOT_FAR = 0.02, 0.08  # so near it is the rounding, or most likely is
 _CLOSE = (
     "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
     "until the end."
+)
+_OFF = (
+    "Not far, but off by {} %. Was a number rounded on the way, or one read off wrongly? Keep all "
+    "digits until the end."
 )
 _SIGN_AND_SIZE = "The sign is wrong, and so is the size. Which way does it go?"
 _IN_G = "This is the acceleration in g. It is asked for in m/s²."
@@ -171,7 +175,7 @@ class NumberExercise(Exercise):
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
         known = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
-        ratios = (said for ratio, said in known.items() if self._is(given, ratio * right))
+        ratios = (said for ratio, said in known.items() if self._is_about(given, ratio * right))
         carried = self._first(self.carried, given, machine)
         brought = self._first(self.brought, given, machine)
         rounded = (
@@ -195,6 +199,9 @@ class NumberExercise(Exercise):
     def _is(self, given: float, value: float) -> bool:
         return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)
 
+    def _is_about(self, given: float, value: float) -> bool:
+        return self._is(given, value) or is_rounded(given, value, FEWEST + 1)
+
     def _in_g(self, given: float, right: float) -> str:
         if self.unit == "m/s²" and self._is(given * STANDARD_GRAVITY, right):
             return _IN_G
@@ -205,6 +212,8 @@ class NumberExercise(Exercise):
         off = abs(given - right) / abs(right)
         if off <= _NEAR:
             return _CLOSE.format(f"{100 * off:.2g}")
+        if off <= _NOT_FAR:
+            return _OFF.format(f"{100 * off:.2g}")
         if given * right < 0:
             return _SIGN_AND_SIZE
         return self._too("large" if abs(given) > abs(right) else "small")
@@ -222,6 +231,7 @@ class NumberExercise(Exercise):
         unknown = (
             *map(_TOO_FEW.format, _DIGITS.values()),
             _CLOSE.format("…"),
+            _OFF.format("…"),
             _SIGN_AND_SIZE,
             self._too("large"),
             self._too("small"),

@@ -63,7 +63,8 @@ class ExpressionExercise(Exercise):
         if self._same(given, right):
             return ""
         for slip in self.slips:
-            if self._same(given, self._values(slip.answer(machine), places)):
+            wrong = slip.answer(machine)  # NaN where nobody goes this way
+            if wrong is not sympy.nan and self._same(given, self._values(wrong, places)):
                 return slip.reason
         return _constant_factor(given, right) or self._at_ends(answer, solution) or _ANOTHER
 

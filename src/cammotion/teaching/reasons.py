@@ -23,8 +23,10 @@ COMMON_RATIOS: Mapping[float, str] = {
     ),
     1e6: "This is a million times too large. Are mm, or ms, squared on the way?",
     1e-6: "This is a million times too small. Are mm, or ms, squared on the way?",
-    math.pi / 180: "Degrees were made radians here, but the formula counts in degrees.",
-    180 / math.pi: "This was multiplied by 180/pi, as if radians had to be made degrees.",
+    math.pi
+    / 180: "This is 180/pi times too small: degrees were made radians, but the formula counts in "
+    "degrees.",
+    180 / math.pi: "This is 180/pi times too large: degrees and radians are mixed.",
 }
 """Ratios of an answer to the right one, and what has usually happened where one is met."""
 

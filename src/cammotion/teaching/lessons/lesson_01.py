@@ -18,6 +18,15 @@ def _mill_peak(m: MillAndDie) -> float:
     return float(peak_acceleration(m.pitch_mm, m.mill_angle_deg, m.rate_per_hour))
 
 
+_ADDED_UP = tuple(
+    Slip(
+        lambda m, off_deg=off_deg: m.die_angle_deg + off_deg / 2,  # type: ignore[misc]
+        "The way is right, the sum is not: 360 less the mill's degrees, less those of the work. "
+        "Add up once more.",
+    )
+    for off_deg in (10, -10, 20, -20, 100, -100)
+)
+
 EXERCISES = (
     NumberExercise(
         number="01.1",
@@ -53,6 +62,7 @@ EXERCISES = (
                 "Here only the work was halved. Put brackets around the whole difference, and "
                 "halve that.",
             ),
+            *_ADDED_UP,
         ),
         hints=(
             "One turn has 360 degrees. Who needs which part of it?",

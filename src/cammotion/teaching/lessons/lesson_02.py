@@ -64,6 +64,15 @@ def _ratio(m: MillAndDie) -> float:
     return (m.rate_per_hour + FASTER) / m.rate_per_hour
 
 
+def _only_the_first_divided(m: MillAndDie) -> sympy.Expr:
+    low, high = m.laws.powers
+    if high - low == 1:  # nothing is divided
+        return sympy.nan
+    x = _t / _t_m
+    first = high * low * (low - 1) * x ** (low - 2) / (high - low)
+    return _h_m / _t_m**2 * (first - high * low * (high - 1) * x ** (high - 2))
+
+
 _PEAK_SLIPS = (
     Slip(
         lambda m: m.stroke_mm / MM_PER_M / _time(m) ** 2,
@@ -109,6 +118,20 @@ _PEAK_SLIPS = (
     Slip(
         lambda m: peak_acceleration(m.stroke_mm, math.radians(m.die_angle_deg), m.rate_per_hour),
         "The angle was made radians. Its part of a turn is degrees out of 360.",
+    ),
+    Slip(
+        lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / math.radians(m.die_angle_deg) ** 2,
+        "The angle stands where the time belongs, in radians. How many seconds does the die have?",
+    ),
+    Slip(
+        lambda m: peak_acceleration(
+            m.stroke_mm, m.die_angle_deg, m.rate_per_hour, "simple harmonic"
+        ),
+        "This is the simple harmonic motion, with pi²/2. The cycloid has 2 pi.",
+    ),
+    Slip(
+        lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / float(f"{_time(m):.1g}") ** 2,
+        "The time was rounded to one digit on the way, and it counts twice. Keep all digits.",
     ),
 )
 
@@ -180,6 +203,14 @@ EXERCISES = (
             Slip(
                 lambda m: _h_m / _t_m**2 * _law(m, 2, at=_t),
                 "In the bracket t stands where x does: put in x = t/t_m there, too.",
+            ),
+            Slip(
+                lambda m: _h_m / _t_m * _law(m, 2, at=_t),
+                "In a power of x all of it is taken to that power: x³ is t³/t_m³, not t³/t_m.",
+            ),
+            Slip(
+                _only_the_first_divided,
+                "What stands below the bracket divides both of its terms, not the first alone.",
             ),
             Slip(
                 lambda m: _law(m, 2) / _t_m**2,

@@ -16,6 +16,8 @@ IN_DEGREES = (
     "radians."
 )
 
+PLUS = "There is a minus before the sine of the law, which makes it start gently."
+
 _LAW = LAWS["cycloidal"]
 
 
@@ -24,8 +26,12 @@ def _way(share: float) -> float:
     return float(_LAW.inverse(share))
 
 
+def _share(m: MillAndDie) -> float:
+    return m.limit_mm / m.stroke_mm
+
+
 def _place(m: MillAndDie) -> float:
-    return _way(m.limit_mm / m.stroke_mm)
+    return _way(_share(m))
 
 
 def law_in_degrees(x: float) -> float:
@@ -80,6 +86,8 @@ EXERCISES = (
                 "the whole law.",
             ),
             Slip(lambda m: m.pitch_mm * law_in_degrees(QUIET_SHARE), IN_DEGREES),
+            Slip(lambda m: m.pitch_mm * (1 - law_in_degrees(1 - QUIET_SHARE)), IN_DEGREES),
+            Slip(lambda m: m.pitch_mm * (2 * QUIET_SHARE - float(_LAW(QUIET_SHARE))), PLUS),
             Slip(
                 lambda m: m.pitch_mm * (QUIET_SHARE - math.sin(2 * math.pi * QUIET_SHARE)),
                 "Something is missing below the sine: it has to be divided by 2 pi.",
@@ -134,6 +142,15 @@ EXERCISES = (
                 lambda m: m.mill_angle_deg - 2 * m.quiet_deg,
                 "This is the effective angle of the mill. What does it leave for the die?",
             ),
+            Slip(
+                lambda m: m.die_angle_deg - m.quiet_deg,
+                "The quiet ends were added to the mill's degrees. They are taken away from them.",
+            ),
+            Slip(
+                lambda m: m.work_deg / 2,
+                "This is half of the work, in which the die does not move. What do work and mill "
+                "leave?",
+            ),
         ),
         hints=(
             "What is the effective angle of the mill, without its two quiet ends?",
@@ -175,6 +192,11 @@ EXERCISES = (
             ),
             Slip(_place_in_degrees, IN_DEGREES),
             Slip(
+                lambda m: 2 * _share(m) - float(_LAW(_share(m))),
+                "This is one step on the way, S + sin(2 pi S)/(2 pi). Put it in for x, and go on "
+                "until nothing changes.",
+            ),
+            Slip(
                 lambda m: m.limit_mm,
                 "This is how deep it may be, in mm. Which share of the stroke is that, and at "
                 "which x?",
@@ -213,12 +235,18 @@ EXERCISES = (
                 "1 - x.",
             ),
             Slip(
+                lambda m: m.overlapped_deg * (1 + _place(m)),
+                "The part x was added to these degrees. They are the part 1 - x of the whole: "
+                "divide by it.",
+            ),
+            Slip(
                 lambda m: m.overlapped_deg * (1 - _place(m)),
                 "These degrees are the part 1 - x of the whole. The whole has to be larger.",
             ),
             Slip(
                 lambda m: m.die_angle_deg / (1 - _place(m)),
-                "The quiet end of the mill was forgotten: the die has more than its old angle.",
+                "The quiet end of the mill was forgotten. It comes on top of the angle without "
+                "overlap.",
             ),
             Slip(
                 lambda m: m.overlapped_deg,

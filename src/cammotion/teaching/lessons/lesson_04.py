@@ -1,11 +1,13 @@
 """Exercises of notebook 04, the machine in motion."""
 
+import math
+
 from cammotion.laws.catalogue import LAWS
 from cammotion.limits.widest import with_angle
-from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, indexing_time
+from cammotion.machine.kinematics import DEG_PER_TURN, SECONDS_PER_HOUR, cycle_time, indexing_time
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
-from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
+from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, PLUS, law_in_degrees
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import turn_on_screen
 from cammotion.teaching.shown.places import depth_before_down
@@ -19,6 +21,20 @@ def _depth(m: MillAndDie, angle_deg: float) -> float:
     """Return how deep the die is shortly before it is down, with an indexing angle."""
     die = with_angle(m.die, angle_deg)
     return float(die.position_mm(m.down_deg - BEFORE_DOWN_DEG))
+
+
+def _x(m: MillAndDie) -> float:
+    """Return which part of its move the overlapped die has done then."""
+    return 1 - BEFORE_DOWN_DEG / m.widest_deg
+
+
+def _from_the_quiet_end(m: MillAndDie) -> float:
+    done_deg = m.down_deg - BEFORE_DOWN_DEG - (m.mill_angle_deg - m.quiet_deg)
+    return (
+        m.stroke_mm * float(LAWS["cycloidal"](done_deg / m.widest_deg))
+        if done_deg > 0
+        else math.nan
+    )
 
 
 def _rest_deg(m: MillAndDie) -> float:
@@ -59,6 +75,15 @@ EXERCISES = (
                 IN_DEGREES,
             ),
             Slip(
+                lambda m: 2 * m.stroke_mm * _x(m) - _depth(m, m.widest_deg),
+                PLUS,
+            ),
+            Slip(
+                _from_the_quiet_end,
+                "Here the move begins with the quiet end of the mill. It began before: it ends "
+                "where the die is down, and has all its degrees before that.",
+            ),
+            Slip(
                 lambda m: (
                     m.stroke_mm
                     * float(LAWS["cycloidal"]((m.down_deg - BEFORE_DOWN_DEG) / DEG_PER_TURN))
@@ -95,6 +120,10 @@ EXERCISES = (
             Slip(
                 lambda m: (TURN_S / cycle_time(m.rate_per_hour)) ** 3,
                 "The third power belongs to the jerk.",
+            ),
+            Slip(
+                lambda m: (TURN_S / (m.rate_per_hour / SECONDS_PER_HOUR)) ** 2,
+                "N/3600 says how many turns there are in a second. A turn takes 3600/N seconds.",
             ),
             Slip(
                 lambda m: (TURN_S / cycle_time(m.rate_per_hour) * 60) ** 2,

@@ -25,6 +25,7 @@ MOTOR_INERTIA = 1e-4
 
 _ACCELERATION = 0.6
 _r = sympy.Symbol("r")
+_HALF = sympy.Rational(1, 2)
 
 
 def _turn_deg(m: MillAndDie) -> float:
@@ -148,6 +149,11 @@ EXERCISES = (
                 "to take away from the weight 1 - x.",
             ),
             Slip(
+                lambda m: 4 * _left(m) if m.laws.head_start else math.nan,
+                "This brakes in the second half, as if it had to stop. The hammer may arrive at "
+                "any speed, and can be pushed all the way.",
+            ),
+            Slip(
                 lambda m: 2.0 if m.laws.head_start else math.nan,
                 "This is for a hammer that starts from rest. The speed at the start makes a part "
                 "of the way.",
@@ -168,8 +174,8 @@ EXERCISES = (
             ),
             Slip(
                 _left,
-                "With this even push it comes only half as far as it has to. From rest, the way is "
-                "half the acceleration times the time squared.",
+                "This even push brings it only half as far as it has to: the way that a push adds "
+                "is half the acceleration times the time squared.",
             ),
             Slip(
                 lambda m: 0.0,
@@ -257,6 +263,25 @@ EXERCISES = (
             Slip(
                 lambda m: _without_ramps(m) * (1 + _times_longer(m)),
                 "This is right for very short ramps only. Do not stop after the first term.",
+            ),
+            Slip(
+                lambda m: (
+                    _ramped(m) * (1 + _still(m)) / (1 - _still(m)) if _still(m) else sympy.nan
+                ),
+                "The way of the pause is missing: while nothing pushes, the law goes on with the "
+                "velocity that it has in the middle.",
+            ),
+            Slip(
+                lambda m: 1 / (_pushed(m) - _r) if _still(m) else sympy.nan,
+                "The area below A up to the middle is the velocity there, and not the way. How "
+                "far does the law come with it, while it is pushed and in the pause?",
+            ),
+            Slip(
+                lambda m: (
+                    1 / ((_HALF + _still(m)) * (_HALF - _still(m) - _r)) if _still(m) else sympy.nan
+                ),
+                "The whole pause was taken off each half of the time. It is shared: half of it "
+                "lies before the middle, half after it.",
             ),
             Slip(
                 lambda m: _ramped(m) / _r,

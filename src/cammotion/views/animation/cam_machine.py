@@ -73,7 +73,7 @@ class _Machine:
         drawing = draw.Drawing(
             WIDTH_PX,
             HEIGHT_PX,
-            class_="cm-still",
+            class_="cm-drawing cm-still",
             role="img",
             font_family=svg.FONT,
             style="background: white",

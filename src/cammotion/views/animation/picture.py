@@ -186,7 +186,7 @@ def _sheet(columns: Sequence[Any], height: float, title: str, description: str) 
     drawing = draw.Drawing(
         width,
         whole,
-        class_="cm-still",
+        class_="cm-drawing cm-still",
         role="img",
         font_family=svg.FONT,
         style="background: white",

@@ -25,7 +25,7 @@ SMALL, NORMAL, LARGE = 11, 12, 15
 
 # What the reader's wish for less motion stops, unless a player has taken the class cm-still away.
 STYLE = """
-.cm-still text { stroke-linejoin: round; paint-order: stroke }
+.cm-drawing text { stroke-linejoin: round; paint-order: stroke }
 @media (prefers-reduced-motion: reduce) {
 .cm-still .cm-moves { transform: none !important }
 .cm-still .cm-off { visibility: hidden !important }
