@@ -123,10 +123,8 @@ def test_bounds_of_the_front_lie_below_the_closed_form_and_motions_above() -> No
             assert found.reached >= least * (1 - 1e-6)
 
 
-@pytest.mark.parametrize(
-    ("hertz", "running"), [(12, (0.88, 0.94, 0.95, 1.14)), (4.55, (1.48, 1.18, 1.27, 1.42))]
-)
-def test_the_running_machine_on_a_spring(hertz: float, running: tuple[float, ...]) -> None:
+def test_the_running_machine_on_a_spring() -> None:
+    hertz, running = 4.55, (1.48, 1.18, 1.27, 1.42)
     count, example = 3600, cm.EXAMPLE
     angles = np.arange(count) * 360 / count
     rate, waves = 2 * np.pi * hertz, 2 * np.pi * np.fft.rfftfreq(count, TURN_S / count)
@@ -142,7 +140,7 @@ def test_the_running_machine_on_a_spring(hertz: float, running: tuple[float, ...
 
 def test_the_single_rise_on_a_spring_turns_the_ranking() -> None:
     """By a recurrence from step to step, exact for a straight line of the acceleration."""
-    for hertz, best, worst in ((12, 0, 3), (4.55, 1, 0)):
+    for hertz, best, worst in ((12, 0, 3), (4.55, 1, 0), (4, 0, 3)):
         peaks = [single_rise(name, hertz) for name in FOUR]
         assert (int(np.argmin(peaks)), int(np.argmax(peaks))) == (best, worst)
     assert single_rise("modified trapezoid", 12) == pytest.approx(0.815, abs=2e-3)

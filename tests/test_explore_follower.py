@@ -14,7 +14,7 @@ import cammotion as cm
 from cammotion.views.explorers.follower import n
 from cammotion.views.live.figure import LiveFigure
 
-LAWS = ("constant acceleration", "simple harmonic", "cycloidal")
+LAWS = ("cycloidal", "simple harmonic", "constant acceleration")
 X = np.linspace(0, 2.5, 301)
 TRACED = """
 const now = compile(given.description)(given.settings, given.settings);

@@ -571,15 +571,15 @@ PREDICTIONS = (
         "05.best",
         "peak of the die in m/s²",
         3.232,
-        "The constant acceleration has 2.645 and jumps, so it is above that. Many hope for half "
-        "the peak or less. But whatever the law, the die has to make the same way in the same "
-        "time.",
+        "The constant acceleration has 2.645 and jumps, and nothing is below it: so it lies between "
+        "that and 4.154. Half the peak, 2.08, cannot be, since the die has to make the same way in "
+        "the same time.",
     ),
     Prediction(
         "05.widest",
-        "gently or quickly",
-        "gently",
-        "So it is one that starts gently. A quick start sounds like a head start. But what is "
-        "asked for is a long move, and the quick one is 19 mm deep too soon.",
+        "large or small Cv",
+        "large",
+        "The larger Cv, the wider the angle. Less velocity sounds gentler. But who is slow in the "
+        "middle has gone further before it, and is 19 mm deep too soon.",
     ),
 )

@@ -616,20 +616,22 @@ PREDICTIONS = (
         "06.spring",
         "the least push, where it was 4",
         6,
-        "Five is the usual guess: one more here for one less there. But the die, pushed and "
-        "braked evenly, gets up to a velocity of 2. A brake of 3 needs two thirds of the time "
-        "to take that away. One third is left for the push, and 2 divided by 1/3 is 6.",
+        "Five is tempting: one more here for one less there. But the die, pushed and braked evenly, "
+        "gets up to a velocity of 2. A brake of 3 needs two thirds of the time to take that away. "
+        "One third is left for the push, and 2 divided by 1/3 is 6. Less cannot do it: with the "
+        "weight 1/3 - x a push of P gives at most P/18, the brake 3 times 2/9, and 1 is needed.",
     ),
     Prediction(
         "06.machine",
         "m/s²",
         0.511,
-        "Many expect more of all the motions that nobody has tried yet. They gain less than 2 %.",
+        "It is easy to expect more of all the motions that nobody has tried yet. They gain less "
+        "than 2 %.",
     ),
     Prediction(
         "06.jerk",
         "percent",
-        3.3,
-        "Many guess ten or twenty percent: the law was found with pencil and paper.",
+        3.4,
+        "Ten or twenty percent would be no wonder: the law was found with pencil and paper.",
     ),
 )

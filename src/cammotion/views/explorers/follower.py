@@ -16,7 +16,7 @@ from cammotion.views.live.formulas import largest
 from cammotion.views.live.parts import FRAME, Control, Line, Panel, Point, Say, choice
 
 n, _SHOWN = sp.symbols("n shown", positive=True)
-_LAWS = ("constant acceleration", "simple harmonic", "cycloidal")
+_LAWS = ("cycloidal", "simple harmonic", "constant acceleration")
 _SPRING, _COILS, _HALF_MASS = sp.Rational(7, 10), 7, sp.Rational(3, 20)  # lengths in strokes
 _END = 2.5  # of the time that is shown, in indexing times
 _STIFF = 60  # a deflection of 1 is drawn as this much acceleration, unless the spring is softer
@@ -37,7 +37,7 @@ def explore_follower(
     >>> figure = explore_follower()
     >>> figure.values = {n: 4}
     >>> print(figure.text.splitlines()[0])
-    constant acceleration: largest |A| of the cam 4, of the mass 8.59, which is 2.15 times as much
+    cycloidal: largest |A| of the cam 6.28, of the mass 7.82, which is 1.24 times as much
     """
     known = [as_law(law) for law in laws]
     masses = [OneMass(law, n, damping) for law in known]
