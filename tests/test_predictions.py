@@ -113,3 +113,16 @@ def test_each_prediction_is_revealed_once_and_below(path: Path) -> None:
     for text, _ in reveals:
         assert text == "The answer is folded: you made no prediction yet."
     assert not any(".said}" in source or ".said)" in source for source in sources)
+
+
+def test_the_page_for_teachers_says_what_is_true() -> None:
+    page = (NOTEBOOKS[0].parent.parent / "docs" / "teaching.md").read_text("utf-8")
+    for lesson in sorted({key[:2] for key in PREDICTIONS}):
+        section = page.split(f"## {lesson} · ")[1]
+        (line,) = re.findall(r"\*\*True\.\*\* (.*)", section.split("\n## ")[0])
+        numbers = [float(number) for number in re.findall(r"\d+\.?\d*", line)]
+        for made in (m for m in PREDICTIONS.values() if m.key.startswith(lesson)):
+            if isinstance(made.true, str):
+                assert set(re.findall(r"[\d.]+", made.true)) <= set(re.findall(r"[\d.]+", line))
+            else:
+                assert any(number == pytest.approx(made.true, rel=0.003) for number in numbers)

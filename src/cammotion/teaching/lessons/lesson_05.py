@@ -571,7 +571,7 @@ PREDICTIONS = (
         "05.best",
         "peak of the die in m/s²",
         3.232,
-        "The constant acceleration has 2.645 and jumps, and nothing is below it: so it lies between "
+        "The constant acceleration has 2.645 and jumps, and nothing is below it: it lies between "
         "that and 4.154. Half the peak, 2.08, cannot be, since the die has to make the same way in "
         "the same time.",
     ),

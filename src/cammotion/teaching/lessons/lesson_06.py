@@ -616,7 +616,7 @@ PREDICTIONS = (
         "06.spring",
         "the least push, where it was 4",
         6,
-        "Five is tempting: one more here for one less there. But the die, pushed and braked evenly, "
+        "Five is tempting: one more here, one less there. But the die, pushed and braked evenly, "
         "gets up to a velocity of 2. A brake of 3 needs two thirds of the time to take that away. "
         "One third is left for the push, and 2 divided by 1/3 is 6. Less cannot do it: with the "
         "weight 1/3 - x a push of P gives at most P/18, the brake 3 times 2/9, and 1 is needed.",
