@@ -18,10 +18,12 @@ from limits import measure_limits
 from live import measure_live
 from overlap import measure_overlap
 from package import measure_import, measure_lesson, measure_setup, measure_test
+from questions import measure_again
 from round_trip import measure_round_trips
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "accessibility": measure_accessibility,
+    "again": measure_again,
     "animation": measure_animation,
     "exercises": measure_exercises,
     "import": measure_import,
