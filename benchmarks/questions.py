@@ -9,9 +9,9 @@ from findings import Finding, say
 
 sys.path.append(str(Path(__file__).parent.parent / "tests"))
 
-from fresh.check_questions import ASKED, rounds  # noqa: E402
+from fresh.check_questions import ASKED, rounds
 
-from cammotion.teaching.variants import machine_for  # noqa: E402
+from cammotion.teaching.variants import machine_for
 
 DRAWS = 10_000
 
