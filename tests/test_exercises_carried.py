@@ -57,6 +57,7 @@ def test_an_answer_that_is_right_for_a_wrong_earlier_one(
 def test_the_exercises_that_go_on() -> None:
     found = {exercise.number: [*exercise.goes_on_from] for exercise in GOING_ON}
     assert found == {
+        "01.3": ["01.1"],
         "02.3": ["02.1"],
         "03.2": ["01.1"],
         "03.4": ["03.2", "03.3"],

@@ -121,11 +121,14 @@ EXERCISES = (
         number="01.3",
         question=lambda m: (
             f"The mill goes {m.pitch_mm:g} mm over {m.mill_angle_deg:g} degrees, the die "
-            f"{m.stroke_mm:g} mm over {m.die_angle_deg:g} degrees, both by the cycloidal law. "
+            f"{m.stroke_mm:g} mm over the degrees of exercise 01.1, both by the cycloidal law. "
             "Divide the peak acceleration of the die by that of the mill. What do you get?"
         ),
         unit="",
         answer=lambda m: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / m.die_angle_deg) ** 2,
+        goes_on_from={
+            "01.1": lambda m, degrees: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / degrees) ** 2
+        },
         shows=peak_of_die("With this ratio", peak=lambda m, ratio: ratio * _mill_peak(m)),
         right=(
             "The angle counts twice and the stroke once. That is why a short way can be the harder "
