@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 from judging import each_number, is_right, say
@@ -163,3 +164,15 @@ def test_a_slip_is_known_by_two_digits_too() -> None:
 
 def test_a_slip_that_leads_to_the_right_number_does_not_count() -> None:
     assert is_right(simple(0.737, 0.737), 0.74)
+
+
+def test_a_right_answer_that_is_nearly_round_is_right_with_all_its_digits() -> None:
+    """109.99947 is no answer to two digits, though it is nearly 110."""
+    right = 109.99946558430335
+    slips = (Slip(lambda _: 112.0, "two too many"),)
+    exercise = EXERCISES["03.4"]
+    assert isinstance(exercise, NumberExercise)
+    exercise = replace(exercise, answer=lambda _: right, slips=slips)
+    for given in (right, 109.9995, 110.0, 109.999):
+        assert is_right(exercise, given)
+    assert say(exercise, 112.0) == "two too many"

@@ -152,7 +152,9 @@ class NumberExercise(Exercise):
         slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)
         if is_same(given, slip):
             return wrong[slip]
+        is_to_most = is_rounded(float(f"{given:.{MOST}g}"), right, MOST)  # though nearly round
         few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
+        few = few and not is_to_most
         if few and off <= MOST_OFF * abs(right):
             return _TOO_FEW.format(_DIGITS[digits])
         if self._is(given, slip) and abs(given - slip) < off:
