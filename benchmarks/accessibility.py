@@ -22,12 +22,8 @@ RUN = """async ([outputs, rules]) => {
   const found = await axe.run({include: [[outputs]]}, {runOnly: rules});
   return found.violations.flatMap(({id, nodes}) => nodes.map(({html}) => [id, html]));
 }"""
-# What others draw and cannot be told a text for: JupyterLab's renderer of images reads width and
-# height alone, and the handle of ipywidgets' slider has no name (notebook 00 tries it).
-OF_OTHERS = [
-    ("image-alt", '<img src="data:image/png'),
-    ("aria-input-field-name", '<div class="noUi-handle'),
-]
+# What others draw: the handle of ipywidgets' slider has no name (notebook 00 tries it).
+OF_OTHERS = [("aria-input-field-name", '<div class="noUi-handle')]
 RUN_ALL = "() => jupyterapp.commands.execute('notebook:run-all-cells')"
 THEME = "theme => jupyterapp.commands.execute('apputils:change-theme', {theme})"
 THEMES = ("JupyterLab Dark", "JupyterLab Light")

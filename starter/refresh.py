@@ -79,6 +79,7 @@ def remove_traces(cell: dict[str, Any]) -> None:
         cell["outputs"] = joined_streams(cell["outputs"])
         for output in cell["outputs"]:
             drop_widget_view(output)
+            drop_second_picture(output)
 
 
 def joined_streams(outputs: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -98,3 +99,10 @@ def drop_widget_view(output: dict[str, Any]) -> None:
     data = output.get("data", {})
     if data.pop(WIDGET_VIEW, None) and not data:
         data["text/plain"] = ["An interactive widget: run the cell to see it."]
+
+
+def drop_second_picture(output: dict[str, Any]) -> None:
+    """Drop the HTML that holds the PNG beside it: one is enough to be kept, and GitHub shows it."""
+    data = output.get("data", {})
+    if "image/png" in data:
+        data.pop("text/html", None)

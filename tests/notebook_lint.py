@@ -29,7 +29,7 @@ PROSE_WORDS = range(700, 2501)
 MAX_BYTES = 1_000_000
 MAX_CODE_LINES = 20
 NOTEBOOK_METADATA = {"kernelspec", "language_info"}
-CELL_METADATA = {"alt", "tags", "nbgrader", "jupyter", "editable", "deletable"}
+CELL_METADATA = {"tags", "nbgrader", "jupyter", "editable", "deletable"}
 FOLDED, OPTIONAL = "jp-MarkdownHeadingCollapsed", re.compile(r"^#+ .*if you like", re.MULTILINE)
 EMPTY_LINK_TEXTS = {"", "here", "click here", "this", "link", "this link", "more", "read more"}
 PORTABLE_SCHEMES = {"", "http", "https", "mailto", "data", "attachment"}
@@ -227,6 +227,10 @@ def alt_text(cell: Cell) -> Iterator[str]:
     for image in cell.select("img"):
         if not str(image.get("alt", "")).strip():
             yield f"picture {str(image.get('src'))[:80]} has no alternative text"
+    for output in cell.node.get("outputs", []):
+        shown = output.get("metadata", {}).get("image/png", {})
+        if "image/png" in output.get("data", {}) and not shown.get("alt", "").strip():
+            yield "a PNG output has no alternative text: draw it with the package's functions"
 
 
 @cell_rule

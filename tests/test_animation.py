@@ -368,7 +368,7 @@ def test_whatever_a_user_types_stays_text() -> None:
         assert "<script>alert(1)</script>\"'&]]>" in "".join(root.itertext())
         page = BeautifulSoup(animation.player()._repr_mimebundle_()[0]["text/html"], "html.parser")
         assert page.script is None
-        assert [tag.name for tag in page.find_all()] == ["figure", "img"]
+        assert [tag.name for tag in page.find_all()] == ["style", "figure", "img"]
         assert "<script>" in str(page.img and page.img["alt"])
 
 

@@ -1,11 +1,15 @@
 """A learner works through notebook 03 in JupyterLab: the explorer and the exercises."""
 
 import json
+import re
 from collections.abc import Iterator
+from io import BytesIO
 
+import numpy as np
 import pytest
 from lab import ROOT, LabPage, opened_lesson
 from machines import RULE, make_diagram
+from PIL import Image
 from playwright.sync_api import Locator, expect
 
 import cammotion as cm
@@ -13,6 +17,8 @@ import cammotion as cm
 WORK = "work-lesson-03-test"
 LESSON = "03_overlap.ipynb"
 EIGHT_EM = 8 * 13
+BLACK, WHITE = 60, 220  # of 255: nearly
+THEME = "theme => jupyterapp.commands.execute('apputils:change-theme', {theme})"
 
 
 @pytest.fixture(scope="module")
@@ -69,9 +75,10 @@ def test_a_collision_turns_up_at_once_and_is_named(output: Locator) -> None:
 
 
 def test_every_control_has_a_name(output: Locator) -> None:
-    for name in ("die: angle Bm, deg", "die: start, deg", "mill: angle, deg", "margin, mm"):
+    for name in ("die: angle Bm, deg", "die: start, deg", "mill: angle, deg"):
         for role in ("textbox", "slider"):
             expect(output.get_by_role(role, name=name)).to_be_visible()
+    expect(output.get_by_role("combobox", name="margin")).to_be_visible()
 
 
 def kept() -> dict[str, dict[str, dict[str, object]]]:
@@ -80,6 +87,28 @@ def kept() -> dict[str, dict[str, dict[str, object]]]:
         (ROOT / WORK / "progress.json").read_text("utf-8")
     )
     return content
+
+
+def test_every_picture_has_words_and_none_is_a_white_slab_in_the_dark(lesson: LabPage) -> None:
+    pictures = lesson.notebook.locator("img")
+    assert pictures.count() > len(("the machine", "three plots"))
+    for picture in pictures.all():
+        expect(picture).to_have_attribute("alt", re.compile(r"\w"))
+    cards = lesson.notebook.locator("div.cm-paper").filter(visible=True)
+    shown = [pictures.first, lesson.output_of("cm.plot_clearance(").locator("img"), cards.first]
+    dark = [_brightness_in("JupyterLab Dark", lesson, one) for one in shown]
+    light = [_brightness_in("JupyterLab Light", lesson, one) for one in shown]
+    assert max(dark) < BLACK
+    assert min(light) > WHITE
+
+
+def _brightness_in(theme: str, lesson: LabPage, shown: Locator) -> float:
+    """Return how bright most of an element is with a theme, from 0 to 255."""
+    lesson.page.evaluate(THEME, theme)
+    attribute = re.compile("false" if "Dark" in theme else "true")
+    expect(lesson.page.locator("body")).to_have_attribute("data-jp-theme-light", attribute)
+    picture = Image.open(BytesIO(shown.screenshot())).convert("L")
+    return float(np.median(np.asarray(picture)))
 
 
 def test_a_choice_is_made_by_keyboard_and_answered_with_a_reason(lesson: LabPage) -> None:

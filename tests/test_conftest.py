@@ -54,6 +54,14 @@ CELLS = {
         showing(PLAIN | {"image/png": "BB=="}, PLAIN | {"image/png": "AA=="}),
         "passed",
     ),
+    "html of a picture": (
+        showing(PLAIN | {"image/png": "AA==", "text/html": "<img>"}, PLAIN | {"image/png": "AA=="}),
+        "passed",
+    ),
+    "picture gone": (
+        showing(PLAIN | {"text/html": "<img>"}, PLAIN | {"image/png": "AA=="}),
+        "failed",
+    ),
 }
 
 

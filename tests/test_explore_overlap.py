@@ -7,17 +7,18 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from explored import at_corners, control_of, drawn, limits_of, lines_of, peaks_said
 from machines import OVERSHOOTING, RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
 from cammotion.machine.clearance import Condition, Violation
 from cammotion.machine.motions import Motion
-from cammotion.views.explorers.overlap import B_MILL, MARGIN, START, B_m
+from cammotion.views.explorers.overlap import B_MILL, START, B_m
 from cammotion.views.live.figure import LiveFigure
 
 DIAGRAM = make_diagram()
-CONTROLS = B_m, START, B_MILL, MARGIN
+CONTROLS = B_m, START, B_MILL
 AT = np.linspace(0.013, 359.987, 400)
 LATE = cm.MotionLaw("late {x}", cm.x**3 * (4 - 3 * cm.x))
 SAMPLED = cm.law_from_points(np.linspace(0, 1, 9), np.linspace(0, 1, 9) ** 2, name="<b>points</b>")
@@ -26,6 +27,17 @@ SAMPLED = cm.law_from_points(np.linspace(0, 1, 9), np.linspace(0, 1, 9) ** 2, na
 @pytest.fixture
 def figure() -> LiveFigure:
     return cm.explore_overlap(DIAGRAM, RULE, contact_mm=20)
+
+
+def margin_of(figure: LiveFigure) -> sp.Symbol:
+    """Return the symbol of the margin, whose value is the number of the chosen name."""
+    (symbol,) = (symbol for symbol in figure.values if symbol.name == "margin")
+    return symbol
+
+
+def set_margin(figure: LiveFigure, margin_mm: float) -> None:
+    symbol = margin_of(figure)
+    figure.values = {symbol: symbol.options.index(f"{margin_mm:g} mm")}
 
 
 class Explored:
@@ -39,7 +51,7 @@ class Explored:
     @property
     def rule(self) -> cm.ClearanceRule:
         """The rule with the margin that is set."""
-        limit = self.contact_mm - self.figure.values[MARGIN]
+        limit = self.contact_mm - float(self.figure.chosen["margin"].removesuffix(" mm"))
         return replace(self.start_rule, when=replace(self.start_rule.when, limit_mm=limit))
 
     @property
@@ -195,7 +207,7 @@ MACHINES = {
 @pytest.mark.parametrize("name", MACHINES)
 def test_every_machine_is_judged_as_the_package_judges_it(name: str) -> None:
     explored = Explored(*MACHINES[name])
-    for _ in at_corners(explored.figure, MARGIN):
+    for _ in at_corners(explored.figure, margin_of(explored.figure)):
         explored.check()
         before = explored.figure.values
         explored.check_button()
@@ -212,7 +224,7 @@ def test_every_machine_is_judged_as_the_package_judges_it(name: str) -> None:
 
 def test_every_corner_of_the_controls() -> None:
     explored = Explored(DIAGRAM, RULE, 20)
-    for _ in at_corners(explored.figure, *CONTROLS):
+    for _ in at_corners(explored.figure, *explored.figure.values):
         explored.check()
 
 
@@ -234,7 +246,7 @@ def test_the_button_finds_the_widest_move(figure: LiveFigure) -> None:
     assert figure.values[B_m] == pytest.approx(124.9053, abs=1e-4)
     assert figure.values[START] == pytest.approx(205 - figure.values[B_m])
     assert "deg, 0 mm are left." in figure.text
-    figure.values = {MARGIN: 0}
+    set_margin(figure, 0)
     assert "The rule is kept" in figure.text
     figure.press("Widest move of the die")
     assert figure.values[B_m] == pytest.approx(127.25, abs=5e-3)
@@ -268,7 +280,7 @@ def test_where_no_move_is_free_it_says_so_and_nothing_changes(figure: LiveFigure
 def test_the_margin_moves_the_forbidden_region(figure: LiveFigure) -> None:
     (box,) = figure.description["columns"][1][0]["boxes"]
     for margin in (1, 3):
-        figure.values = {MARGIN: margin}
+        set_margin(figure, margin)
         corner = figure._now[box["x_low"]](), figure._now[box["y_low"]]()
         assert corner == pytest.approx((0.65, 20 - margin))
 
@@ -306,7 +318,8 @@ def test_a_law_that_turns_back_is_refused() -> None:
 def test_a_die_that_never_comes_to_its_limit_may_move_as_it_likes() -> None:
     rule = cm.ClearanceRule(cm.beyond("die", 49), only_while=cm.within("mill", 0.65))
     figure = cm.explore_overlap(DIAGRAM, rule, contact_mm=53)
-    figure.values = {START: 0, MARGIN: 0}  # at work in the middle of the mill's move
+    set_margin(figure, 0)
+    figure.values = {START: 0}  # at work in the middle of the mill's move
     assert "no move" not in figure.text
     figure.press("Widest move of the die")
     assert figure.values[B_m] == 130

@@ -150,6 +150,7 @@ FAILS: dict[str, list[Edit]] = {
         markdown('Text <img src="../notebooks/images/cam.svg" alt=" "> around.'),
         shown({"text/html": '<img src="data:image/png;base64,AA==">'}),
         shown({"text/markdown": "![](../notebooks/images/cam.svg)"}),
+        shown({"image/png": "AA=="}),
     ],
     "outside_resources": [
         markdown("![A cam](http://example.org/cam.png)"),
@@ -245,7 +246,11 @@ PASSES: list[Edit] = [
     last_code(metadata={"tags": ["solution"], "nbgrader": {"grade": True}}),
     shown({"text/html": '<img src="data:image/png;base64,AA==" alt="A cam">'}),
     shown({"image/svg+xml": SVG.format('<use href="#a"/><g fill="url(\'#a\')"/>')}),
-    shown({WIDGET: {}, "image/png": "AA=="}),
+    output(
+        "display_data",
+        metadata={"image/png": {"alt": "A cam"}},
+        data={WIDGET: {}, "image/png": "AA=="},
+    ),
 ]
 
 

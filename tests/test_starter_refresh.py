@@ -13,6 +13,7 @@ from starter import commands, environment, notebooks, refresh
 from starter.errors import WorkbookError
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
+BOTH = ["image/png", "text/html"]
 SLIDER = "import ipywidgets\nipywidgets.IntSlider(7)"
 
 
@@ -64,6 +65,14 @@ def test_a_widgets_id_is_not_stored(shown: list[str], stored: list[str]) -> None
     output = showing(dict.fromkeys(shown, "x"))
     refresh.drop_widget_view(output)
     assert list(output["data"]) == stored
+
+
+def test_a_picture_is_stored_once() -> None:
+    """The PNG without the HTML that holds it too; HTML alone stays."""
+    both, alone = (showing(dict.fromkeys(kinds, "x")) for kinds in (BOTH, ["text/html"]))
+    for output in (both, alone):
+        refresh.drop_second_picture(output)
+    assert [list(output["data"]) for output in (both, alone)] == [["image/png"], ["text/html"]]
 
 
 def test_refresh_replaces_all_or_nothing(

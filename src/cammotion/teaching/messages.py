@@ -8,8 +8,9 @@ from typing import Any
 from cammotion.teaching.exercise import State, Verdict
 from cammotion.teaching.shown.frame import Shown
 from cammotion.teaching.store import Record, count
+from cammotion.views.paper import STYLE
 
-# Dark text on a light ground, in every theme; the word says what the colour says.
+# The ground and the edge; the word says what the colour says.
 _COLOURS: dict[State, tuple[str, str]] = {
     "right": ("#e3f4e8", "#1e7b3a"),
     "wrong": ("#fdeee2", "#b3560b"),
@@ -197,8 +198,9 @@ def box(state: State, content: str) -> str:
     """Return the HTML of a box with the colours of a state; it is read out when it appears."""
     ground, edge = _COLOURS[state]
     return (
-        f'<div role="status" style="background: {ground}; color: #1b1b1b; padding: 0.6em 0.9em; '
-        f'border-left: 5px solid {edge}; max-width: 50em; line-height: 1.5">{content}</div>'
+        f'{STYLE}<div role="status" class="cm-paper" style="background: {ground}; color: #1b1b1b; '
+        f"padding: 0.6em 0.9em; border-left: 5px solid {edge}; max-width: 50em; "
+        f'line-height: 1.5">{content}</div>'
     )
 
 

@@ -5,12 +5,12 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import InputError, one_of, shorten
+from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, style_axes, style_line
 
 CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
@@ -32,7 +32,7 @@ def plot_laws(
     drawn = _as_laws(laws)
     derivative = [*CURVES].index(one_of("curve", curve, CURVES))
     if ax is None:
-        _, ax = plt.subplots(figsize=(7.5, 4.6), facecolor="white", layout="constrained")
+        ax = blank_axes(7.5, 4.6, layout="constrained")
     style_axes(ax, "x = t/tm", CURVES[curve])
     x = np.linspace(0, 1, _PLACES)
     at_rest = [(-_REST, 0), (0, 0)], [(1, int(curve == "S")), (1 + _REST, int(curve == "S"))]
@@ -71,7 +71,7 @@ def plot_ranking(
             "this law out."
         )
     if ax is None:
-        _, ax = plt.subplots(figsize=(7.5, 4.4), facecolor="white", layout="constrained")
+        ax = blank_axes(7.5, 4.4, layout="constrained")
     style_axes(ax, f"{quantity} (hatched: the acceleration jumps)", "")
     names = sorted(peaks, key=lambda name: peaks[name], reverse=True)
     bars = ax.barh(names, [peaks[name] for name in names], color=COLOURS[0])

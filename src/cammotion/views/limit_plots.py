@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
@@ -19,6 +18,7 @@ from cammotion.limits.least import LeastAcceleration
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
+from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.views.timing_plots import BROKEN
 
@@ -162,7 +162,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
     if ax is None:
         height = 5.4 if with_acceleration else 3.4
-        _, ax = plt.subplots(figsize=(7.5, height), facecolor="white")
+        ax = blank_axes(7.5, height)
     style_axes(ax, "", f"height y of the {name} in mm")
     lower = ax
     if with_acceleration:
@@ -174,7 +174,8 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
         up = 1 if way[np.abs(way).argmax()] > 0 else -1
         style_line(ax.plot(u, up * way, label=label)[0], number)
         if with_acceleration:
-            style_line(lower.plot(u, up * design.acceleration(name, start + u))[0], number)
+            acceleration = up * design.acceleration(name, start + u)
+            style_line(lower.plot(u, acceleration, label=label)[0], number)
     _draw_corners(ax, corners)
     if usual_mm is not None:
         ax.axhline(usual_mm, **REFERENCE_STYLE)
@@ -207,7 +208,7 @@ def plot_weight(
     places = np.linspace(float(low), float(high), 1041)
     heights = np.broadcast_to(sp.lambdify(symbol, weight)(places), places.shape)
     if ax is None:
-        _, ax = plt.subplots(figsize=(7.5, 2.4), facecolor="white", layout="constrained")
+        ax = blank_axes(7.5, 2.4, layout="constrained")
     style_axes(ax, f"{symbol} in deg", "weight in deg")
     style_line(ax.plot(places, heights)[0], 0)
     ax.fill_between(places, heights, color=BEST, alpha=0.25, linewidth=0)
@@ -233,7 +234,7 @@ _OFFSET: dict[str, Any] = {"textcoords": "offset points", "color": "#333333", "f
 
 def _square(ax: Axes | None, size: Pair, xlabel: str, name: str) -> Axes:
     if ax is None:
-        _, ax = plt.subplots(figsize=size, facecolor="white", layout="constrained")
+        ax = blank_axes(*size, layout="constrained")
     style_axes(ax, xlabel, f"peak acceleration of the {name} in m/s²")
     return ax
 

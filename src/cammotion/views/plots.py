@@ -11,7 +11,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
@@ -20,6 +19,7 @@ from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
 
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, one_of
+from cammotion.views.pictures import blank_axes
 from cammotion.views.scales import as_text
 
 # six of Okabe and Ito's, which Matplotlib knows as "okabe_ito" only from 3.11 on
@@ -212,7 +212,7 @@ def write(
 
 def _styled(ax: Axes | None, xlabel: str, ylabel: str) -> Axes:
     if ax is None:
-        _, ax = plt.subplots(figsize=(7.5, 4.2), facecolor="white")
+        ax = blank_axes(7.5, 4.2)
     style_axes(ax, xlabel, ylabel)
     return ax
 

@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
@@ -18,6 +17,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, one_of
 from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
+from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
 
 TICK_DEG = 30
@@ -66,7 +66,7 @@ def plot_timing(
     if ax is None:
         curves = 2.6 if len(names) <= SHARED_AXIS else 0.42 * len(names)
         height = curves + BAR_INCHES * len(names) + (ROW_INCHES + 0.2) * len(rows)
-        _, ax = plt.subplots(figsize=(9, height / 0.77), facecolor="white")
+        ax = blank_axes(9, height / 0.77)
     style_axes(ax, "", "displacement in mm")
     divider = make_axes_locatable(ax)
     bars = divider.append_axes("bottom", size=BAR_INCHES * len(names), pad=0.12, sharex=ax)
@@ -105,7 +105,7 @@ def plot_clearance(
     for diagram in named.values():
         as_rules(diagram, rule)
     if ax is None:
-        _, ax = plt.subplots(figsize=(7.5, 4.6), facecolor="white")
+        ax = blank_axes(7.5, 4.6)
     across, up = rule.only_while, rule.when
     style_axes(ax, describe_offset(across, named), describe_offset(up, named))
     highest = max(diagram[up.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
@@ -149,7 +149,7 @@ def _draw_displacements(ax: Axes, diagram: TimingDiagram) -> None:
             lane = len(diagram.motions) - 1 - number
             heights = lane + LANE * (heights - low) / ((high - low) or 1)
             ticks[lane + LANE / 2] = "{:g} to {:g}".format(*np.round([low, high], 6) + 0.0)
-        style_line(ax.plot(angles, heights)[0], number)
+        style_line(ax.plot(angles, heights, label=motion.name)[0], number)
         middle = _highest_stay(motion)
         top = float(np.interp(middle, angles, heights))
         write(ax, motion.name, (middle, top), colour(number), offset=(0, -4 if in_lanes else 5))
@@ -175,7 +175,8 @@ def _draw_bars(ax: Axes, diagram: TimingDiagram) -> None:
         for segment in motion.segments:
             parts = arcs([(segment.from_deg, segment.to_deg)])  # two where it runs on over 360
             for part in parts:
-                _draw_bar(ax, number, part, segment)
+                label = f"{motion.name}: {segment.kind} from {part[0]:.5g} to {part[1]:.5g} deg"
+                _draw_bar(ax, number, part, segment).set_label(label)
             start, end = max(parts, key=lambda part: part[1] - part[0])
             if end - start >= _NARROWEST_LABEL_DEG:
                 middle, label = (start + end) / 2, f"{segment.angle_deg:.5g}°"
@@ -187,7 +188,7 @@ def _draw_bars(ax: Axes, diagram: TimingDiagram) -> None:
     ax.spines["left"].set_visible(False)
 
 
-def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> None:
+def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> Rectangle:
     start, end = span
     half = 0.06 if segment.is_dwell else 0.36
     bar = Rectangle(
@@ -200,13 +201,15 @@ def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> None:
         linewidth=1.2,
     )
     ax.add_patch(bar)
+    return bar
 
 
 def _draw_row(ax: Axes, diagram: TimingDiagram, row: str) -> None:
     style_axes(ax, "", CURVES[row].replace(" in ", "\nin "))
     for number, motion in enumerate(diagram.motions):
         angles = curve_angles(motion)
-        style_line(ax.plot(angles, ROWS[row](diagram, motion.name, angles))[0], number)
+        values = ROWS[row](diagram, motion.name, angles)
+        style_line(ax.plot(angles, values, label=motion.name)[0], number)
     ax.axhline(0, color="#000000", linewidth=0.8)
     peak = getattr(diagram, f"peak_{row}")
     if infinite := [name for name in diagram.names if math.isinf(peak(name))]:
@@ -227,7 +230,8 @@ def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -
         ("rule broken", where_broken, BROKEN),
     ):
         for start, end in arcs(found):
-            ax.axvspan(start, end, **style, linewidth=0, zorder=0.5)
+            span = f"{label} from {start:.5g} to {end:.5g} deg"
+            ax.axvspan(start, end, **style, linewidth=0, zorder=0.5, label=span)
         if found:
             key.append(Patch(**style, label=label))
     ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(key), frameon=False)

@@ -54,7 +54,7 @@ function render({ model, el }) {
   select.value = model.get("speed");
   makeOwnIds(svg);
   svg.classList.remove("cm-still"); // the controls decide what moves here
-  el.classList.add("cm-player");
+  el.classList.add("cm-player", "cm-paper");
 
   let angle = 0;
   let frame = null; // of the browser, while it plays

@@ -9,6 +9,7 @@ import traitlets
 
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Quantity
+from cammotion.views import paper
 
 SHOWN_ANGLE = Quantity("cam angle", "deg", example=180, high=DEG_PER_TURN, low_included=True)
 SHORTEST_S, LONGEST_S = 1.0, 40.0  # how long a turn may last on the screen
@@ -23,7 +24,7 @@ class Player(anywidget.AnyWidget):
     """
 
     _esm = Path(__file__).with_name("player.js")
-    _css = Path(__file__).with_name("player.css")
+    _css = Path(__file__).with_name("player.css").read_text(encoding="utf-8") + paper.RULE
     svg = traitlets.Unicode().tag(sync=True)
     turn_s = traitlets.Float().tag(sync=True)
     cycle_s = traitlets.Float().tag(sync=True)

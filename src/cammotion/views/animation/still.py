@@ -11,6 +11,7 @@ import numpy as np
 
 from cammotion.files import write_new
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.views.paper import STYLE
 
 _SVG = "http://www.w3.org/2000/svg"
 ElementTree.register_namespace("", _SVG)
@@ -43,7 +44,7 @@ def as_image(svg: str, description: str) -> str:
     """Return an SVG as an image for a page, with its description in words."""
     picture = base64.b64encode(svg.encode()).decode("ascii")
     return (
-        f'<figure style="margin: 0"><img alt="{html.escape(description)}" '
+        f'{STYLE}<figure style="margin: 0"><img class="cm-paper" alt="{html.escape(description)}" '
         f'style="max-width: 100%" src="data:image/svg+xml;base64,{picture}"></figure>'
     )
 

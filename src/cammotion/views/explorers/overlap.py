@@ -23,11 +23,11 @@ from cammotion.views.explorers.clearance import (
 from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, control, work_deg
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
-from cammotion.views.live.parts import Button, Say
+from cammotion.views.live.parts import Button, Say, choice
 
-_MOST_MARGIN_MM = 5
+_MARGINS_MM = 0, 1, 2, 3, 5
 _LEAST_DEG = 20
-B_m, START, B_MILL, MARGIN = sp.symbols("B_m start B_mill margin", nonnegative=True)
+B_m, START, B_MILL = sp.symbols("B_m start B_mill", nonnegative=True)
 _WIDEST, _END = sp.symbols("widest end", real=True)
 
 
@@ -56,7 +56,7 @@ def explore_overlap(
     least = min(_LEAST_DEG, most / 2)
     moving_die, moving_mill = die_over(die, (B_m, B_m), work, START), mill_over(mill, B_MILL)
     values = {
-        LIMIT: contact - MARGIN,
+        LIMIT: contact - _margin(contact - rule.when.limit_mm, contact - die.start_mm),
         **window(mill, rule.only_while.limit_mm, B_MILL),
         _END: START + B_m,
         _WIDEST: _widest(die, work, most),
@@ -64,12 +64,10 @@ def explore_overlap(
     before = mill_over(mill, index.angle_deg), die_over(die, (down.angle_deg, up.angle_deg), work)
     angle = min(down.angle_deg, most)
     start = (down.to_deg - angle) % DEG_PER_TURN
-    margin, most_margin = contact - rule.when.limit_mm, min(_MOST_MARGIN_MM, contact - die.start_mm)
     controls = {
         B_m: control(f"{die.name}: angle Bm", (least, most, 0.5), angle),
         START: control(f"{die.name}: start", (0, DEG_PER_TURN, 0.5), start),
         B_MILL: control(f"{mill.name}: angle", (40, 240, 1), index.angle_deg),
-        MARGIN: control("margin", (0, most_margin, 0.1), margin, "mm"),
     }
     widest = sp.Piecewise((_WIDEST, least <= _WIDEST), (sp.nan, True))
     return explore(
@@ -97,6 +95,13 @@ def explore_overlap(
         shares=(3, 2),
         title="How far may two motions overlap?",
     )
+
+
+def _margin(own: float, most: float) -> sp.Expr:
+    """Return the margin in mm that is chosen, first its `own`, of those that the die can keep."""
+    margins = sorted({own, *(margin for margin in _MARGINS_MM if margin <= most)})
+    named = {f"{margin:.4g} mm": margin for margin in margins} | {f"{own:.4g} mm": own}
+    return choice("margin", named, start=f"{own:.4g} mm")
 
 
 def _widest(die: Motion, work: float, most: float) -> sp.Expr:

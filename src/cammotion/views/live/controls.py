@@ -42,9 +42,9 @@ def complete(symbol: sp.Symbol, control: Control) -> Control:
 
 
 def chosen_control(symbol: Choice) -> Control:
-    """Return the control of a choice, which stands at its first name."""
+    """Return the control of a choice, which is one of its names."""
     count = len(symbol.options)
-    return Control(low=0, high=count - 1, step=1, start=0, name=symbol.name, unit="")
+    return Control(low=0, high=count - 1, step=1, start=symbol.start, name=symbol.name, unit="")
 
 
 def _bound(name: str, value: Any) -> float:

@@ -71,7 +71,7 @@ def explore(  # noqa: PLR0913 - each is a part that a figure may have
     says = None if says is None else _all_of(Say, says, "sentences", 'Say("...", {})')
     buttons = _all_of(Button, buttons, "buttons", 'Button("...", {})')
     parts = [columns, says, buttons]
-    symbols = {s for part in _expressions_in(parts) for s in part.free_symbols}
+    symbols = {s for part in _expressions_in([*parts, *given.values()]) for s in part.free_symbols}
     ready = _controls(_mapping("controls", controls, "(0, 1)"), given, symbols)
     fixed = {symbol: value for symbol, value in given.items() if symbol not in ready}
     variable, span = _span(over, {s.name: s for s in symbols | ready.keys() | fixed.keys()})

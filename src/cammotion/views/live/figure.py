@@ -1,6 +1,5 @@
 """A live figure in a notebook: a widget that carries its own description, picture and text."""
 
-import base64
 import math
 from collections.abc import Mapping
 from pathlib import Path
@@ -17,6 +16,7 @@ from cammotion.views.live import page
 from cammotion.views.live.describe import Describer, Description
 from cammotion.views.live.parts import Choice
 from cammotion.views.live.picture import draw
+from cammotion.views.pictures import as_bundle
 
 MIME = "application/vnd.cammotion.figure"  # holds JSON as text, one line of a stored notebook
 CLOCK = 0.0  # of the variable's range: where the cursor stands at first
@@ -220,12 +220,8 @@ class LiveFigure(anywidget.AnyWidget):
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Show picture and text beside the widget, and what a page can be made from."""
         data, metadata = super()._repr_mimebundle_(**kwargs) or ({}, {})
-        shown = {
-            MIME: page.as_text(self._data),
-            "image/png": base64.b64encode(self.picture()).decode("ascii"),
-            "text/plain": self.text,
-        }
-        return data | shown, metadata | {"image/png": {"alt": self.text}}
+        picture, words = as_bundle(self.picture(), self.text)
+        return data | {MIME: page.as_text(self._data), **picture}, metadata | words
 
 
 def _is_real(line: dict[str, Any], now: Any) -> bool:

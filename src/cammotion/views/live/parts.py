@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.quantities import InputError, Quantity, one_of, shorten
 from cammotion.views.live.expressions import as_curve, as_expression
 
 OWN, REFERENCE, ALARM, FRAME, AREA = "own", "reference", "alarm", "frame", "area"
@@ -203,15 +203,17 @@ class Choice(sp.Dummy):  # type: ignore[misc]
     """The symbol of a choice: its value is the number of the chosen name; made by `choice`."""
 
     options: tuple[str, ...]
+    start: int  # the number of the name at which it stands first
 
 
-def choice(name: str, options: Mapping[str, Any]) -> Any:
+def choice(name: str, options: Mapping[str, Any], *, start: str | None = None) -> Any:
     """Return an expression that is one of several, as the reader of a live figure chooses.
 
     `name` is said beside the choice; `options` maps what the reader chooses from to expressions,
     or each to a tuple of expressions, all as long: then a tuple of chosen expressions is returned.
-    They are expressions like any other, to be differentiated and put into others. Raises InputError
-    where there is nothing to choose from.
+    They are expressions like any other, to be differentiated and put into others. The choice stands
+    at the name `start`, or at the first. Raises InputError where there is nothing to choose from,
+    and for a start that is none of the names.
 
     >>> import sympy as sp
     >>> t = sp.Symbol("t")
@@ -226,6 +228,7 @@ def choice(name: str, options: Mapping[str, Any]) -> Any:
         )
     symbol = Choice(name, integer=True, nonnegative=True)
     symbol.options = tuple(map(str, options))
+    symbol.start = 0 if start is None else symbol.options.index(one_of("start", start, options))
     given = list(options.values())
     if not isinstance(given[0], tuple):
         return _chosen(symbol, given)

@@ -1,0 +1,94 @@
+"""What a notebook shows of a picture of Matplotlib: itself, and words for who does not see it."""
+
+import base64
+import io
+import re
+from collections.abc import Iterable, Iterator
+from html import escape
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.text import Text
+
+from cammotion.views.paper import STYLE
+
+_CURVE = 10  # points that a line has at least that is more than a mark
+
+
+class PictureFigure(Figure):
+    """A figure of Matplotlib that a notebook shows with words and in the colours of its theme."""
+
+    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        picture = io.BytesIO()
+        self.savefig(picture, format="png", bbox_inches="tight")
+        return as_bundle(picture.getvalue(), describe(self))
+
+
+def blank_axes(width: float, height: float, *, layout: Any = None) -> Axes:
+    """Return the axes of a new picture, its size in inches."""
+    _, ax = plt.subplots(
+        figsize=(width, height), facecolor="white", layout=layout, FigureClass=PictureFigure
+    )
+    return ax
+
+
+def as_bundle(png: bytes, words: str) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return what a notebook is given for a picture: data and metadata by MIME type.
+
+    JupyterLab shows the HTML. Its renderer of PNGs takes no words, so the PNG beside it is for
+    where HTML may hold no picture, as on GitHub.
+    """
+    data = base64.b64encode(png).decode("ascii")
+    shown = f'<img class="cm-paper" alt="{escape(words)}" src="data:image/png;base64,{data}">'
+    bundle = {"text/html": STYLE + shown, "image/png": data, "text/plain": words}
+    return bundle, {"image/png": {"alt": words}}
+
+
+def describe(figure: Figure) -> str:
+    """Return in words what a figure shows: its axes, curves and bars, and what is written in it.
+
+    >>> import cammotion as cm
+    >>> die = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    >>> print(describe(cm.plot_curves(die).figure))
+    Acceleration a in m/s² over time t in s. Curves: 55° from -4.15 to 4.15. Written in it: 55°.
+    """
+    told = filter(None, (" ".join(_sentences(ax)) for ax in figure.axes))
+    return "\n".join(told) or "An empty picture."
+
+
+def _sentences(ax: Axes) -> Iterator[str]:
+    across, up = _words([ax.xaxis.label]), _words([ax.yaxis.label])
+    said = " over ".join([*up, *across])
+    if said:
+        yield said[0].upper() + said[1:] + "."
+    drawn = (line for line in ax.lines if line.get_linestyle() != "None")
+    curves = [line for line in drawn if len(np.atleast_1d(line.get_xdata())) > _CURVE]
+    if curves:
+        yield f"Curves: {'; '.join(map(_range, curves))}."
+    ticks = [*ax.get_xticklabels(), *ax.get_yticklabels()]
+    bars = _words(tick for tick in ticks if not re.match(r"[-−\d.]+$|\$", tick.get_text()))
+    if ax.containers and bars:
+        yield f"Bars: {'; '.join(bars)}."
+    marks = [str(patch.get_label()) for patch in ax.patches]
+    if named := [mark for mark in marks if mark and not mark.startswith("_")]:
+        yield f"Marked: {'; '.join(named)}."
+    words = _words(ax.texts)
+    if words:
+        yield f"Written in it: {'; '.join(words)}."
+
+
+def _range(curve: Line2D) -> str:
+    """Return the name of a curve, which it may not have, with its least and largest value."""
+    low, high = (end(np.asarray(curve.get_ydata(), float)) + 0.0 for end in (np.nanmin, np.nanmax))
+    name = str(curve.get_label())
+    return f"{'one' if name.startswith('_') else name} from {low:.3g} to {high:.3g}"
+
+
+def _words(texts: Iterable[Text]) -> list[str]:
+    """Return texts on one line each, without those that are empty."""
+    lines = (" ".join(text.get_text().replace("$", "").split()) for text in texts)
+    return [line for line in lines if line]

@@ -1,0 +1,89 @@
+"""What a notebook is given for a picture: the picture, and words for who does not see it."""
+
+import base64
+
+import pytest
+from bs4 import BeautifulSoup, Tag
+from IPython.core.formatters import DisplayFormatter
+from matplotlib.axes import Axes
+
+import cammotion as cm
+from cammotion.views.pictures import PictureFigure, blank_axes, describe
+
+PNG = b"\x89PNG"
+PLOTS = {
+    "timing": lambda: cm.plot_timing(cm.EXAMPLE.diagram, rows=["acceleration"]),
+    "clearance": lambda: cm.plot_clearance(cm.EXAMPLE.diagram, cm.EXAMPLE.rule),
+    "curves": lambda: cm.plot_curves(cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)),
+    "peaks": lambda: cm.plot_peaks([cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)]),
+    "laws": lambda: cm.plot_laws("cycloidal"),
+    "ranking": lambda: cm.plot_ranking({"cycloidal": 4.154}),
+    "detour": lambda: cm.plot_detour(
+        {"cycloid": cm.EXAMPLE.diagram}, "die", still=(205, 305), corners=((70, 31), (190, 31))
+    ),
+}
+
+
+def test_a_notebook_gets_one_picture_as_png_and_as_html_with_words() -> None:
+    ax = cm.plot_laws("cycloidal")
+    data, metadata = shown(ax)
+    assert base64.b64decode(data["image/png"]).startswith(PNG)
+    image = image_in(data)
+    assert image["src"] == f"data:image/png;base64,{data['image/png']}"
+    assert image["alt"] == metadata["image/png"]["alt"] == data["text/plain"]
+    assert "Curves: cycloidal" in data["text/plain"]
+
+
+@pytest.mark.parametrize("plot", PLOTS)
+def test_every_plot_says_in_words_what_it_shows(plot: str) -> None:
+    picture = PLOTS[plot]()
+    words = words_of(picture)
+    for ax in picture.figure.axes:
+        for label in filter(None, (ax.get_xlabel(), ax.get_ylabel())):
+            assert " ".join(label.split()).lower() in words.lower()
+    assert " from " in words or "Bars: " in words
+
+
+def test_a_timing_diagram_is_told_with_its_moves_and_overlaps() -> None:
+    design = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram
+    words = words_of(cm.plot_timing(design))
+    assert "mill: rise from 0 to 150 deg" in words
+    assert "die: return from 0 to 69.837 deg" in words
+    assert "overlap from 80.163 to 150 deg" in words
+
+
+def shown(ax: Axes) -> tuple[dict[str, str], dict[str, dict[str, str]]]:
+    """Return data and metadata that a notebook gets for the picture that holds axes."""
+    data, metadata = DisplayFormatter().format(ax.figure)  # type: ignore[no-untyped-call]
+    return data, metadata
+
+
+def image_in(data: dict[str, str]) -> Tag:
+    """Return the one image of the HTML."""
+    (image,) = BeautifulSoup(data["text/html"], "html.parser").select("img")
+    return image
+
+
+def words_of(ax: Axes) -> str:
+    """Return the words of the picture that holds axes."""
+    assert isinstance(ax.figure, PictureFigure)
+    return describe(ax.figure)
+
+
+def drawn(**names: str) -> Axes:
+    """Return axes with a curve, a mark of one point, and what `names` say."""
+    ax = blank_axes(3, 2)
+    ax.plot(range(11), range(11))
+    ax.plot(3, 3, "o", label="a mark")
+    ax.set(**names)
+    return ax
+
+
+def test_names_that_are_markup_stay_names() -> None:
+    data, _ = shown(drawn(xlabel='<b>x</b> & "y"'))
+    assert image_in(data)["alt"] == '<b>x</b> & "y". Curves: one from 0 to 10.'
+
+
+def test_a_bare_picture_has_words_too() -> None:
+    assert words_of(drawn()) == "Curves: one from 0 to 10."
+    assert words_of(blank_axes(3, 2)) == "An empty picture."
