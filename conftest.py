@@ -5,6 +5,8 @@ from typing import Any
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile  # type: ignore[import-untyped]
 
+from starter.refresh import keep_as_png
+
 collect_ignore = ["tests/data"]
 
 
@@ -15,17 +17,13 @@ def pytest_collectstart(collector: pytest.Collector) -> None:
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
-    """Leave out the HTML of a picture: a stored notebook holds the PNG alone."""
+    """Let a picture be compared as it is stored."""
     if isinstance(item, IPyNbCell):
         compare = item.compare_outputs
-        item.compare_outputs = lambda outputs, *rest, **named: compare(
-            [without_second_picture(output) for output in outputs], *rest, **named
-        )
 
+        def compare_stored(outputs: list[Any], *rest: Any, **named: Any) -> Any:
+            for output in outputs:
+                keep_as_png(output)
+            return compare(outputs, *rest, **named)
 
-def without_second_picture(output: Any) -> Any:
-    """Return an output without the HTML that holds the PNG beside it."""
-    data = output.get("data", {})
-    if "image/png" not in data or "text/html" not in data:
-        return output
-    return type(output)(output, data={kind: data[kind] for kind in data if kind != "text/html"})
+        item.compare_outputs = compare_stored

@@ -1,5 +1,6 @@
 """Execute the workbook's own notebooks anew."""
 
+import re
 import subprocess
 import tempfile
 import time
@@ -16,6 +17,7 @@ NOTEBOOK_METADATA = {
     "language_info": {"name": "python"},
 }
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+PICTURE = re.compile(r'<img class="cm-paper" [^>]*src="data:image/png;base64,([^"]+)">')
 
 
 def refresh(paths: list[Path]) -> None:
@@ -79,7 +81,7 @@ def remove_traces(cell: dict[str, Any]) -> None:
         cell["outputs"] = joined_streams(cell["outputs"])
         for output in cell["outputs"]:
             drop_widget_view(output)
-            drop_second_picture(output)
+            keep_as_png(output)
 
 
 def joined_streams(outputs: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -101,8 +103,10 @@ def drop_widget_view(output: dict[str, Any]) -> None:
         data["text/plain"] = ["An interactive widget: run the cell to see it."]
 
 
-def drop_second_picture(output: dict[str, Any]) -> None:
-    """Drop the HTML that holds the PNG beside it: one is enough to be kept, and GitHub shows it."""
+def keep_as_png(output: dict[str, Any]) -> None:
+    """Store a picture of the package as a PNG with its words: GitHub shows none within HTML."""
     data = output.get("data", {})
-    if "image/png" in data:
-        data.pop("text/html", None)
+    if found := PICTURE.search("".join(data.get("text/html", ""))):
+        del data["text/html"]
+        data["image/png"] = found[1]
+        output["metadata"]["image/png"] = {"alt": "".join(data["text/plain"])}

@@ -1,5 +1,6 @@
 """What a live figure draws and says, read off its description and its formulas."""
 
+import base64
 import json
 import re
 from collections.abc import Iterator
@@ -9,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from bs4 import BeautifulSoup
 from machines import Array
 
 import cammotion as cm
@@ -27,6 +29,13 @@ def weight_figure() -> LiveFigure:
     before, _, call = sources["weight-figure"].rpartition("\ncm.explore(")
     exec(f"{before}\nfigure = cm.explore({call}", names)  # noqa: S102
     return names["figure"]  # type: ignore[no-any-return]
+
+
+def picture_in(bundle: dict[str, str], words: str) -> bytes:
+    """Return the PNG of the one image in the HTML that a notebook is given, which has the words."""
+    (image,) = BeautifulSoup(bundle["text/html"], "html.parser").select("img")
+    assert image["alt"] == bundle["text/plain"] == words
+    return base64.b64decode(str(image["src"]).removeprefix("data:image/png;base64,"))
 
 
 def control_of(figure: LiveFigure, symbol: sp.Symbol) -> dict[str, Any]:

@@ -54,8 +54,11 @@ CELLS = {
         showing(PLAIN | {"image/png": "BB=="}, PLAIN | {"image/png": "AA=="}),
         "passed",
     ),
-    "html of a picture": (
-        showing(PLAIN | {"image/png": "AA==", "text/html": "<img>"}, PLAIN | {"image/png": "AA=="}),
+    "picture": (
+        showing(
+            PLAIN | {"text/html": '<img class="cm-paper" src="data:image/png;base64,AA==">'},
+            PLAIN | {"image/png": "AA=="},
+        ),
         "passed",
     ),
     "picture gone": (

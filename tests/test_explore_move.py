@@ -1,13 +1,12 @@
 """The explorer of one move, without a browser: what it draws, says and carries for a reader."""
 
-import base64
 import math
 import re
 from typing import Any
 
 import numpy as np
 import pytest
-from explored import at_corners, control_of, drawn, limits_of, lines_of, peaks_said
+from explored import at_corners, control_of, drawn, limits_of, lines_of, peaks_said, picture_in
 from machines import OVERSHOOTING
 
 import cammotion as cm
@@ -99,10 +98,8 @@ def test_the_pinned_design_becomes_the_reference(figure: LiveFigure) -> None:
 
 def test_a_reader_without_a_kernel_gets_picture_and_text(figure: LiveFigure) -> None:
     figure.values = {h_m: 25}
-    bundle, metadata = figure._repr_mimebundle_()
-    assert metadata["image/png"]["alt"] == figure.text
-    assert base64.b64decode(bundle["image/png"]) == figure.picture()
-    assert bundle["text/plain"] == figure.text
+    bundle, _ = figure._repr_mimebundle_()
+    assert picture_in(bundle, figure.text) == figure.picture()
     assert "application/vnd.jupyter.widget-view+json" in bundle
 
 

@@ -1,13 +1,13 @@
 """What a notebook is given for a picture: the picture, and words for who does not see it."""
 
-import base64
+from collections.abc import Callable
 
 import pytest
-from bs4 import BeautifulSoup, Tag
-from IPython.core.formatters import DisplayFormatter
+from explored import picture_in
 from matplotlib.axes import Axes
 
 import cammotion as cm
+from cammotion.views import pictures
 from cammotion.views.pictures import PictureFigure, blank_axes, describe
 
 PNG = b"\x89PNG"
@@ -24,13 +24,23 @@ PLOTS = {
 }
 
 
-def test_a_notebook_gets_one_picture_as_png_and_as_html_with_words() -> None:
-    ax = cm.plot_laws("cycloidal")
-    data, metadata = shown(ax)
-    assert base64.b64decode(data["image/png"]).startswith(PNG)
-    image = image_in(data)
-    assert image["src"] == f"data:image/png;base64,{data['image/png']}"
-    assert image["alt"] == metadata["image/png"]["alt"] == data["text/plain"]
+@pytest.fixture
+def shown(monkeypatch: pytest.MonkeyPatch) -> Callable[[Axes], dict[str, str]]:
+    """Return what a notebook is given for the picture that holds axes."""
+    given: list[dict[str, str]] = []
+    monkeypatch.setattr(pictures, "display", lambda data, **_: given.append(data))
+
+    def show(ax: Axes) -> dict[str, str]:
+        ax.figure._ipython_display_()  # type: ignore[union-attr]
+        return given.pop()
+
+    return show
+
+
+def test_a_notebook_gets_the_picture_with_words(shown: Callable[[Axes], dict[str, str]]) -> None:
+    data = shown(cm.plot_laws("cycloidal"))
+    assert {*data} == {"text/html", "text/plain"}
+    assert picture_in(data, data["text/plain"]).startswith(PNG)
     assert "Curves: cycloidal" in data["text/plain"]
 
 
@@ -52,18 +62,6 @@ def test_a_timing_diagram_is_told_with_its_moves_and_overlaps() -> None:
     assert "overlap from 80.163 to 150 deg" in words
 
 
-def shown(ax: Axes) -> tuple[dict[str, str], dict[str, dict[str, str]]]:
-    """Return data and metadata that a notebook gets for the picture that holds axes."""
-    data, metadata = DisplayFormatter().format(ax.figure)  # type: ignore[no-untyped-call]
-    return data, metadata
-
-
-def image_in(data: dict[str, str]) -> Tag:
-    """Return the one image of the HTML."""
-    (image,) = BeautifulSoup(data["text/html"], "html.parser").select("img")
-    return image
-
-
 def words_of(ax: Axes) -> str:
     """Return the words of the picture that holds axes."""
     assert isinstance(ax.figure, PictureFigure)
@@ -79,9 +77,9 @@ def drawn(**names: str) -> Axes:
     return ax
 
 
-def test_names_that_are_markup_stay_names() -> None:
-    data, _ = shown(drawn(xlabel='<b>x</b> & "y"'))
-    assert image_in(data)["alt"] == '<b>x</b> & "y". Curves: one from 0 to 10.'
+def test_names_that_are_markup_stay_names(shown: Callable[[Axes], dict[str, str]]) -> None:
+    words = '<b>x</b> & "y". Curves: one from 0 to 10.'
+    assert picture_in(shown(drawn(xlabel='<b>x</b> & "y"')), words).startswith(PNG)
 
 
 def test_a_bare_picture_has_words_too() -> None:

@@ -13,7 +13,6 @@ from starter import commands, environment, notebooks, refresh
 from starter.errors import WorkbookError
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
-BOTH = ["image/png", "text/html"]
 SLIDER = "import ipywidgets\nipywidgets.IntSlider(7)"
 
 
@@ -67,12 +66,15 @@ def test_a_widgets_id_is_not_stored(shown: list[str], stored: list[str]) -> None
     assert list(output["data"]) == stored
 
 
-def test_a_picture_is_stored_once() -> None:
-    """The PNG without the HTML that holds it too; HTML alone stays."""
-    both, alone = (showing(dict.fromkeys(kinds, "x")) for kinds in (BOTH, ["text/html"]))
-    for output in (both, alone):
-        refresh.drop_second_picture(output)
-    assert [list(output["data"]) for output in (both, alone)] == [["image/png"], ["text/html"]]
+def test_a_picture_is_stored_as_a_png_with_its_words() -> None:
+    """And nothing else is: HTML that holds none stays."""
+    picture = '<style></style><img class="cm-paper" alt="a" src="data:image/png;base64,AA==">'
+    shown, other = (showing({"text/html": html, "text/plain": "a"}) for html in (picture, "<b>"))
+    for output in (shown, other):
+        refresh.keep_as_png(output)
+    assert shown["data"] == {"image/png": "AA==", "text/plain": "a"}
+    assert shown["metadata"] == {"image/png": {"alt": "a"}}
+    assert other["data"] == {"text/html": "<b>", "text/plain": "a"}
 
 
 def test_refresh_replaces_all_or_nothing(

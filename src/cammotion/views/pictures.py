@@ -8,6 +8,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
+from IPython.display import display
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -22,10 +23,12 @@ _CURVE = 10  # points that a line has at least that is more than a mark
 class PictureFigure(Figure):
     """A figure of Matplotlib that a notebook shows with words and in the colours of its theme."""
 
-    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    def _ipython_display_(self) -> None:
+        """Show it ourselves: a plot's PNG alone has no words in JupyterLab."""
         picture = io.BytesIO()
         self.savefig(picture, format="png", bbox_inches="tight")
-        return as_bundle(picture.getvalue(), describe(self))
+        bundle = as_bundle(picture.getvalue(), describe(self))
+        display(bundle, raw=True)  # type: ignore[no-untyped-call]
 
 
 def blank_axes(width: float, height: float, *, layout: Any = None) -> Axes:
@@ -36,16 +39,14 @@ def blank_axes(width: float, height: float, *, layout: Any = None) -> Axes:
     return ax
 
 
-def as_bundle(png: bytes, words: str) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return what a notebook is given for a picture: data and metadata by MIME type.
+def as_bundle(png: bytes, words: str) -> dict[str, str]:
+    """Return what a notebook is given for a picture, by MIME type.
 
-    JupyterLab shows the HTML. Its renderer of PNGs takes no words, so the PNG beside it is for
-    where HTML may hold no picture, as on GitHub.
+    The PNG is within HTML, since JupyterLab's own renderer of PNGs takes no words.
     """
     data = base64.b64encode(png).decode("ascii")
-    shown = f'<img class="cm-paper" alt="{escape(words)}" src="data:image/png;base64,{data}">'
-    bundle = {"text/html": STYLE + shown, "image/png": data, "text/plain": words}
-    return bundle, {"image/png": {"alt": words}}
+    image = f'<img class="cm-paper" alt="{escape(words)}" src="data:image/png;base64,{data}">'
+    return {"text/html": STYLE + image, "text/plain": words}
 
 
 def describe(figure: Figure) -> str:

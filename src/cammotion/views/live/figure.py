@@ -220,8 +220,8 @@ class LiveFigure(anywidget.AnyWidget):
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Show picture and text beside the widget, and what a page can be made from."""
         data, metadata = super()._repr_mimebundle_(**kwargs) or ({}, {})
-        picture, words = as_bundle(self.picture(), self.text)
-        return data | {MIME: page.as_text(self._data), **picture}, metadata | words
+        shown = {MIME: page.as_text(self._data), **as_bundle(self.picture(), self.text)}
+        return data | shown, metadata
 
 
 def _is_real(line: dict[str, Any], now: Any) -> bool:
