@@ -1,5 +1,12 @@
 from .dynamics.one_mass import OneMass
+from .exchange.cam_files import write_cam
 from .exchange.tables import read_segments, write_curves, write_segments
+from .hardware.contact import hertz_pressure
+from .hardware.disc_cam import Undercut
+from .hardware.flat_faced_cam import FlatFacedCam
+from .hardware.followers import SwingingRoller, TranslatingRoller
+from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
+from .hardware.roller_cam import RollerCam
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
 from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
@@ -24,6 +31,7 @@ from .machine.kinematics import (
     peak_jerk,
     peak_velocity,
 )
+from .machine.loads import FollowerLoad
 from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
 from .machine.segments import Segment
@@ -60,6 +68,8 @@ __all__ = [
     "Button",
     "ClearanceRule",
     "Control",
+    "FlatFacedCam",
+    "FollowerLoad",
     "InputError",
     "LeastAcceleration",
     "Line",
@@ -71,9 +81,13 @@ __all__ = [
     "OneMass",
     "Panel",
     "Point",
+    "RollerCam",
     "Say",
     "Segment",
+    "SwingingRoller",
     "TimingDiagram",
+    "TranslatingRoller",
+    "Undercut",
     "WidestMove",
     "WrongAnswerError",
     "again",
@@ -97,6 +111,7 @@ __all__ = [
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
+    "hertz_pressure",
     "hint",
     "indexing_motion",
     "indexing_time",
@@ -128,11 +143,14 @@ __all__ = [
     "return_",
     "rise",
     "scca",
+    "smallest_base_radius",
     "smallest_clearance",
+    "smallest_prime_radius",
     "variant",
     "widest_move",
     "with_angle",
     "within",
+    "write_cam",
     "write_curves",
     "write_segments",
     "x",

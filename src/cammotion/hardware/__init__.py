@@ -1,0 +1,1 @@
+"""What becomes of a timing diagram: the cam that is cut."""

@@ -1,0 +1,161 @@
+"""The smallest cam for a motion: prime circle, or base circle of a flat face, solved for."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from cammotion.hardware.disc_cam import check_motion, lift_of, travel_mm
+from cammotion.hardware.envelope import Lift, curvature, pressure_angle
+from cammotion.hardware.flat_faced_cam import FlatFacedCam
+from cammotion.hardware.followers import RollerFollower
+from cammotion.laws.piece import Piece
+from cammotion.machine.bracketed import samples, summit
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
+
+STEEPEST = Quantity("pressure angle", "deg", example=30, high=90)
+SHARPEST = Quantity("least radius of the profile", "mm", example=2, low_included=True)
+
+_RADII = 64  # prime circles that are tried between the least and the largest
+_HALVINGS = 36
+_ROUNDS = 30  # of the worst place and the least radius there, by turns
+_ENOUGH = 1e-11  # a share of the pressure angle, or of the curvature, that is rounding
+_CLOSE_MM = 1e-11
+
+
+def smallest_prime_radius(
+    motion: Motion,
+    follower: RollerFollower,
+    *,
+    pressure_angle_deg: float = 30,
+    profile_radius_mm: float = 0,
+) -> float:
+    """Return the radius in mm of the smallest prime circle for a motion, solved for.
+
+    With it the pressure angle is nowhere larger than `pressure_angle_deg`, and the profile, where
+    it bulges outwards, has at least `profile_radius_mm` of radius, so that it is nowhere undercut.
+    A pressure angle of 90 asks for the second alone. The usual rules are 30 deg for a slide, and
+    for the pitch curve a radius of two to three times the roller's. What lies between two of 64
+    prime circles that are tried, and is good in between alone, is missed.
+
+    Raises InputError for a motion that no disc cam can give, and where no prime circle will do.
+
+    >>> import cammotion as cm
+    >>> after = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram["die"]
+    >>> for die in (cm.EXAMPLE.die, after):
+    ...     print(f"{smallest_prime_radius(die, cm.TranslatingRoller(10)):.2f} mm")
+    156.84 mm
+    57.64 mm
+    """
+    check_motion(motion)
+    steepest = STEEPEST.number(pressure_angle_deg)
+    sharpest = follower.radius_mm + SHARPEST.number(profile_radius_mm)
+    return _Asked(motion, follower, steepest, sharpest).solved()
+
+
+def smallest_base_radius(motion: Motion, *, profile_radius_mm: float = 0) -> float:
+    """Return the radius in mm of the smallest base circle of a cam with a flat face, solved for.
+
+    With it the profile has at least `profile_radius_mm` of radius everywhere, so that it is not
+    undercut: it is that less the least sum of the displacement and its second derivative by the
+    rad, and not below 0. Raises InputError for a motion that no disc cam can give.
+
+    >>> import cammotion as cm
+    >>> print(f"{smallest_base_radius(cm.EXAMPLE.die):.2f} mm")
+    295.57 mm
+    """
+    wanted = SHARPEST.number(profile_radius_mm)
+    unit = FlatFacedCam(motion, base_radius_mm=1.0)
+    return max(wanted + unit.base_radius_mm - unit.sharpest.value, 0.0)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What is asked of a prime circle."""
+
+    motion: Motion
+    follower: RollerFollower
+    steepest_deg: float
+    sharpest_mm: float
+
+    def solved(self) -> float:
+        """Return the least radius that is good all over the turn.
+
+        It is found among samples of the turn first, and then by turns: where is this prime circle
+        worst, and which is the next that is good there?
+        """
+        radius, step = self._among_samples()
+        for _ in range(_ROUNDS):
+            (worst, place), piece = summit(partial(self._excess_of, prime=radius), self._pieces)
+            if worst <= _ENOUGH:
+                return radius
+            excess = partial(self._excess_at, piece, place)
+            beyond = next((b for b in radius + step * 2.0 ** np.arange(60) if excess(b) < 0), None)
+            if beyond is None:
+                break
+            radius = brentq(excess, radius, beyond, xtol=_CLOSE_MM) + 2 * _CLOSE_MM
+        raise WrongAnswerError(
+            "smallest_prime_radius", f"at {place:g} deg {radius:g} mm is off by {worst:.2g} of it"
+        )
+
+    def _among_samples(self) -> tuple[float, float]:
+        """Return the least radius that is good at samples, and how finely it is known."""
+        lifts = [lift_of(self.motion, piece, samples(piece)) for piece in self._pieces]
+        lift = Lift(*map(np.concatenate, zip(*lifts, strict=True)))
+        radii = self._radii(lift)
+        worst = np.array([self._excess(lift, radius).max() for radius in radii])
+        good = np.flatnonzero(worst <= 0)
+        if not good.size:
+            raise InputError(self._impossible(float(radii[worst.argmin()])))
+        high = low = radii[good[0]]
+        if good[0]:
+            low = radii[good[0] - 1]
+            for _ in range(_HALVINGS):
+                middle = (low + high) / 2
+                is_good = self._excess(lift, middle).max() <= 0
+                low, high = (low, middle) if is_good else (middle, high)
+        return float(high), float(max(high - low, _CLOSE_MM))
+
+    def _radii(self, lift: Lift) -> Floats:
+        """Return radii from the least to one that is surely large enough, or the largest there is.
+
+        The pressure angle of a slide falls with the radius. Its pitch curve is flat enough where
+        the height over the axis is more than the sum below.
+        """
+        low, high = self.follower.primes(travel_mm(self.motion))
+        low = max(low, self.follower.radius_mm)
+        if math.isinf(high):
+            beside = np.abs(lift.slope).max() + low
+            flat = self.sharpest_mm + np.abs(lift.bend).max() + 3 * beside
+            high = low + flat + beside / math.tan(math.radians(self.steepest_deg))
+        inside = _CLOSE_MM * (high - low)
+        return np.geomspace(low + inside, high - inside, _RADII)
+
+    def _impossible(self, best_mm: float) -> str:
+        return (
+            f"No prime circle of this follower keeps the pressure angle within "
+            f"{self.steepest_deg:g} deg and the pitch curve's radius over {self.sharpest_mm:g} mm; "
+            f"the nearest to it has {best_mm:.5g} mm. Give the moves more angle or less stroke, "
+            "the follower another pivot or a longer arm, or take a smaller roller."
+        )
+
+    def _excess(self, lift: Lift, prime: Any) -> Floats:
+        """Return by which share more than is allowed is asked, of whichever is worse."""
+        steep = np.abs(pressure_angle(self.follower, lift, prime)) / self.steepest_deg
+        sharp = curvature(self.follower, lift, prime) * self.sharpest_mm
+        return np.asarray(np.maximum(steep, sharp) - 1)
+
+    def _excess_of(self, piece: Piece, places: Floats, prime: float) -> Floats:
+        return self._excess(lift_of(self.motion, piece, places), prime)
+
+    def _excess_at(self, piece: Piece, place: float, prime: float) -> float:
+        return float(self._excess_of(piece, np.array([place]), prime)[0])
+
+    @property
+    def _pieces(self) -> Sequence[Piece]:
+        return self.motion.curve.pieces

@@ -1,0 +1,185 @@
+"""The disc cam of a roller follower, open or with a groove."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial import cKDTree
+
+from cammotion.hardware.disc_cam import (
+    DiscCam,
+    Undercut,
+    check_motion,
+    lift_of,
+    travel_mm,
+    undercuts_of,
+)
+from cammotion.hardware.envelope import Lift, curvature, pitch_path, points, pressure_angle
+from cammotion.hardware.followers import PRIME, Places, RollerFollower
+from cammotion.laws.piece import Piece
+from cammotion.machine.arcs import Arc, arcs
+from cammotion.machine.bracketed import Extreme, largest
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
+
+_FINE_DEG, _SEEN_MM = 0.05, 1e-3
+
+
+@dataclass(frozen=True)
+class RollerCam(DiscCam):
+    """A cam whose follower has a roller.
+
+    `motion` comes back to where it began; `prime_radius_mm` is the distance of the roller's centre
+    from the cam's axis at the motion's lowest position. Raises InputError for an indexing motion,
+    for one whose velocity jumps, and for a prime circle that the follower cannot have.
+
+    >>> import cammotion as cm
+    >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=60)
+    >>> cam.profile_mm(0).round(3)
+    array([ 0., 50.])
+    >>> steepest, at_deg = cam.largest_pressure_angle
+    >>> print(f"{steepest:.2f} deg at {at_deg:.2f} deg")
+    51.81 deg at 174.14 deg
+    """
+
+    motion: Motion
+    follower: RollerFollower
+    prime_radius_mm: float
+
+    def __post_init__(self) -> None:
+        check_motion(self.motion)
+        if not isinstance(self.follower, RollerFollower):
+            raise InputError(
+                f"The follower is {shorten(self.follower)}: give a TranslatingRoller or a "
+                "SwingingRoller, for example TranslatingRoller(10)."
+            )
+        object.__setattr__(self, "prime_radius_mm", PRIME.number(self.prime_radius_mm))
+        self.follower.check(self.prime_radius_mm, travel_mm(self.motion))
+
+    @property
+    def roller_mm(self) -> float:
+        """The radius of the roller in mm."""
+        return self.follower.radius_mm
+
+    def pitch_mm(self, angle_deg: ArrayLike) -> Floats:
+        """Return the pitch curve, on which the roller's centre is, as points (..., 2) in mm."""
+        return points(self._path(self.lift(angle_deg))[0], angle_deg)
+
+    def profile_mm(self, angle_deg: ArrayLike, *, outer: bool = False) -> Floats:
+        """Return the points (x, y) in mm that touch the roller, in an array (..., 2).
+
+        With `outer` they are those of the far flank of a groove. Exact: each lies on the normal of
+        the pitch curve, a radius away.
+        """
+        return self.parallel_mm(angle_deg, self.roller_mm if outer else -self.roller_mm)
+
+    def parallel_mm(self, angle_deg: ArrayLike, away_mm: float) -> Floats:
+        """Return the curve beside the pitch curve, so many mm outwards, as points (..., 2).
+
+        It is the way of a cutter's centre: of a cutter with 8 mm for a roller with 10, at -2 mm.
+        """
+        place, tangent, _ = self._path(self.lift(angle_deg))
+        return points(place - 1j * away_mm * tangent / np.abs(tangent), angle_deg)
+
+    def pressure_angle_deg(self, angle_deg: ArrayLike) -> Numbers:
+        """Return the angle in deg between the cam's push and the way that the roller can go.
+
+        Above 0 where the push leans the way the cam turns, as it does on a rise.
+        """
+        return plain(self._pressure(self.lift(angle_deg)))
+
+    def pitch_radius_mm(self, angle_deg: ArrayLike) -> Numbers:
+        """Return the radius of curvature of the pitch curve in mm, below 0 where it is hollow."""
+        with np.errstate(divide="ignore"):
+            return plain(1 / self._curvature(self.lift(angle_deg)))
+
+    def profile_radius_mm(self, angle_deg: ArrayLike) -> Numbers:
+        """Return the profile's radius of curvature in mm: the pitch curve's less the roller's.
+
+        Below 0 where it is hollow, and where it is undercut.
+        """
+        return plain(self.pitch_radius_mm(angle_deg) - self.roller_mm)
+
+    @cached_property
+    def largest_pressure_angle(self) -> Extreme:
+        """The largest pressure angle in deg on either side, counted positive, and where it is."""
+        return largest(
+            lambda piece, at: np.abs(self._pressure(lift_of(self.motion, piece, at))),
+            self.motion.curve.pieces,
+        )
+
+    @cached_property
+    def sharpest(self) -> Extreme:
+        """The least radius of the pitch curve in mm where it bulges outwards, and where it is."""
+        found = largest(
+            lambda piece, at: self._curvature(lift_of(self.motion, piece, at)),
+            self.motion.curve.pieces,
+        )
+        return Extreme(1 / found.value, found.at_deg)
+
+    @cached_property
+    def hollowest(self) -> Extreme:
+        """The least radius of the pitch curve in mm where it is hollow, and where it is.
+
+        The radius is counted positive, and infinite for a curve that is nowhere hollow.
+        """
+        found = largest(
+            lambda piece, at: -self._curvature(lift_of(self.motion, piece, at)),
+            self.motion.curve.pieces,
+        )
+        return Extreme(1 / found.value if found.value > 0 else math.inf, found.at_deg)
+
+    @cached_property
+    def undercuts(self) -> tuple[Undercut, ...]:
+        """Where the pitch curve is sharper than the roller, so that the profile has a cusp.
+
+        The ends of the arcs are bracketed to 1e-9 deg.
+        """
+        return self._sharper_than_roller(1)
+
+    @cached_property
+    def outer_undercuts(self) -> tuple[Undercut, ...]:
+        """Where the far flank of a groove has a cusp: its pitch curve is too hollow."""
+        return self._sharper_than_roller(-1)
+
+    def cut_away(self, *, outer: bool = False) -> list[Arc]:
+        """Return the arcs over which the cutter has taken the profile away elsewhere in the turn.
+
+        There the roller cannot be where it should: the profile's point lies inside the roller at
+        another cam angle. An undercut is the nearest case of it; a hollow between two lobes that is
+        narrower than the roller is another. Sampled each 0.05 deg; less than 1e-3 mm is rounding.
+
+        >>> import cammotion as cm
+        >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=25)
+        >>> cam.undercuts, cam.cut_away()
+        ((), [])
+        """
+        angles = np.arange(0, DEG_PER_TURN, _FINE_DEG)
+        tree = cKDTree(self.pitch_mm(angles))
+        nearest, _ = tree.query(self.profile_mm(angles, outer=outer))
+        gone = nearest < self.roller_mm - _SEEN_MM
+        return arcs(
+            (angle - _FINE_DEG / 2, angle + _FINE_DEG / 2) for angle in angles[gone].tolist()
+        )
+
+    def _sharper_than_roller(self, side: int) -> tuple[Undercut, ...]:
+        def excess(piece: Piece, at: Floats) -> Floats:
+            return side * self._curvature(lift_of(self.motion, piece, at)) * self.roller_mm - 1
+
+        return undercuts_of(
+            excess,
+            self.motion.curve.pieces,
+            lambda worst: self.roller_mm - self.roller_mm / (worst + 1),
+        )
+
+    def _path(self, lift: Lift) -> tuple[Places, Places, Places]:
+        return pitch_path(self.follower, lift, self.prime_radius_mm)
+
+    def _pressure(self, lift: Lift) -> Floats:
+        return pressure_angle(self.follower, lift, self.prime_radius_mm)
+
+    def _curvature(self, lift: Lift) -> Floats:
+        return curvature(self.follower, lift, self.prime_radius_mm)

@@ -1,0 +1,107 @@
+"""Where a function of the cam angle is largest, and where it is above zero.
+
+What a cam is asked has no bounds that would prove its turns, as a motion has: the pressure angle
+and the curvature are quotients of its displacement and two derivatives. So each smooth piece is
+sampled closely, what is largest among the samples is searched for between its neighbours, and where
+the sign changes is bracketed. A peak narrower than two samples could be missed.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar
+
+from cammotion.laws.piece import Piece
+from cammotion.machine.arcs import Arc, arcs
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.quantities import Floats
+
+Function = Callable[[Piece, Floats], Floats]
+
+_STEP_DEG = 0.25
+_LEAST_SAMPLES = 33
+_NEAR = 1e-2  # samples so near to a level, as a share of all, may have one above it beside them
+_CLOSE_DEG = 1e-10
+
+
+class Extreme(NamedTuple):
+    """A largest or smallest value, and the cam angle in deg at which it is."""
+
+    value: float
+    at_deg: float
+
+
+def largest(function: Function, pieces: Sequence[Piece]) -> Extreme:
+    """Return the largest value of a function over the pieces of a turn, and where it is."""
+    (value, place), _ = summit(function, pieces)
+    return Extreme(value, place % DEG_PER_TURN)
+
+
+def summit(function: Function, pieces: Sequence[Piece]) -> tuple[Extreme, Piece]:
+    """Return the largest value, its place as its piece counts it, and the piece."""
+    sampled = [function(piece, samples(piece)) for piece in pieces]
+    top = max(values.max() for values in sampled)
+    near = top - _NEAR * (top - min(values.min() for values in sampled))
+    found = [
+        (summit, piece)
+        for piece, values in zip(pieces, sampled, strict=True)
+        if values.max() >= near
+        for summit in _summits(function, piece, values, near)
+    ]
+    return max(found, key=lambda each: each[0].value)
+
+
+def where_positive(function: Function, pieces: Sequence[Piece]) -> list[Arc]:
+    """Return the arcs of the turn over which a function is above 0, their ends to 1e-9 deg."""
+    found: list[Arc] = []
+    for piece in pieces:
+        places = samples(piece)
+        values = function(piece, places)
+        near = -_NEAR * np.ptp(values)
+        hidden = [s for s in _summits(function, piece, values, near) if s.value > 0]
+        places = np.union1d(places, [summit.at_deg for summit in hidden])
+        found.extend(_positive(function, piece, places))
+    return arcs(found)
+
+
+def samples(piece: Piece) -> Floats:
+    """Return places in a piece, close to one another, with both ends."""
+    count = max(_LEAST_SAMPLES, int(np.ceil((piece.high - piece.low) / _STEP_DEG)) + 1)
+    return np.linspace(piece.low, piece.high, count)
+
+
+def _positive(function: Function, piece: Piece, places: Floats) -> Iterator[Arc]:
+    """Yield arcs in order over which a function is above 0 at all of the places in them."""
+    is_above = function(piece, places) > 0
+    start = piece.low
+    for number in np.flatnonzero(is_above[1:] != is_above[:-1]):
+        low, high = float(places[number]), float(places[number + 1])
+        root = brentq(lambda place: float(function(piece, np.array([place]))[0]), low, high)
+        if is_above[number]:
+            yield start, root
+        start = root
+    if is_above[-1]:
+        yield start, piece.high
+
+
+def _summits(function: Function, piece: Piece, values: Floats, least: float) -> Iterator[Extreme]:
+    """Yield what is largest beside each sample of at least this height that is a local summit."""
+    places = samples(piece)
+    wider = np.concatenate([[-np.inf], values, [-np.inf]])
+    is_summit = (values >= wider[:-2]) & (values >= wider[2:]) & (values >= least)
+    for number in np.flatnonzero(is_summit):
+        sampled = Extreme(float(values[number]), float(places[number]))
+        low, high = places[max(int(number) - 1, 0)], places[min(int(number) + 1, len(places) - 1)]
+        found = _searched(function, piece, (low, high))
+        yield found if found.value > sampled.value else sampled
+
+
+def _searched(function: Function, piece: Piece, bounds: tuple[float, float]) -> Extreme:
+    found = minimize_scalar(
+        lambda place: -float(function(piece, np.array([place]))[0]),
+        bounds=bounds,
+        method="bounded",
+        options={"xatol": _CLOSE_DEG},
+    )
+    return Extreme(-float(found.fun), float(found.x))

@@ -1,0 +1,117 @@
+"""The force between a follower and its cam, and the spring that keeps them together."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.laws.piece import Piece
+from cammotion.machine.bracketed import Extreme, largest
+from cammotion.machine.kinematics import RATE, cycle_time
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats, Numbers, Quantity, plain
+
+MASS = Quantity("mass of the follower", "kg", example=12)
+STIFFNESS = Quantity("stiffness of the spring", "N/mm", example=5, low_included=True)
+PRELOAD = Quantity("preload of the spring", "N", example=100, low_included=True)
+WEIGHT = Quantity("weight on the cam", "N", example=117.7, low=-math.inf)
+
+_MM_PER_M = 1000.0
+_LEAST_N = 1e-12
+
+
+@dataclass(frozen=True, kw_only=True)
+class FollowerLoad:
+    """What presses a rigid follower on its cam, in the direction of its motion.
+
+    `mass_kg` moves with the follower. The spring has `preload_N` at the motion's lowest position
+    and gains `stiffness_N_per_mm` for each mm. `weight_N` is the part of the weight that presses on
+    the cam: 9.81 times the mass for a follower above its cam, the negative for one that hangs.
+    Friction and the force of the process are left out. Raises InputError for a mass that is not
+    above 0, and a stiffness or preload below 0.
+
+    >>> import cammotion as cm
+    >>> load = FollowerLoad(mass_kg=12)
+    >>> least = load.least_force(cm.EXAMPLE.die, 2000)
+    >>> print(f"{least.value:.2f} N at {least.at_deg:.2f} deg")
+    -49.85 N at 191.25 deg
+    """
+
+    mass_kg: float
+    stiffness_N_per_mm: float = 0.0  # noqa: N815 - newton
+    preload_N: float = 0.0  # noqa: N815
+    weight_N: float = 0.0  # noqa: N815
+
+    def __post_init__(self) -> None:
+        for name, quantity in (
+            ("mass_kg", MASS),
+            ("stiffness_N_per_mm", STIFFNESS),
+            ("preload_N", PRELOAD),
+            ("weight_N", WEIGHT),
+        ):
+            object.__setattr__(self, name, quantity.number(getattr(self, name)))
+
+    def force_N(self, motion: Motion, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:  # noqa: N802
+        """Return the force in N between follower and cam at a cam angle; below 0 it has left it."""
+        lift = np.asarray(motion.position_mm(angle_deg)) - motion.range_mm[0]
+        push = self.mass_kg * motion.derivative(2, angle_deg, rate_per_hour)
+        return plain(push + self._standing(lift))
+
+    def least_force(self, motion: Motion, rate_per_hour: float) -> Extreme:
+        """Return the least force in N between follower and cam in a turn, and where it is."""
+        per_deg = self._inertia(rate_per_hour)
+
+        def relief(piece: Piece, places: Floats) -> Floats:
+            return -(per_deg * _bend(piece, places) + self._standing_at(motion, piece, places))
+
+        found = largest(relief, motion.curve.pieces)
+        return Extreme(-found.value, found.at_deg)
+
+    def needed_preload_N(self, motion: Motion, rate_per_hour: float) -> float:  # noqa: N802
+        """Return the least preload in N with which the follower stays on the cam at a rate.
+
+        A spring of this stiffness has to have it at the motion's lowest position. What follows the
+        springs and the gap between parts ask for is not in it: a margin of a half is usual.
+        """
+        return max(self.preload_N - self.least_force(motion, rate_per_hour).value, 0.0)
+
+    def lift_off_rate(self, motion: Motion) -> float:
+        """Return the machine rate in pieces/h above which the follower leaves the cam.
+
+        It is infinite where nothing pulls the follower off, and 0 where it does not even rest on
+        the cam.
+        """
+
+        def pull(piece: Piece, places: Floats) -> Floats:
+            return np.maximum(-self._inertia(1.0) * _bend(piece, places), 0.0)
+
+        def loose(piece: Piece, places: Floats) -> Floats:
+            standing = self._standing_at(motion, piece, places)
+            return np.where(pull(piece, places) > 0, -standing, -1.0)
+
+        def share(piece: Piece, places: Floats) -> Floats:
+            standing = np.abs(self._standing_at(motion, piece, places))
+            return pull(piece, places) / np.maximum(standing, _LEAST_N)
+
+        pieces = motion.curve.pieces
+        if largest(pull, pieces).value <= 0:
+            return math.inf
+        if largest(loose, pieces).value >= 0:
+            return 0.0
+        return 1 / math.sqrt(largest(share, pieces).value)
+
+    def _inertia(self, rate_per_hour: float) -> float:
+        """Return the force in N that a second derivative of 1 mm/deg² asks for at a rate."""
+        per_second = 360 / cycle_time(RATE.number(rate_per_hour))
+        return float(self.mass_kg * per_second**2 / _MM_PER_M)
+
+    def _standing(self, lift: Floats) -> Floats:
+        return self.stiffness_N_per_mm * lift + self.preload_N + self.weight_N
+
+    def _standing_at(self, motion: Motion, piece: Piece, places: Floats) -> Floats:
+        return self._standing(piece.over(places.copy()) - motion.range_mm[0])
+
+
+def _bend(piece: Piece, places: Floats) -> Floats:
+    return piece.derivative.derivative.over(places.copy())

@@ -1,0 +1,269 @@
+"""Disc cams: the published cases, and followers that are rolled over what was written to a file."""
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, cast
+
+import dxfgrabber  # type: ignore[import-untyped]
+import numpy as np
+import pytest
+from machines import Array
+from rolling import Outline, arm_angle, dense, face_height, roller_height
+
+import cammotion as cm
+
+DIE = cm.EXAMPLE.die
+AFTER = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram["die"]
+ROLLER = cm.TranslatingRoller(10)
+PLACES = np.arange(0.5, 360, 7.3)
+
+
+def harmonic(stroke_mm: float = 50) -> cm.Motion:
+    """Return 180 up and 180 down, by the cosine."""
+    up, down = (f(stroke_mm, over_deg=180, law="simple harmonic") for f in (cm.rise, cm.return_))
+    return cm.motion("harmonic", up, down)
+
+
+def drawn(rng: np.random.Generator) -> cm.Motion:
+    """Return a motion with dwells, drawn laws, and sometimes a part of constant velocity."""
+    laws = ["cycloidal", "3-4-5 polynomial", "modified sine", "modified trapezoid"]
+    up, down = rng.uniform(80, 140, 2)
+    rise = (
+        cm.fifth_degree_linear(rng.uniform(0.1, 0.5))
+        if rng.random() < 0.3
+        else laws[rng.integers(4)]
+    )
+    parts = (
+        cm.rise(30, over_deg=up, law=rise),
+        cm.dwell(40),
+        cm.return_(30, over_deg=down, law=laws[rng.integers(4)]),
+        cm.dwell(320 - up - down),
+    )
+    return cm.motion("drawn", *parts, start_deg=rng.uniform(0, 500))
+
+
+def outline_of(cam: Any, folder: Path, tolerance: float = 0.001) -> Outline:
+    """Write a cam as DXF, read it with another program, and return the profile's dense points."""
+    path = cm.write_cam(cam, folder / "cam.dxf", tolerance_mm=tolerance)
+    assert path.stat().st_size < 300_000
+    (profile,) = [e for e in dxfgrabber.readfile(str(path)).entities if e.layer == "PROFILE"]
+    assert profile.is_closed
+    corners = zip(profile.points, profile.bulge, strict=True)
+    return dense([(x, y, bulge) for (x, y, *_), bulge in corners])
+
+
+def lift_of(motion: cm.Motion, angle: float) -> float:
+    return float(motion.position_mm(angle)) - motion.range_mm[0]
+
+
+@pytest.mark.parametrize("offset", [0, 12, -9])
+@pytest.mark.parametrize("motion", [DIE, AFTER, drawn(np.random.default_rng(3))], ids=str)
+def test_a_roller_on_the_written_cam_is_lifted_as_wanted(
+    motion: cm.Motion, offset: float, tmp_path: Path
+) -> None:
+    follower = cm.TranslatingRoller(10, offset_mm=offset)
+    cam = cm.RollerCam(motion, follower, cm.smallest_prime_radius(motion, follower))
+    outline = outline_of(cam, tmp_path)
+    lowest = math.sqrt(cam.prime_radius_mm**2 - offset**2)
+    allowed = 0.001 / math.cos(math.radians(cam.largest_pressure_angle.value))
+    for angle in PLACES:
+        height = roller_height(outline, angle, 10, -offset)
+        assert height - lowest == pytest.approx(lift_of(motion, angle), abs=allowed)
+
+
+@pytest.mark.parametrize("motion", [AFTER, drawn(np.random.default_rng(4))], ids=str)
+def test_a_swinging_roller_is_lifted_as_wanted(motion: cm.Motion, tmp_path: Path) -> None:
+    follower = cm.SwingingRoller(10, arm_mm=150, pivot_mm=165)
+    prime = cm.smallest_prime_radius(motion, follower, pressure_angle_deg=40)
+    cam = cm.RollerCam(motion, follower, prime)
+    outline = outline_of(cam, tmp_path)
+    lowest = math.acos((prime**2 - 150**2 - 165**2) / (2 * 150 * 165))
+    allowed = 0.001 / math.cos(math.radians(cam.largest_pressure_angle.value))
+    for angle in PLACES:
+        turned_by = lowest - arm_angle(outline, angle, 10, 150, 165)
+        assert 150 * turned_by == pytest.approx(lift_of(motion, angle), abs=allowed)
+
+
+@pytest.mark.parametrize("motion", [AFTER, harmonic(), drawn(np.random.default_rng(5))], ids=str)
+def test_a_flat_face_is_lifted_as_wanted(motion: cm.Motion, tmp_path: Path) -> None:
+    base = max(cm.smallest_base_radius(motion, profile_radius_mm=5), 20)
+    outline = outline_of(cm.FlatFacedCam(motion, base), tmp_path)
+    for angle in PLACES:
+        height = face_height(outline, angle)
+        assert height - base == pytest.approx(lift_of(motion, angle), abs=0.001)
+
+
+def test_a_flat_face_with_harmonic_motion_runs_on_a_circle(tmp_path: Path) -> None:
+    """A textbook's problem: 50 mm, least radius 25 mm; the profile is a circle about (0, -25)."""
+    cam = cm.FlatFacedCam(harmonic(), base_radius_mm=25)
+    circle = np.abs(outline_of(cam, tmp_path) + 25j)
+    assert circle == pytest.approx(50, abs=1e-6)
+    assert cam.face_mm == pytest.approx((-25, 25))
+    assert cam.sharpest.value == pytest.approx(50)
+
+
+def test_an_eccentric_circle_comes_back() -> None:
+    """Roller 10 on a circle of 40 mm that turns about a point 15 mm off its centre."""
+    at = np.linspace(0, 360, 721)[:-1]
+    lift = 15 * np.cos(np.radians(at - 180)) + np.sqrt(50**2 - 15**2 * np.sin(np.radians(at)) ** 2)
+    up = cm.law_from_points(np.linspace(0, 1, 361), (lift[:361] - lift[0]) / (lift[360] - lift[0]))
+    way = lift[360] - lift[0]
+    down = up.reversed()
+    motion = cm.motion(
+        "eccentric", cm.rise(way, over_deg=180, law=up), cm.return_(way, over_deg=180, law=down)
+    )
+    cam = cm.RollerCam(motion, cm.TranslatingRoller(10), prime_radius_mm=35)
+    x, y = cam.profile_mm(np.linspace(1, 359, 359)).T
+    assert np.hypot(x, y + 15) == pytest.approx(40, abs=2e-3)
+    steepest = cam.largest_pressure_angle.value
+    assert steepest == pytest.approx(math.degrees(math.asin(15 / 50)), abs=1e-3)
+
+
+def test_the_textbooks_flat_face_and_parabola() -> None:
+    """S = k theta², 10 mm at 60 deg: at 45 deg 5.625 mm, touched 14.324 mm off the axis."""
+    law = cm.MotionLaw("parabola up", cm.x**2)
+    rest = cm.return_(10, over_deg=300, law=cm.MATCHED)
+    cam = cm.FlatFacedCam(cm.motion("f", cm.rise(10, over_deg=60, law=law), rest), 100)
+    assert cam.lift(45).lift == pytest.approx(5.625)
+    assert abs(cam.contact_mm(45)) == pytest.approx(14.324, abs=5e-4)
+
+
+def test_what_overlap_is_worth_in_steel() -> None:
+    """The closed form for a slide over the axis: the largest of s'/tan 30 deg - s."""
+    for motion, printed in ((DIE, 156.835), (AFTER, 57.640)):
+        prime = cm.smallest_prime_radius(motion, ROLLER)
+        at = np.linspace(0, 360, 72001)
+        slope = np.gradient(motion.position_mm(at), np.radians(at))
+        lift = motion.position_mm(at) - motion.range_mm[0]
+        needed = np.abs(slope) / math.tan(math.radians(30)) - lift
+        assert prime == pytest.approx(float(needed.max()), rel=1e-5)
+        assert prime == pytest.approx(printed, abs=5e-4)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_smallest_prime_circle_is_good_and_a_smaller_one_is_not(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    motion = drawn(rng)
+    followers = cm.TranslatingRoller(rng.uniform(5, 15), offset_mm=rng.uniform(-10, 20))
+    limits = rng.uniform(20, 40), rng.uniform(0, 8)
+    asked = {"pressure_angle_deg": limits[0], "profile_radius_mm": limits[1]}
+    prime = cm.smallest_prime_radius(motion, followers, **asked)
+    assert is_good(cm.RollerCam(motion, followers, prime + 1e-6), *limits)
+    assert not is_good(cm.RollerCam(motion, followers, prime - 0.01), *limits)
+
+
+def is_good(cam: cm.RollerCam, steepest_deg: float, radius_mm: float) -> bool:
+    """Judge by differences of the pitch curve alone."""
+    at = np.linspace(0, 360, 40001)
+    pitch = cam.pitch_mm(at) @ [1, 1j]
+    step = np.radians(at[1])
+    tangent = (pitch[2:] - pitch[:-2]) / 2 / step
+    bend = (pitch[2:] - 2 * pitch[1:-1] + pitch[:-2]) / step**2
+    radius = np.abs(tangent) ** 3 / (tangent.conj() * bend).imag
+    way = 1j * np.exp(1j * np.radians(at[1:-1]))
+    steep = np.abs(np.degrees(np.angle(way / (-1j * tangent))))
+    bulges = radius > 0
+    least = radius[bulges].min() - cam.roller_mm
+    return bool(steep.max() <= steepest_deg + 1e-4 and least >= radius_mm - 1e-3)
+
+
+def test_undercut_arcs_end_where_the_pitch_curve_is_as_sharp_as_the_roller() -> None:
+    cam = cm.RollerCam(DIE, cm.TranslatingRoller(14), prime_radius_mm=15)
+    assert len(cam.undercuts) == 2
+    for cut in cam.undercuts:
+        ends = np.array([cut.start_deg, cut.end_deg])
+        assert cam.pitch_radius_mm(ends) == pytest.approx(14, abs=1e-6)
+        inside = np.linspace(cut.start_deg + 1e-3, cut.end_deg - 1e-3, 101)
+        assert np.all(cam.profile_radius_mm(inside) < 0)
+        worst = float(cam.profile_radius_mm(inside).min())
+        assert cut.missing_mm == pytest.approx(-worst, rel=1e-3)
+    others = np.setdiff1d(np.arange(0, 360, 0.5), _within(cam.undercuts))
+    radius = cam.pitch_radius_mm(others)
+    assert np.all((radius < 0) | (radius > 14))
+
+
+def _within(cuts: tuple[cm.Undercut, ...]) -> Array:
+    at = np.arange(0, 360, 0.5)
+    return at[np.any([(cut.start_deg <= at) & (at <= cut.end_deg) for cut in cuts], axis=0)]
+
+
+@pytest.mark.parametrize(("roller", "prime"), [(15, 32), (20, 32), (24, 32), (30, 40)])
+def test_what_is_cut_away_is_where_a_roller_does_not_come_down(roller: float, prime: float) -> None:
+    """Two lobes close together, and the roller rolled over all points of the profile."""
+    up, down = cm.rise(40, over_deg=70), cm.return_(40, over_deg=70)
+    motion = cm.motion("lobes", up, down, cm.dwell(40), up, down, cm.dwell(40))
+    cam = cm.RollerCam(motion, cm.TranslatingRoller(roller), prime_radius_mm=prime)
+    pitch = cam.pitch_mm(np.arange(0, 360, 0.1)) @ [1, 1j]
+    profile = cam.profile_mm(np.arange(0, 360, 0.05)) @ [1, 1j]
+    left = [point for point in profile if np.abs(point - pitch).min() > roller - 1e-4]
+    gone = cam.cut_away()
+    for angle in np.arange(0.5, 180, 3.0):
+        high = roller_height(np.array(left), angle, roller, 0) - prime - lift_of(motion, angle)
+        if any(start + 1 < angle < end - 1 for start, end in gone):
+            assert high < -1e-3
+        if not any(start - 1 < angle < end + 1 for start, end in gone):
+            assert high == pytest.approx(0, abs=2e-4)
+
+
+def test_a_groove_has_a_far_flank_of_its_own() -> None:
+    """The roller fits where the pitch curve is smooth, and the far flank has a cusp in a hollow."""
+    up, down = cm.rise(40, over_deg=70), cm.return_(40, over_deg=70)
+    motion = cm.motion("lobes", up, down, cm.dwell(40), up, down, cm.dwell(40))
+    cam = cm.RollerCam(motion, cm.TranslatingRoller(20), prime_radius_mm=32)
+    assert cam.undercuts == ()
+    assert cam.hollowest.value == pytest.approx(14.548, abs=1e-3)
+    assert len(cam.outer_undercuts) == 4
+    (first, *_) = cam.outer_undercuts
+    assert cam.pitch_radius_mm([first.start_deg, first.end_deg]) == pytest.approx(-20, abs=1e-6)
+    at = np.arange(0.0, 360, 0.5)
+    near, far = cam.profile_mm(at), cam.profile_mm(at, outer=True)
+    assert np.hypot(*(far - near).T) == pytest.approx(40)
+    assert np.hypot(*((far + near) / 2 - cam.pitch_mm(at)).T) == pytest.approx(0, abs=1e-9)
+    cutter = cam.parallel_mm(at, 16 - 20)
+    assert np.hypot(*(cutter - near).T) == pytest.approx(16)
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: cm.RollerCam(cm.EXAMPLE.mill, ROLLER, 60), "moves on from stop to stop"),
+        (lambda: cm.FlatFacedCam(cm.EXAMPLE.mill, 60), "moves on from stop to stop"),
+        (lambda: cm.RollerCam(cast(Any, "die"), ROLLER, 60), "motion of the cam is 'die'"),
+        (
+            lambda: cm.RollerCam(DIE, cast(Any, "roller"), 60),
+            "give a TranslatingRoller or a SwingingRoller",
+        ),
+        (lambda: cm.RollerCam(DIE, ROLLER, 10), "more than 10 mm"),
+        (lambda: cm.RollerCam(DIE, cm.TranslatingRoller(5, 30), 30), "more than 30 mm"),
+        (lambda: cm.RollerCam(DIE, cm.SwingingRoller(10, 100, 120), 219), "less than 213.2"),
+        (lambda: cm.RollerCam(DIE, cm.SwingingRoller(10, 100, 150), 40), "more than 50"),
+        (lambda: cm.TranslatingRoller(0), "radius of the roller is 0 mm"),
+        (lambda: cm.SwingingRoller(10, -1, 100), "arm of the follower is -1 mm"),
+        (lambda: cm.FlatFacedCam(DIE, 0), "radius of the prime circle is 0 mm"),
+        (lambda: cm.smallest_prime_radius(DIE, ROLLER, pressure_angle_deg=91), "at most 90 deg"),
+        (lambda: cm.smallest_prime_radius(cm.EXAMPLE.mill, ROLLER), "moves on from stop to stop"),
+        (
+            lambda: cm.smallest_prime_radius(DIE, cm.SwingingRoller(10, 60, 80)),
+            "No prime circle of this follower keeps the pressure angle within 30 deg",
+        ),
+    ],
+)
+def test_what_cannot_be_a_cam_is_refused_in_words(make: Callable[[], Any], said: str) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        make()
+
+
+def test_a_velocity_that_jumps_makes_no_cam() -> None:
+    line = cm.MotionLaw("line", cm.x)
+    motion = cm.motion(
+        "conveyor", cm.rise(50, over_deg=180, law=line), cm.return_(50, over_deg=180)
+    )
+    with pytest.raises(cm.InputError, match="velocity of the motion 'conveyor' jumps at 0 deg"):
+        cm.RollerCam(motion, ROLLER, 60)
+
+
+def test_a_prime_circle_without_a_demand_on_its_radius_is_the_least_that_the_follower_has() -> None:
+    flat = cm.motion("flat", cm.rise(1, over_deg=180), cm.return_(1, over_deg=180))
+    asked = {"pressure_angle_deg": 90, "profile_radius_mm": 0}
+    assert cm.smallest_prime_radius(flat, ROLLER, **asked) == pytest.approx(10, abs=1)

@@ -1,0 +1,84 @@
+"""The force between follower and cam, against closed forms and published cases."""
+
+import math
+
+import numpy as np
+import pytest
+from machines import Array
+
+import cammotion as cm
+
+CYCLOID = cm.motion(
+    "f", cm.rise(10, over_deg=120), cm.dwell(30), cm.return_(10, over_deg=120), cm.dwell(90)
+)
+EXAM = cm.FollowerLoad(mass_kg=1.8, stiffness_N_per_mm=15, preload_N=2.5 * 15)
+
+
+def by_hand(load: cm.FollowerLoad, rate: float, at: Array) -> Array:
+    """Return mass times acceleration and the spring, from the cycloid's own formulas."""
+    x, tm = at / 120, 3600 / rate / 3
+    a = 2 * math.pi * 0.010 / tm**2 * np.sin(2 * math.pi * x)
+    s = 10 * (x - np.sin(2 * math.pi * x) / (2 * math.pi))
+    return load.mass_kg * a + load.stiffness_N_per_mm * s + load.preload_N + load.weight_N
+
+
+def test_an_exam_question_without_an_answer() -> None:
+    """1000 rpm, at 100 deg: -61.69 N, so that the follower has left; it does from 779.8 on."""
+    assert EXAM.force_N(CYCLOID, 100, 60 * 1000) == pytest.approx(-61.69, abs=5e-3)
+    assert EXAM.lift_off_rate(CYCLOID) / 60 == pytest.approx(779.8, abs=0.05)
+
+
+@pytest.mark.parametrize("weight", [0, 17.66, -17.66])
+def test_forces_of_a_cycloid(weight: float) -> None:
+    load = cm.FollowerLoad(mass_kg=1.8, stiffness_N_per_mm=15, preload_N=37.5, weight_N=weight)
+    at = np.linspace(0.01, 119.99, 24001)
+    expected = by_hand(load, 50_000, at)
+    assert load.force_N(CYCLOID, at, 50_000) == pytest.approx(expected)
+    least = load.least_force(CYCLOID, 50_000)
+    assert least.value == pytest.approx(float(expected.min()), abs=1e-3)
+    mirrored = min(least.at_deg, 270 - least.at_deg)  # the return is the rise's mirror image
+    assert mirrored == pytest.approx(float(at[expected.argmin()]), abs=0.02)
+
+
+def test_a_spring_as_it_is_needed_just_keeps_contact() -> None:
+    preload = EXAM.needed_preload_N(CYCLOID, 60_000)
+    kept = cm.FollowerLoad(mass_kg=1.8, stiffness_N_per_mm=15, preload_N=preload)
+    assert kept.least_force(CYCLOID, 60_000).value == pytest.approx(0, abs=1e-9)
+    assert kept.lift_off_rate(CYCLOID) == pytest.approx(60_000)
+    assert EXAM.needed_preload_N(CYCLOID, 100) == 0
+
+
+def test_a_follower_that_nothing_holds_leaves_at_once() -> None:
+    assert cm.FollowerLoad(mass_kg=1).lift_off_rate(CYCLOID) == 0
+    assert cm.FollowerLoad(mass_kg=1, weight_N=-20, preload_N=10).lift_off_rate(CYCLOID) == 0
+    flat = cm.motion("f", cm.dwell(360))
+    assert cm.FollowerLoad(mass_kg=1, preload_N=1).lift_off_rate(flat) == math.inf
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"mass_kg": 0}, "mass of the follower is 0 kg"),
+        ({"mass_kg": -2}, "mass of the follower is -2 kg"),
+        ({"mass_kg": 1, "stiffness_N_per_mm": -1}, "stiffness of the spring is -1 N/mm"),
+        ({"mass_kg": 1, "preload_N": -1}, "preload of the spring is -1 N"),
+        ({"mass_kg": "heavy"}, "mass of the follower has to be a number"),
+    ],
+)
+def test_bad_loads(given: dict[str, float], said: str) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        cm.FollowerLoad(**given)
+
+
+def test_hertz_between_steel_cylinders() -> None:
+    """The textbook's 0.418 times the root of F E / b and the sum of the curvatures."""
+    for radius in (60.0, -30.0):
+        curvature = 1 / 10 + 1 / radius
+        textbook = 0.418 * math.sqrt(500 * 210_000 / 12 * curvature)
+        pressure = cm.hertz_pressure(500, radius, roller_mm=10, width_mm=12)
+        assert pressure == pytest.approx(textbook, rel=1e-3)
+    assert cm.hertz_pressure([-5, 0], 60, roller_mm=10, width_mm=12).tolist() == [0, 0]
+    straight = cm.hertz_pressure(500, 1e12, roller_mm=10, width_mm=12)
+    assert straight == pytest.approx(0.418 * math.sqrt(500 * 210_000 / 120), rel=1e-3)
+    with pytest.raises(cm.InputError, match="-9 mm, which the roller of 10 mm cannot touch"):
+        cm.hertz_pressure(500, [60, -9], roller_mm=10, width_mm=12)
