@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from accessibility import measure_accessibility
 from animation import measure_animation
+from cams import measure_cams, measure_rival_cams
 from curves import measure_factors, measure_lines
 from exercises import measure_exercises, measure_shown
 from findings import Finding
@@ -25,6 +26,8 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "accessibility": measure_accessibility,
     "again": measure_again,
     "animation": measure_animation,
+    "cams": measure_cams,
+    "cams-rival": measure_rival_cams,
     "exercises": measure_exercises,
     "import": measure_import,
     "law": measure_laws,

@@ -67,6 +67,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     ),
     "explore_shares": lambda: cm.explore_shares(cm.EXAMPLE.diagram),
     "explore_scca": cm.explore_scca,
+    "explore_cam": lambda: cm.explore_cam(cm.EXAMPLE.die),
     "explore_follower": cm.explore_follower,
     "explore_overlap": lambda: cm.explore_overlap(
         cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20

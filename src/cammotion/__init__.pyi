@@ -5,6 +5,7 @@ from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
 from .hardware.flat_faced_cam import FlatFacedCam
 from .hardware.followers import SwingingRoller, TranslatingRoller
+from .hardware.loads import FollowerLoad
 from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
@@ -31,7 +32,6 @@ from .machine.kinematics import (
     peak_jerk,
     peak_velocity,
 )
-from .machine.loads import FollowerLoad
 from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
 from .machine.segments import Segment
@@ -41,6 +41,8 @@ from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
 from .views.animation.picture import animate
+from .views.cam_plots import plot_cam
+from .views.explorers.cam import explore_cam
 from .views.explorers.follower import explore_follower
 from .views.explorers.move import explore_move
 from .views.explorers.overlap import explore_overlap
@@ -102,6 +104,7 @@ __all__ = [
     "cycle_time",
     "dwell",
     "explore",
+    "explore_cam",
     "explore_follower",
     "explore_move",
     "explore_overlap",
@@ -125,6 +128,7 @@ __all__ = [
     "peak_velocity",
     "pinned",
     "place_of_largest",
+    "plot_cam",
     "plot_clearance",
     "plot_curves",
     "plot_detour",

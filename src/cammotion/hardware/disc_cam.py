@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.hardware.bracketed import Function, largest, where_positive
 from cammotion.hardware.envelope import Lift
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import unwrap
-from cammotion.machine.bracketed import Function, largest, where_positive
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
@@ -68,14 +68,17 @@ class DiscCam(ABC):
 
         Where two segments meet, they are those of the one that begins there.
         """
-        start = self.motion.start_deg
+        return Lift(*self.derivatives(angle_deg, 3))
+
+    def derivatives(self, angle_deg: ArrayLike, count: int) -> list[Floats]:
+        """Return the first so many of what `lift` returns."""
+        start, curve = self.motion.start_deg, self.motion.curve
         phase = start + np.mod(CAM_ANGLE.array(angle_deg) - start, DEG_PER_TURN)
-        curve = self.motion.curve
-        values = (
-            np.asarray(curve.derived(order)(phase, "right")) * PER_RAD**order for order in range(3)
+        first, *others = (
+            np.asarray(curve.derived(order)(phase, "right")) * PER_RAD**order
+            for order in range(count)
         )
-        lift, slope, bend = values
-        return Lift(lift - self.motion.range_mm[0], slope, bend)
+        return [first - self.motion.range_mm[0], *others]
 
 
 def lift_of(motion: Motion, piece: Piece, places: Floats) -> Lift:

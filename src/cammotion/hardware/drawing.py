@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
@@ -29,6 +30,17 @@ class Stroke(NamedTuple):
     points_mm: Floats
     bulges: Floats
     is_closed: bool = True
+
+    def filled(self) -> Floats:
+        """Return it as points (n, 2) in mm, its arcs of at most 2 deg filled with chords."""
+        corners = self.points_mm @ [1, 1j]
+        ends = np.roll(corners, -1)[: None if self.is_closed else -1]
+        parts = [
+            _along(start, end, bulge)
+            for start, end, bulge in zip(corners, ends, self.bulges, strict=False)
+        ]
+        points = np.concatenate([*parts, corners[:1] if self.is_closed else corners[-1:]])
+        return np.stack([points.real, points.imag], axis=-1)
 
 
 def strokes(
@@ -100,6 +112,16 @@ def _bore(radius: float, keyway: tuple[float, float] | None, least: float) -> St
     corners = np.array([[-half, foot], [-half, top], [half, top], [half, foot]])
     around = 2 * math.pi - 2 * math.asin(half / radius)  # clockwise, under the axis
     return Stroke("BORE", corners, np.array([0.0, 0.0, 0.0, -math.tan(around / 4)]))
+
+
+def _along(start: complex, end: complex, bulge: float) -> NDArray[np.complex128]:
+    """Return points from a corner to before the next one, along an arc or a chord."""
+    angle = 4 * math.atan(bulge)
+    shares = np.linspace(0, 1, 1 + math.ceil(abs(math.degrees(angle)) / 2), endpoint=False)
+    if shares.size <= 1:
+        return np.array([start])
+    centre = start + (end - start) * (0.5 + 0.5j / math.tan(angle / 2))
+    return np.asarray(centre + (start - centre) * np.exp(1j * angle * shares))
 
 
 def _line(layer: str, *points: tuple[float, float]) -> Stroke:

@@ -24,6 +24,14 @@ class Lift(NamedTuple):
     bend: Floats
 
 
+def pitch_tangent(
+    follower: RollerFollower, lift: Floats, slope: Floats, prime: Any
+) -> tuple[Places, Places]:
+    """Return the pitch curve and its derivative by the rad, before the cam's turn."""
+    place, way, _ = follower.place(lift, prime)
+    return place, way * slope + 1j * place
+
+
 def pitch_path(follower: RollerFollower, lift: Lift, prime: Any) -> tuple[Places, Places, Places]:
     """Return the pitch curve and its two derivatives by the rad, before the cam's turn.
 

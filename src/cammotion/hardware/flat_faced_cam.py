@@ -5,6 +5,7 @@ from functools import cached_property
 
 from numpy.typing import ArrayLike
 
+from cammotion.hardware.bracketed import Extreme, largest
 from cammotion.hardware.disc_cam import (
     PER_RAD,
     DiscCam,
@@ -15,7 +16,6 @@ from cammotion.hardware.disc_cam import (
 )
 from cammotion.hardware.envelope import Lift, points
 from cammotion.hardware.followers import PRIME
-from cammotion.machine.bracketed import Extreme, largest
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, Numbers, plain
 

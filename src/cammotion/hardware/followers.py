@@ -36,6 +36,10 @@ class RollerFollower(ABC):
         """
 
     @abstractmethod
+    def body(self, roller: complex, length: float) -> list[complex]:
+        """Return the line that is drawn of the follower, with its roller at a place."""
+
+    @abstractmethod
     def primes(self, travel: float) -> tuple[float, float]:
         """Return between which radii in mm a prime circle has to be, for a travel in mm."""
 
@@ -75,6 +79,10 @@ class TranslatingRoller(RollerFollower):
         height = np.sqrt(prime**2 - self.offset_mm**2) + lift
         return 1j * height - self.offset_mm, np.full(np.shape(height), 1j), np.zeros_like(height)
 
+    def body(self, roller: complex, length: float) -> list[complex]:
+        """Return the slide, over the roller."""
+        return [roller, roller + 1j * (self.radius_mm + length)]
+
     def primes(self, travel: float) -> tuple[float, float]:  # noqa: ARG002 - it goes as far
         """Return between which radii a prime circle has to be: the slide has to reach it."""
         return abs(self.offset_mm), math.inf
@@ -108,6 +116,10 @@ class SwingingRoller(RollerFollower):
         lowest = np.arccos((prime**2 - pivot**2 - arm**2) / (2 * pivot * arm))
         along = np.exp(1j * (lowest - lift / arm))
         return pivot + arm * along, -1j * along, -along / arm
+
+    def body(self, roller: complex, length: float) -> list[complex]:  # noqa: ARG002 - it ends
+        """Return the arm, from the roller to its pivot."""
+        return [roller, complex(self.pivot_mm)]
 
     def primes(self, travel: float) -> tuple[float, float]:
         """Return between which radii a prime circle has to be: the arm has to reach all places."""

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
+from cammotion.hardware.bracketed import Extreme, largest
 from cammotion.hardware.disc_cam import (
     DiscCam,
     Undercut,
@@ -16,11 +17,17 @@ from cammotion.hardware.disc_cam import (
     travel_mm,
     undercuts_of,
 )
-from cammotion.hardware.envelope import Lift, curvature, pitch_path, points, pressure_angle
+from cammotion.hardware.envelope import (
+    Lift,
+    curvature,
+    pitch_path,
+    pitch_tangent,
+    points,
+    pressure_angle,
+)
 from cammotion.hardware.followers import PRIME, Places, RollerFollower
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc, arcs
-from cammotion.machine.bracketed import Extreme, largest
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
@@ -81,7 +88,8 @@ class RollerCam(DiscCam):
 
         It is the way of a cutter's centre: of a cutter with 8 mm for a roller with 10, at -2 mm.
         """
-        place, tangent, _ = self._path(self.lift(angle_deg))
+        lift, slope = self.derivatives(angle_deg, 2)
+        place, tangent = pitch_tangent(self.follower, lift, slope, self.prime_radius_mm)
         return points(place - 1j * away_mm * tangent / np.abs(tangent), angle_deg)
 
     def pressure_angle_deg(self, angle_deg: ArrayLike) -> Numbers:

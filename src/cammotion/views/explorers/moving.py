@@ -80,6 +80,11 @@ class Moving:
         """Return the acceleration in m/s² at a machine rate in pieces per hour."""
         return self._over_parts(ALPHA, 2, rate)
 
+    def by_rad(self, order: int) -> sp.Expr:
+        """Return a derivative of the position by the cam angle, in mm/rad or mm/rad²."""
+        per_rad = SECONDS_BY_DEG_AND_RATE * 180 / sp.pi  # the rate at which a second takes a rad
+        return 1000 * self._over_parts(ALPHA, order, per_rad)
+
     def peak(self, rate: Any) -> sp.Expr:
         """Return the largest acceleration in m/s², by the factors Ca of the laws."""
         moves = [part for part in self.parts if part.law]

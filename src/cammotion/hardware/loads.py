@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.hardware.bracketed import Extreme, largest
 from cammotion.laws.piece import Piece
-from cammotion.machine.bracketed import Extreme, largest
 from cammotion.machine.kinematics import RATE, cycle_time
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, Numbers, Quantity, plain

@@ -1,0 +1,92 @@
+"""A disc cam as a designer draws it: axis, prime circle, follower, rotation, dimensions."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Circle, Polygon
+
+from cammotion.hardware.disc_cam import DiscCam
+from cammotion.hardware.drawing import strokes
+from cammotion.hardware.flat_faced_cam import FlatFacedCam
+from cammotion.hardware.roller_cam import RollerCam
+from cammotion.quantities import InputError, shorten
+from cammotion.views.pictures import blank_axes
+from cammotion.views.plots import COLOURS, write
+
+_TOLERANCE_MM = 0.01
+_THIN: dict[str, Any] = {"color": "#555555", "linewidth": 1.0}
+_STYLES: dict[str, dict[str, Any]] = {
+    "PITCH_CURVE": _THIN | {"linestyle": (0, (10, 3, 2, 3))},
+    "FOLLOWER": {"color": COLOURS[1], "linewidth": 2},
+    "CENTRE": _THIN | {"linestyle": (0, (10, 3, 2, 3)), "linewidth": 0.8},
+    "ZERO_MARK": {"color": "#b3200e", "linewidth": 1.5},
+    "ROTATION": {"color": "#000000", "linewidth": 1.2},
+    "BORE": {"color": COLOURS[0], "linewidth": 1.5},
+}
+_SIZE_IN = 5.2
+_STEM = 0.75  # of the follower over the roller, as a share of the travel
+
+
+def plot_cam(cam: DiscCam, *, bore_mm: float | None = None, ax: Axes | None = None) -> Axes:
+    """Draw a disc cam at 0 deg with its follower, in mm about its axis; return the Axes.
+
+    With the profile are the pitch curve, the prime or base circle with its radius, the roller or
+    the face, the mark of 0 deg, the sense of rotation, and a bore of `bore_mm`. Where the profile
+    is undercut, it is drawn with the loops that no cutter leaves. Raises InputError for what is no
+    cam, and for a bore that it has no room for.
+
+    >>> import cammotion as cm
+    >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=160)
+    >>> plot_cam(cam).get_xlabel()
+    'x in mm'
+    """
+    if not isinstance(cam, DiscCam):
+        raise InputError(f"The cam is {shorten(cam)}: give a RollerCam or a FlatFacedCam.")
+    if ax is None:
+        ax = blank_axes(_SIZE_IN, _SIZE_IN, layout="constrained")
+    for stroke in strokes(cam, _TOLERANCE_MM, bore_mm=bore_mm):
+        points = stroke.filled()
+        if stroke.layer == "PROFILE":
+            ax.add_patch(
+                Polygon(points, facecolor="#dbe9f4", edgecolor=COLOURS[0], linewidth=2, label="cam")
+            )
+        else:
+            ax.plot(*points.T, **_STYLES[stroke.layer])
+    _circle(ax, cam)
+    _stem(ax, cam)
+    ax.set_aspect("equal")
+    ax.margins(0.06)
+    ax.set(xlabel="x in mm", ylabel="y in mm")
+    ax.spines[["top", "right"]].set_visible(False)
+    return ax
+
+
+def _circle(ax: Axes, cam: DiscCam) -> None:
+    """Draw the prime or base circle, and write its radius beside it."""
+    name, radius = (
+        ("base circle", cam.base_radius_mm)
+        if isinstance(cam, FlatFacedCam)
+        else ("prime circle", cam.prime_radius_mm)
+        if isinstance(cam, RollerCam)
+        else ("", 0.0)
+    )
+    ax.add_patch(
+        Circle((0, 0), radius, fill=False, linestyle="--", **_THIN, label=f"{name} {radius:.4g} mm")
+    )
+    place = radius * np.array([-np.sqrt(0.5), -np.sqrt(0.5)])
+    write(ax, f"{name} R {radius:.4g}", (place[0], place[1]), _THIN["color"], offset=(0, -4))
+
+
+def _stem(ax: Axes, cam: DiscCam) -> None:
+    """Draw the slide or the arm, and name the roller."""
+    low, high = cam.motion.range_mm
+    if isinstance(cam, FlatFacedCam):
+        foot = 0.0, cam.base_radius_mm + float(cam.lift(0).lift)
+        ax.plot([0, 0], [foot[1], foot[1] + _STEM * (high - low)], **_STYLES["FOLLOWER"])
+    elif isinstance(cam, RollerCam):
+        x, y = cam.pitch_mm(0).tolist()
+        ends = cam.follower.body(complex(x, y), _STEM * (high - low))
+        ax.plot([end.real for end in ends], [end.imag for end in ends], **_STYLES["FOLLOWER"])
+        ax.plot(x, y, "+", color=COLOURS[1])
+        write(ax, f"roller r {cam.roller_mm:.4g}", (x + cam.roller_mm, y), COLOURS[1], (4, 2))

@@ -1,0 +1,84 @@
+"""The cam as it is drawn: the explorer against the package, and the designer's picture."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from explored import drawn, panel_of
+from matplotlib.patches import Polygon
+
+import cammotion as cm
+from cammotion.hardware.disc_cam import DiscCam
+from cammotion.views.explorers.cam import OFFSET, PRIME, ROLLER
+from cammotion.views.live.figure import LiveFigure
+
+AFTER = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram["die"]
+AT = np.linspace(0.3, 359.7, 311)
+SETTINGS = [(60, 0, 10), (120, 15, 12), (40, -20, 5), (20, 5, 14)]
+
+
+@pytest.fixture(params=[cm.EXAMPLE.die, AFTER], ids=["without overlap", "with overlap"])
+def motion(request: pytest.FixtureRequest) -> cm.Motion:
+    return request.param  # type: ignore[no-any-return]
+
+
+@pytest.fixture
+def figure(motion: cm.Motion) -> LiveFigure:
+    return cm.explore_cam(motion)
+
+
+@pytest.mark.parametrize(("prime", "offset", "roller"), SETTINGS)
+def test_the_explorer_draws_the_cam_of_the_package(
+    figure: LiveFigure, motion: cm.Motion, prime: float, offset: float, roller: float
+) -> None:
+    figure.values = {PRIME: prime, OFFSET: offset, ROLLER: roller}
+    cam = cm.RollerCam(motion, cm.TranslatingRoller(roller, offset), prime)
+    lines = {line["name"]: line for line in panel_of(figure, "The cam turns")["lines"]}
+    for name, points in (("cam", cam.profile_mm), ("pitch curve", cam.pitch_mm)):
+        for now in (0.0, 130.0):
+            x, y = (figure._now[lines[name][axis]](AT, now) for axis in "xy")
+            turned = (x + 1j * y) * np.exp(1j * np.radians(now))
+            assert np.stack([turned.real, turned.imag], -1) == pytest.approx(points(AT), abs=1e-6)
+    pressure, sharpness = (
+        drawn(figure, panel["lines"][0]["y"], AT) for panel in figure.description["columns"][1]
+    )
+    assert pressure == pytest.approx(cam.pressure_angle_deg(AT), abs=1e-6)
+    assert sharpness == pytest.approx(roller / cam.pitch_radius_mm(AT), abs=1e-6)
+    assert f"up to {cam.largest_pressure_angle.value:.3g} deg" in figure.text
+    assert f"a radius of {cam.sharpest.value:.3g} mm" in figure.text
+    assert ("UNDERCUT" in figure.text) == bool(cam.undercuts)
+
+
+def test_a_bad_cam_is_refused_in_words() -> None:
+    with pytest.raises(cm.InputError, match="moves on from stop to stop"):
+        cm.explore_cam(cm.EXAMPLE.mill)
+    with pytest.raises(cm.InputError, match="radius of the roller is 0 mm"):
+        cm.explore_cam(cm.EXAMPLE.die, roller_mm=0)
+
+
+CAMS: dict[str, Callable[[], DiscCam]] = {
+    "slide": lambda: cm.RollerCam(AFTER, cm.TranslatingRoller(10, 5), 60),
+    "arm": lambda: cm.RollerCam(AFTER, cm.SwingingRoller(10, 150, 165), 60),
+    "face": lambda: cm.FlatFacedCam(AFTER, 40),
+}
+
+
+@pytest.mark.parametrize("name", CAMS)
+def test_a_cam_is_drawn_with_all_that_a_designer_wants(name: str) -> None:
+    cam = CAMS[name]()
+    ax = cm.plot_cam(cam, bore_mm=20)
+    (profile,) = [patch for patch in ax.patches if isinstance(patch, Polygon)]
+    drawn_at = profile.get_xy() @ [1, 1j]
+    exact = cam.profile_mm(np.arange(0, 360, 0.02)) @ [1, 1j]
+    assert max(np.abs(point - exact).min() for point in drawn_at) < 0.03
+    written = {text.get_text() for text in ax.texts}
+    if isinstance(cam, cm.FlatFacedCam):
+        assert written == {"base circle R 40"}
+    else:
+        assert written == {"prime circle R 60", "roller r 10"}
+    assert ax.get_aspect() == 1
+
+
+def test_what_is_no_cam_is_not_drawn() -> None:
+    with pytest.raises(cm.InputError, match="give a RollerCam or a FlatFacedCam"):
+        cm.plot_cam(cm.EXAMPLE.die)  # type: ignore[arg-type]
