@@ -17,8 +17,8 @@ from cammotion.teaching.variants import LAW_CHOICES, machine_for
 from fresh.drawing import Machine
 
 ASKED = [one for one in EXERCISES.values() if not isinstance(one, ChoiceExercise)]
-LARGEST = {"deg": 360.0, "%": 100.0, "s": 3.0, "ms": 3000.0, "mm": 69.0}
-"""A turn, the whole, the longest turn of a machine, and the longest stroke of a die."""
+LARGEST = {"deg": 360.0, "%": 100.0, "s": 3.0, "ms": 3000.0, "mm": 600.0}
+"""A turn, the whole, the longest turn of a machine, and the largest cam of a die."""
 OTHERS: dict[str, Any] = {
     "rate_per_hour": 2111,
     "pitch_mm": 93.0,

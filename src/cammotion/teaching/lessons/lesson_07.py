@@ -1,0 +1,421 @@
+"""Exercises of notebook 07, from the diagram to the cam."""
+
+import math
+
+from cammotion.laws.catalogue import LAWS
+from cammotion.machine.kinematics import peak_acceleration
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.cams import face_under_contact, push_at_mid_stroke
+
+STEEPEST_DEG = 30
+HARDEST = 3 / 4  # x at which the cycloid brakes hardest
+
+PER_DEG = (
+    "The slope was taken per degree. A pressure angle compares lengths, so the cam angle has to "
+    "count in radians: divide the angle in deg by 57.3 first."
+)
+_LAW = LAWS["cycloidal"]
+
+
+def _angle(m: MillAndDie) -> float:
+    """Return the indexing angle of the die in rad."""
+    return math.radians(m.die_angle_deg)
+
+
+def _slope(m: MillAndDie) -> float:
+    """Return the largest slope in mm/rad, at mid-stroke."""
+    return 2 * m.stroke_mm / _angle(m)
+
+
+def prime_mm(m: MillAndDie) -> float:
+    """Return the prime circle that is asked about, in mm."""
+    return 10 * round(m.stroke_mm / 5)
+
+
+def _hardest_mm(m: MillAndDie) -> float:
+    """Return where the die is when it brakes hardest, in mm."""
+    return m.stroke_mm * float(_LAW(HARDEST))
+
+
+def _bend(m: MillAndDie) -> float:
+    """Return the largest second derivative in mm/rad²."""
+    return 2 * math.pi * m.stroke_mm / _angle(m) ** 2
+
+
+def base_mm(m: MillAndDie) -> float:
+    """Return the base circle that is asked about, in mm: a little larger than needed there."""
+    return 10 * math.ceil((_bend(m) - _hardest_mm(m) + 25) / 10)
+
+
+def _pressure(slope: float, height: float) -> float:
+    return math.degrees(math.atan2(slope, height))
+
+
+def _height(m: MillAndDie) -> float:
+    """Return how far the roller's centre is over the axis at mid-stroke, in mm."""
+    return prime_mm(m) + m.stroke_mm / 2
+
+
+def _needed(m: MillAndDie, ratio: float = math.tan(math.radians(STEEPEST_DEG))) -> float:
+    return _slope(m) / ratio - m.stroke_mm / 2
+
+
+def _push(m: MillAndDie) -> float:
+    """Return the largest inertia force in N."""
+    peak = peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour)
+    return m.die_mass_kg * float(peak)
+
+
+def stiffness(m: MillAndDie) -> float:
+    """Return the stiffness of the spring in N/mm that is asked about, to one digit."""
+    return float(f"{0.4 * _push(m) / _hardest_mm(m):.1g}")
+
+
+def _preload(m: MillAndDie, stretched_mm: float | None = None) -> float:
+    way = _hardest_mm(m) if stretched_mm is None else stretched_mm
+    return _push(m) - stiffness(m) * way
+
+
+def _radius(m: MillAndDie) -> float:
+    return base_mm(m) + _hardest_mm(m) - _bend(m)
+
+
+EXERCISES = (
+    NumberExercise(
+        number="07.1",
+        question=lambda m: (
+            f"The die's stroke is {m.stroke_mm:g} mm, over {m.die_angle_deg:g} degrees, by the "
+            f"cycloidal law. Its follower is a roller on a slide over the cam's axis, and the "
+            f"prime circle has a radius of {prime_mm(m):g} mm. How large is the pressure angle at "
+            "mid-stroke?"
+        ),
+        unit="deg",
+        answer=lambda m: _pressure(_slope(m), _height(m)),
+        right="Only slope and distance from the axis count: the roller's radius is not in it.",
+        slips=(
+            Slip(
+                lambda m: math.degrees(_slope(m) / math.degrees(1) / _height(m)),
+                "This is what a slope per degree leads to, and the tangent itself is nearly the "
+                "same number. Let the cam angle count in radians, and take the angle of the "
+                "tangent.",
+            ),
+            Slip(
+                lambda m: _pressure(_slope(m) / 2, _height(m)),
+                "This is the angle for the mean slope, stroke over angle. At mid-stroke the "
+                "cycloid goes twice as fast.",
+            ),
+            Slip(
+                lambda m: _pressure(_slope(m), prime_mm(m)),
+                "The roller's centre is on the prime circle only before the rise. At mid-stroke "
+                "it is half the stroke further out.",
+            ),
+            Slip(
+                lambda m: _pressure(_slope(m), prime_mm(m) + m.stroke_mm),
+                "The whole stroke was added. At mid-stroke the die has done half of it.",
+            ),
+            Slip(
+                lambda m: _pressure(_height(m), _slope(m)),
+                "Upside down: the slope stands above, the distance from the axis below.",
+            ),
+            Slip(
+                lambda m: math.atan2(_slope(m), _height(m)),
+                "This is the angle in radians. It is asked for in degrees.",
+            ),
+            Slip(
+                lambda m: _pressure(_slope(m), m.stroke_mm / 2),
+                "The prime circle is missing: the distance counts from the cam's axis.",
+            ),
+            Slip(
+                lambda m: _pressure(math.pi * _slope(m), _height(m)),
+                "This slope is 2 pi times the mean one, and 2 pi belongs to the acceleration. The "
+                "largest slope of the cycloid is twice the mean one.",
+            ),
+            Slip(
+                lambda m: math.degrees(math.asin(min(_slope(m) / _height(m), 1.0))),
+                "Slope and distance are the two short sides of the triangle: take the tangent, "
+                "not the sine.",
+            ),
+        ),
+        hints=(
+            "Which two lengths make the tangent of the pressure angle?",
+            "The slope of the cycloid at mid-stroke is twice the stroke over the angle in rad.",
+            "The distance of the roller's centre from the axis is the prime circle's radius and "
+            "half the stroke.",
+        ),
+    ),
+    NumberExercise(
+        number="07.2",
+        question=lambda m: (
+            f"The same die, {m.stroke_mm:g} mm over {m.die_angle_deg:g} degrees, cycloidal. Which "
+            f"prime circle keeps the pressure angle at mid-stroke at {STEEPEST_DEG} degrees? Give "
+            "its radius."
+        ),
+        unit="mm",
+        answer=_needed,
+        shows=push_at_mid_stroke(STEEPEST_DEG),
+        right="Half the angle of the move, twice the slope: a small angle is paid for in steel.",
+        slips=(
+            Slip(
+                lambda m: _needed(m) + m.stroke_mm / 2,
+                "This is how far the roller's centre is from the axis at mid-stroke. The prime "
+                "circle is where it begins, half the stroke nearer.",
+            ),
+            Slip(
+                lambda m: _needed(m) - m.stroke_mm / 2,
+                "The whole stroke was taken away. At mid-stroke the die has done half of it.",
+            ),
+            Slip(
+                lambda m: _needed(m) + m.stroke_mm,
+                "Half the stroke was added. The roller has gone out by it already: take it away.",
+            ),
+            Slip(
+                lambda m: _needed(m, math.sin(math.radians(STEEPEST_DEG))),
+                "The slope was divided by the sine. The two lengths are the short sides of the "
+                "triangle: take the tangent.",
+            ),
+            Slip(
+                lambda m: _needed(m, 1 / math.tan(math.radians(STEEPEST_DEG))),
+                "The slope was multiplied by the tangent. The tangent is the slope over the "
+                "distance: divide by it.",
+            ),
+            Slip(
+                lambda m: _needed(m, 2 * math.tan(math.radians(STEEPEST_DEG))),
+                "This comes out with the mean slope, stroke over angle. At mid-stroke the cycloid "
+                "goes twice as fast.",
+            ),
+            Slip(
+                lambda m: _needed(m, math.degrees(1) * math.tan(math.radians(STEEPEST_DEG))),
+                PER_DEG,
+            ),
+            Slip(
+                lambda m: _needed(m, abs(math.tan(STEEPEST_DEG))),
+                f"The tangent was taken of {STEEPEST_DEG} rad. Tell your calculator, or NumPy, "
+                "that it is in degrees.",
+            ),
+            Slip(
+                lambda m: 2 * _needed(m),
+                "This is the diameter. The radius is asked for.",
+            ),
+        ),
+        hints=(
+            "Turn the formula of 07.1 round: which distance from the axis makes the angle 30 deg?",
+            "The distance is the slope over the tangent of the angle.",
+            "It is the prime circle's radius and half the stroke together.",
+        ),
+    ),
+    NumberExercise(
+        number="07.3",
+        question=lambda m: (
+            f"Now the same die, {m.stroke_mm:g} mm over {m.die_angle_deg:g} degrees each way, "
+            "cycloidal, gets a follower with a flat face. How wide does the face have to be at "
+            "least, from the contact furthest left to the one furthest right?"
+        ),
+        unit="mm",
+        answer=lambda m: 2 * _slope(m),
+        shows=face_under_contact,
+        right="The contact wanders as far as the slope is long, and no base circle changes that.",
+        slips=(
+            Slip(
+                _slope,
+                "This is one side, or both with the mean slope. The contact goes out by the "
+                "largest slope, to the right on the one way and to the left on the other.",
+            ),
+            Slip(lambda m: 2 * _slope(m) / math.degrees(1), PER_DEG),
+            Slip(lambda m: _slope(m) / math.degrees(1), PER_DEG),
+            Slip(
+                lambda m: 4 * _slope(m),
+                "This is twice too wide: the largest slope is twice the mean one, and the face "
+                "has two sides. That makes four times the mean slope.",
+            ),
+            Slip(
+                lambda m: m.stroke_mm,
+                "The stroke is how far the face goes up. How far does the contact go aside?",
+            ),
+            Slip(
+                lambda m: 2 * m.stroke_mm,
+                "The stroke is how far the face goes up. How far does the contact go aside?",
+            ),
+            Slip(
+                lambda m: math.pi * _slope(m),
+                "This slope is 2 pi times the mean one, and on one side. 2 pi belongs to the "
+                "acceleration; the largest slope of the cycloid is twice the mean one.",
+            ),
+            Slip(
+                lambda m: _slope(m) / 2,
+                "This is the mean slope. The largest one counts, and on both sides.",
+            ),
+        ),
+        hints=(
+            "How far from the axis is the face touched, in terms of the displacement?",
+            "As far as the slope of the displacement, in mm per rad.",
+            "The largest slope is twice the stroke over the angle in radians, and the return "
+            "needs as much on the other side.",
+        ),
+    ),
+    NumberExercise(
+        number="07.4",
+        question=lambda m: (
+            f"The same die with its flat face: {m.stroke_mm:g} mm over {m.die_angle_deg:g} "
+            f"degrees, cycloidal. The base circle has a radius of {base_mm(m):g} mm. How large is "
+            "the profile's radius of curvature where the rise brakes hardest, at x = 3/4?"
+        ),
+        unit="mm",
+        answer=_radius,
+        right="The acceleration is in the steel: what brakes hard makes the cam sharp.",
+        slips=(
+            Slip(
+                lambda m: base_mm(m) + _hardest_mm(m),
+                "This is how far the face is from the axis. The second derivative by the rad is "
+                "missing: it makes the profile sharper.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + _hardest_mm(m) + _bend(m),
+                "The second derivative was added with its magnitude. At x = 3/4 the die brakes, "
+                "and it is below 0.",
+            ),
+            Slip(
+                lambda m: base_mm(m) - _bend(m),
+                "The displacement is missing: the face has gone out already.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + 0.75 * m.stroke_mm - _bend(m),
+                "Three quarters of the time are more than three quarters of the stroke: put x "
+                "into the law.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + m.stroke_mm - _bend(m),
+                "The whole stroke was added. At x = 3/4 the die has not quite done it.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / math.degrees(1) ** 2,
+                "The second derivative was taken per degree. It has to be by the radian, squared.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / math.pi,
+                "This second derivative has a factor of 2 in place of 2 pi. Differentiate the law "
+                "twice.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + m.stroke_mm - _hardest_mm(m) - _bend(m),
+                "This displacement is the one at x = 1/4, where the die is still pushed.",
+            ),
+        ),
+        hints=(
+            "Which three lengths add up to the radius of curvature under a flat face?",
+            "Base radius, displacement, and its second derivative by the rad.",
+            "The second derivative at x = 3/4 is -2 pi times the stroke over the square of the "
+            "angle in radians.",
+        ),
+    ),
+    NumberExercise(
+        number="07.5",
+        question=lambda m: (
+            f"The die, {m.die_mass_kg:g} kg, moves level, {m.stroke_mm:g} mm over "
+            f"{m.die_angle_deg:g} degrees, cycloidal, at {m.rate_per_hour:g} pieces per hour. A "
+            f"spring of {stiffness(m):g} N/mm presses it on its open cam. Which preload at the "
+            "start of the rise keeps it there at x = 3/4, where it brakes hardest?"
+        ),
+        unit="N",
+        answer=_preload,
+        right="The spring, not the cam, brakes an open follower. Twice the rate asks four times.",
+        slips=(
+            Slip(
+                _push,
+                "This is the whole force that brakes the die. The spring has been pressed "
+                "together meanwhile, which gives a part of it.",
+            ),
+            Slip(
+                lambda m: _preload(m, -_hardest_mm(m)),
+                "The force from pressing the spring together was added. It helps: take it away.",
+            ),
+            Slip(
+                lambda m: _preload(m, m.stroke_mm),
+                "The spring is not yet pressed together by the whole stroke: put x = 3/4 into the "
+                "law.",
+            ),
+            Slip(
+                lambda m: _preload(m, 0.75 * m.stroke_mm),
+                "Three quarters of the time are more than three quarters of the stroke: put x "
+                "into the law.",
+            ),
+            Slip(
+                lambda m: _preload(m, m.stroke_mm - _hardest_mm(m)),
+                "This is how far the spring is pressed at x = 1/4, where the cam pushes the die.",
+            ),
+            Slip(
+                lambda m: _push(m) * 1000 - stiffness(m) * _hardest_mm(m),
+                "The acceleration was taken in mm/s². For newtons it has to be in m/s².",
+            ),
+            Slip(
+                lambda m: _push(m) - stiffness(m) * _hardest_mm(m) / 1000,
+                "The spring's way was taken in metres, and its stiffness is per millimetre.",
+            ),
+            Slip(
+                lambda m: stiffness(m) * _hardest_mm(m),
+                "This is what the spring gains by being pressed together. What is still missing?",
+            ),
+            Slip(
+                lambda m: _preload(m) + 9.80665 * m.die_mass_kg,
+                "The weight was counted. The die moves level: it neither presses nor pulls.",
+            ),
+            Slip(
+                lambda m: 4 / (2 * math.pi) * _push(m) - stiffness(m) * _hardest_mm(m),
+                "This is the peak of the constant acceleration, factor 4. The cycloid has 2 pi.",
+            ),
+        ),
+        hints=(
+            "Which force brakes the die, and what can give it if the cam can only push?",
+            "Mass times the peak acceleration has to come from the spring.",
+            "At x = 3/4 the spring has been pressed together by the displacement there. The rest "
+            "is the preload.",
+        ),
+    ),
+    ChoiceExercise(
+        number="07.6",
+        question=lambda _: (
+            "The pitch curve of a cam has a radius of 9 mm at its sharpest place, where it bulges "
+            "outwards. The roller has 10. What becomes of the follower there?"
+        ),
+        options={
+            "a": "Nothing: the profile has a radius of 1 mm there.",
+            "b": "It does not go as far out as it should, and its acceleration has a jerk there.",
+            "c": "It goes too far out, because the profile has a point.",
+            "d": "It gets stuck, because the roller does not fit into the hollow.",
+        },
+        answer="b",
+        reasons={
+            "a": "Inside, the profile's radius is the pitch curve's less the roller's: 9 - 10 is "
+            "below 0. What has no radius cannot be cut.",
+            "c": "The cutter takes away what it meets on its way to and from the place. What is "
+            "left is lower than what was wanted.",
+            "d": "The place bulges outwards. In a hollow the roller's radius is added, not taken "
+            "away.",
+        },
+        right="The cutter has taken the point away, so the roller comes down before its time.",
+        hints=(
+            "How large would the profile's radius of curvature be?",
+            "A cutter as large as the roller goes along the pitch curve. What does it take away "
+            "where its path bends more sharply than its own edge?",
+            "It takes away a part of the profile that it has just made.",
+        ),
+    ),
+)
+
+PREDICTIONS = (
+    Prediction(
+        "07.lift",
+        "mm",
+        3.8,
+        "It feels as if a roller of any size would do the same, since it only rolls. It touches "
+        "the cam beside its lowest point wherever the cam is steep.",
+    ),
+    Prediction(
+        "07.steel",
+        "mm",
+        156.8,
+        "Five times 58 is too much: the acceleration goes with the square of the angle, the slope "
+        "with the angle. And 2.27 times 58 is too little: what the die has risen counts too.",
+    ),
+)

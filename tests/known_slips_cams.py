@@ -1,0 +1,158 @@
+"""Lesson 07 by hand: right answers, and wrong ones that a student could give."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from known_slips import KnownSlip, die, law, peak, stroke
+
+from cammotion.teaching.example import MillAndDie
+
+TAN_30 = 1 / math.sqrt(3)
+
+
+def rad(m: MillAndDie) -> float:
+    """Return the angle of the die in rad."""
+    return die(m) * math.pi / 180
+
+
+def mean(m: MillAndDie) -> float:
+    """Return the mean slope in mm/rad."""
+    return stroke(m) / rad(m)
+
+
+def prime(m: MillAndDie) -> float:
+    """Return the prime circle of the question, about twice the stroke, in tens."""
+    return 10 * round(2 * stroke(m) / 10)
+
+
+def high(m: MillAndDie) -> float:
+    """Return how high the roller is at mid-stroke."""
+    return prime(m) + stroke(m) / 2
+
+
+def degrees(slope: float, height: float) -> float:
+    """Return the angle whose tangent this is."""
+    return math.atan(slope / height) * 180 / math.pi
+
+
+def late(m: MillAndDie) -> float:
+    """Return the displacement at x = 3/4."""
+    return stroke(m) * law(0.75)
+
+
+def bend(m: MillAndDie) -> float:
+    """Return the second derivative at x = 1/4, in mm/rad²."""
+    return 2 * math.pi * stroke(m) / rad(m) ** 2
+
+
+def base(m: MillAndDie) -> float:
+    """Return the base circle of the question: 25 mm more than a point would need, in tens."""
+    return 10 * math.ceil((bend(m) - late(m) + 25) / 10)
+
+
+def push(m: MillAndDie) -> float:
+    """Return mass times peak acceleration."""
+    return m.die_mass_kg * peak(m, die(m))
+
+
+def spring(m: MillAndDie) -> float:
+    """Return the stiffness of the question, to one digit."""
+    return float(f"{0.4 * push(m) / late(m):.0e}")
+
+
+def needed(m: MillAndDie) -> float:
+    """Return the prime circle for 30 deg at mid-stroke."""
+    return 2 * mean(m) / TAN_30 - stroke(m) / 2
+
+
+RIGHT: dict[str, Callable[[MillAndDie], Any]] = {
+    "07.1": lambda m: degrees(2 * mean(m), high(m)),
+    "07.2": needed,
+    "07.3": lambda m: 4 * mean(m),
+    "07.4": lambda m: base(m) + late(m) - bend(m),
+    "07.5": lambda m: push(m) - spring(m) * late(m),
+}
+
+SOURCE = {"07.2": 155.435, "07.3": 208.348}
+
+SLIPS = [
+    KnownSlip("07.1", "per degree", lambda m: degrees(2 * stroke(m) / die(m), high(m)), "per deg"),
+    KnownSlip("07.1", "the tangent", lambda m: 2 * mean(m) / high(m), "tangent"),
+    KnownSlip("07.1", "mean slope", lambda m: degrees(mean(m), high(m)), "mean slope"),
+    KnownSlip("07.1", "no stroke", lambda m: degrees(2 * mean(m), prime(m)), "half the stroke"),
+    KnownSlip(
+        "07.1", "whole stroke", lambda m: degrees(2 * mean(m), prime(m) + stroke(m)), "whole stroke"
+    ),
+    KnownSlip("07.1", "upside down", lambda m: degrees(high(m), 2 * mean(m)), "Upside down"),
+    KnownSlip("07.1", "in rad", lambda m: math.atan(2 * mean(m) / high(m)), "radians"),
+    KnownSlip(
+        "07.1", "stroke alone", lambda m: degrees(2 * mean(m), stroke(m) / 2), "prime circle is"
+    ),
+    KnownSlip("07.1", "2 pi", lambda m: degrees(2 * math.pi * mean(m), high(m)), "acceleration"),
+    KnownSlip("07.2", "to the axis", lambda m: 2 * mean(m) / TAN_30, "nearer"),
+    KnownSlip("07.2", "whole stroke", lambda m: 2 * mean(m) / TAN_30 - stroke(m), "whole stroke"),
+    KnownSlip("07.2", "added", lambda m: 2 * mean(m) / TAN_30 + stroke(m) / 2, "added"),
+    KnownSlip("07.2", "sine", lambda m: 4 * mean(m) - stroke(m) / 2, "sine"),
+    KnownSlip("07.2", "times", lambda m: 2 * mean(m) * TAN_30 - stroke(m) / 2, "multiplied"),
+    KnownSlip("07.2", "mean slope", lambda m: mean(m) / TAN_30 - stroke(m) / 2, "mean slope"),
+    KnownSlip(
+        "07.2",
+        "per degree",
+        lambda m: 2 * stroke(m) / die(m) / TAN_30 - stroke(m) / 2,
+        "per degree",
+    ),
+    KnownSlip("07.2", "diameter", lambda m: 2 * needed(m), "diameter"),
+    KnownSlip(
+        "07.2",
+        "tan 30 rad",
+        lambda m: 2 * mean(m) / abs(math.tan(30)) - stroke(m) / 2,
+        "30 rad",
+    ),
+    KnownSlip("07.3", "one side", lambda m: 2 * mean(m), "one side"),
+    KnownSlip("07.3", "per degree", lambda m: 4 * stroke(m) / die(m), "per degree"),
+    KnownSlip("07.3", "one side per degree", lambda m: 2 * stroke(m) / die(m), "per degree"),
+    KnownSlip("07.3", "twice twice", lambda m: 8 * mean(m), "twice"),
+    KnownSlip("07.3", "stroke", stroke, "stroke"),
+    KnownSlip("07.3", "two strokes", lambda m: 2 * stroke(m), "stroke"),
+    KnownSlip("07.3", "2 pi", lambda m: 2 * math.pi * mean(m), "2 pi"),
+    KnownSlip("07.3", "mean, one side", mean, "mean slope"),
+    KnownSlip("07.4", "no second", lambda m: base(m) + late(m), "second derivative"),
+    KnownSlip("07.4", "plus", lambda m: base(m) + late(m) + bend(m), "brakes"),
+    KnownSlip("07.4", "no displacement", lambda m: base(m) - bend(m), "displacement is missing"),
+    KnownSlip("07.4", "3/4 h", lambda m: base(m) + 0.75 * stroke(m) - bend(m), "Three quarters"),
+    KnownSlip("07.4", "whole", lambda m: base(m) + stroke(m) - bend(m), "whole stroke"),
+    KnownSlip(
+        "07.4",
+        "per degree",
+        lambda m: base(m) + late(m) - 2 * math.pi * stroke(m) / die(m) ** 2,
+        "per degree",
+    ),
+    KnownSlip(
+        "07.4", "no pi", lambda m: base(m) + late(m) - 2 * stroke(m) / rad(m) ** 2, "2 in place"
+    ),
+    KnownSlip("07.4", "x = 1/4", lambda m: base(m) + stroke(m) * law(0.25) - bend(m), "1/4"),
+    KnownSlip("07.5", "no spring", push, "whole force"),
+    KnownSlip("07.5", "added", lambda m: push(m) + spring(m) * late(m), "added"),
+    KnownSlip("07.5", "whole", lambda m: push(m) - spring(m) * stroke(m), "whole stroke"),
+    KnownSlip("07.5", "3/4 h", lambda m: push(m) - spring(m) * 0.75 * stroke(m), "Three quarters"),
+    KnownSlip("07.5", "x = 1/4", lambda m: push(m) - spring(m) * stroke(m) * law(0.25), "1/4"),
+    KnownSlip("07.5", "in mm", lambda m: 1000 * push(m) - spring(m) * late(m), "mm/s²"),
+    KnownSlip("07.5", "spring in m", lambda m: push(m) - spring(m) * late(m) / 1000, "metres"),
+    KnownSlip("07.5", "spring alone", lambda m: spring(m) * late(m), "still missing"),
+    KnownSlip(
+        "07.5",
+        "weight",
+        lambda m: push(m) - spring(m) * late(m) + 9.80665 * m.die_mass_kg,
+        "weight",
+    ),
+    KnownSlip(
+        "07.5",
+        "constant acceleration",
+        lambda m: 4 / 2 / math.pi * push(m) - spring(m) * late(m),
+        "constant acceleration",
+    ),
+    KnownSlip("07.6", "1 mm", lambda _: "a", "below 0"),
+    KnownSlip("07.6", "a point", lambda _: "c", "cutter takes away"),
+    KnownSlip("07.6", "stuck", lambda _: "d", "hollow"),
+]
