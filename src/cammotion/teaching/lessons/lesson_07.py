@@ -319,7 +319,7 @@ EXERCISES = (
         ),
         unit="N",
         answer=_preload,
-        right="The spring, not the cam, brakes an open follower. Twice the rate asks four times.",
+        right="It is the spring that brakes an open follower: four times as hard at twice the rate.",
         slips=(
             Slip(
                 _push,
@@ -407,7 +407,7 @@ PREDICTIONS = (
     Prediction(
         "07.lift",
         "mm",
-        3.8,
+        6.3,
         "It feels as if a roller of any size would do the same, since it only rolls. It touches "
         "the cam beside its lowest point wherever the cam is steep.",
     ),
