@@ -319,7 +319,7 @@ EXERCISES = (
         ),
         unit="N",
         answer=_preload,
-        right="It is the spring that brakes an open follower: four times as hard at twice the rate.",
+        right="The spring brakes an open follower: four times as hard at twice the rate.",
         slips=(
             Slip(
                 _push,

@@ -155,7 +155,7 @@ def _judged(curves: _Curves) -> list[Panel]:
         Panel(
             lines=[Line(y=pressure, colour=0), *limits],
             points=[Point(x=NOW, y=pressure.xreplace({ALPHA: NOW}))],
-            y="pressure angle\nin deg",
+            y="pressure angle in deg",
             y_limits=(-75, 75),
             y_ticks=30,
             height=_CURVE_PX,
@@ -166,7 +166,7 @@ def _judged(curves: _Curves) -> list[Panel]:
                 Line(y=sharpness, role=ALARM, only_where=sharpness - 1),
                 Line(y=1, role=REFERENCE),
             ],
-            y="roller over radius\nof pitch curve",
+            y="roller over radius",
             y_limits=(-1.5, 1.5),
             y_ticks=1,
             height=_CURVE_PX,
