@@ -1,5 +1,9 @@
 from .dynamics.one_mass import OneMass
 from .exchange.tables import read_segments, write_curves, write_segments
+from .hardware.geneva import Geneva
+from .hardware.indexer import Indexer
+from .hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
+from .hardware.rotor import Rotor
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
 from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
@@ -60,6 +64,11 @@ __all__ = [
     "Button",
     "ClearanceRule",
     "Control",
+    "Cross",
+    "Cuboid",
+    "Disc",
+    "Geneva",
+    "Indexer",
     "InputError",
     "LeastAcceleration",
     "Line",
@@ -69,8 +78,12 @@ __all__ = [
     "Move",
     "NumberControl",
     "OneMass",
+    "OwnInertia",
     "Panel",
     "Point",
+    "PointMasses",
+    "Ring",
+    "Rotor",
     "Say",
     "Segment",
     "TimingDiagram",
