@@ -51,6 +51,7 @@ from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, cho
 from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
+from .views.torque_plots import plot_torque
 
 __version__: str
 
@@ -133,6 +134,7 @@ __all__ = [
     "plot_peaks",
     "plot_ranking",
     "plot_timing",
+    "plot_torque",
     "plot_weight",
     "polynomial",
     "predict",
