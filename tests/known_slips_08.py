@@ -213,7 +213,6 @@ SLIPS = [
         "whole turn",
     ),
     KnownSlip("08.3", "velocity factor", lambda m: shaft(m, CV[m.table.law]), "Cv"),
-    KnownSlip("08.3", "by the energy", lambda m: shaft(m, CV[m.table.law] ** 2 / 2), "energy"),
     KnownSlip("08.3", "half", lambda m: shaft(m) / 2, "half"),
     KnownSlip(
         "08.3",

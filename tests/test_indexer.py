@@ -176,3 +176,29 @@ def test_what_makes_no_sense_is_refused_with_what_would_do(
 ) -> None:
     with pytest.raises(cm.InputError, match=said):
         make()
+
+
+def test_what_notebook_08_says_of_the_mill() -> None:
+    """A steel disc of 24 stops, 100 mm apart on its rim; our own assumption of its mass."""
+    wheel = cm.Disc(radius_mm=2400 / (2 * math.pi), thickness_mm=40, density_kg_m3=7850)
+
+    def mill(law: str, angle: float) -> tuple[float, float]:
+        found = cm.Indexer(
+            wheel.inertia_kg_m2, 24, cm.indexing_time(angle, 2000), law, friction_N_m=5
+        )
+        return found.peak_torque_N_m, found.peak_camshaft_torque_N_m(angle)
+
+    now, better = mill("cycloidal", 150), mill("modified sine", 163.267)
+    assert [round(100 * (1 - b / a)) for a, b in zip(now, better, strict=True)] == [22, 44]
+    for angle in (150, 163.267):
+        laws = {law: mill(law, angle) for law in ("cycloidal", "modified trapezoid")}
+        assert laws["modified trapezoid"][0] < laws["cycloidal"][0]
+        assert laws["modified trapezoid"][1] > laws["cycloidal"][1]
+
+
+def test_what_notebook_08_says_of_the_flywheel() -> None:
+    index = table(friction_N_m=10)
+    shaft = 2 * math.pi / 1.8
+    assert index.kinetic_energy_J / (0.1 * shaft**2) > index.inertia_kg_m2
+    assert 10 * math.pi / 4 / 1.8 == pytest.approx(4.4, abs=0.05)
+    assert index.peak_power_W == pytest.approx(321, abs=0.5)

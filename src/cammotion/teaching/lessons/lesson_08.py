@@ -340,11 +340,6 @@ EXERCISES = (
                 "This is with Cv, the largest velocity. The power has Cq, the largest V A.",
             ),
             Slip(
-                lambda m: _shaft(m, factor=LAWS[m.table.law].Cv ** 2 / 2),
-                "This comes from the largest energy. That is what has been put in by the middle, "
-                "and not how fast it is put in.",
-            ),
-            Slip(
                 lambda m: _shaft(m) * 2,
                 "This is twice as much. Is a half of the plate, or of the step, missing?",
             ),
