@@ -21,12 +21,22 @@ LESSONS = Path(__file__).parents[1] / "notebooks"
 
 def weight_figure() -> LiveFigure:
     """Return the live figure of the weight over the acceleration, as the cells of 06 make it."""
-    (path,) = LESSONS.glob("06_*.ipynb")
+    return made_by_cells("06", "weight-areas", "weight-figure")
+
+
+def table_figure() -> LiveFigure:
+    """Return the live figure of the torque over the index, as the cells of 08 make it."""
+    return made_by_cells("08", "explore-symbols", "explore-figure")
+
+
+def made_by_cells(lesson: str, symbols: str, call: str) -> LiveFigure:
+    """Return the live figure that two cells of a lesson make."""
+    (path,) = LESSONS.glob(f"{lesson}_*.ipynb")
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-    sources = {cell["id"]: "".join(cell["source"]) for cell in cells}
+    sources = {cell["id"]: "\n" + "".join(cell["source"]) for cell in cells}
     names: dict[str, Any] = {"sp": sp, "cm": cm}
-    exec(sources["weight-areas"], names)  # noqa: S102 - our own notebook
-    before, _, call = sources["weight-figure"].rpartition("\ncm.explore(")
+    exec(sources[symbols], names)  # noqa: S102 - our own notebook
+    before, _, call = sources[call].rpartition("\ncm.explore(")
     exec(f"{before}\nfigure = cm.explore({call}", names)  # noqa: S102
     return names["figure"]  # type: ignore[no-any-return]
 

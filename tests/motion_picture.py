@@ -14,10 +14,12 @@ from test_animation import MACHINES
 import cammotion as cm
 from cammotion.views.animation import Animation
 from cammotion.views.animation.cam_machine import cam_machine
+from cammotion.views.animation.indexing_table import table_machine
 
 IMAGES = Path(__file__).parent.parent / "notebooks" / "images"
 PICTURE = IMAGES / "motion.svg"
 CAM = IMAGES / "cam.svg"
+TABLE = IMAGES / "table.svg"
 STILL = IMAGES / "clearance.svg"
 STILL_DEG = 135
 
@@ -32,6 +34,11 @@ def animation() -> Animation:
 def cam() -> str:
     """Return the running example with the cam that drives its die."""
     return cam_machine(make_diagram(), RULE)
+
+
+def table() -> str:
+    """Return the table of notebook 08, with eight stations, and the torque that it takes."""
+    return table_machine(cm.Indexer(38.5, stops=8, time_s=0.75, friction_N_m=10), 150)
 
 
 def still() -> str:
@@ -60,4 +67,5 @@ if __name__ == "__main__":
     FINGERPRINTS.write_text(json.dumps(fingerprints(), indent=1) + "\n", "utf-8")
     animation().save(PICTURE, overwrite=True)
     CAM.write_text(cam(), "utf-8", newline="")
+    TABLE.write_text(table(), "utf-8", newline="")
     STILL.write_text(still(), "utf-8", newline="")

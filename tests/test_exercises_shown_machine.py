@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from known_slips import die, later, law, place, stroke, turn, widest
+from known_slips_08 import inertia, push
 from known_slips_laws import gentle, harsh
 from shown import NUMBER, SVG, curve, is_red, numbers, texts, wrong
 
@@ -186,6 +187,12 @@ def test_bars() -> None:
         assert (" harder than" in shown.line) == (made > 0.6)
         assert (" not as hard" in shown.line) == (made < 0.6)
         assert_bars(shown, made / 0.6)
+    for machine, torque, shown in wrong("08.2"):
+        made = (torque - machine.table.friction_N_m) / (inertia(machine) * push(machine))
+        assert ("beyond" in shown.line) == (made > 1)
+        assert ("does not get" in shown.line) == (made < 1)
+        if not math.isclose(made, 12):  # a whole turn of 12 steps is as long as a bar gets
+            assert_bars(shown, made)
 
 
 def label_at(shown: Shown, words: str) -> tuple[float, float]:

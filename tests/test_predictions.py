@@ -2,6 +2,7 @@
 
 import ast
 import json
+import math
 import re
 from pathlib import Path
 
@@ -56,6 +57,9 @@ def test_the_notebooks_ask_for_the_predictions_of_the_lessons_in_their_words() -
         ("05.best", cm.peak_acceleration(50, 55, 2000, law="modified trapezoid")),
         ("06.spring", 2 / (1 - 2 / 3)),  # up to the velocity 2 in the time that a brake of 3 leaves
         ("06.machine", 31 / 2425 / 1000 / (1.8 / 360) ** 2),
+        ("08.plate", 100 * 5.38 / 38.5),
+        ("08.backlash", 10 ** (2 / 3)),
+        ("08.geneva", 0.69976 * (135 / 180 * math.pi) ** 2 * 8 / (2 * math.pi) / 5.52796),
     ],
 )
 def test_what_is_true(key: str, value: float) -> None:
@@ -76,6 +80,9 @@ def test_what_is_true(key: str, value: float) -> None:
         ("05.best", "3.232 m/s², with the modified trapezoid."),
         ("06.spring", "6, by the same three lines"),
         ("06.jerk", "It is between 3.35 and 3.43 % above."),
+        ("08.plate", "14.0 percent."),
+        ("08.backlash", "4.64 times."),
+        ("08.geneva", "0.895 times."),
     ],
 )
 def test_what_is_true_stands_folded_in_the_notebook(key: str, printed: str) -> None:

@@ -21,6 +21,7 @@ from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.table_numbers import TABLE_CHOICES
 from cammotion.teaching.variants import LAW_CHOICES, NAMELESS, machine_for
 
 RANGES = {
@@ -65,6 +66,11 @@ LAWS_NEVER_CHANGED: dict[str | int, LawNumbers] = {
         pause=0.2,
     ),
 }
+TABLES_NEVER_CHANGED: dict[str | int, tuple[Any, ...]] = {
+    "Anna": (54, 560, 200, 5, 6, 70, 0.65, 55, "cycloidal", 120, 6, 45),
+    7: (72, 560, 200, 5, 7, 110, 0.7, 55, "cycloidal", 90, 4, 28),
+    "Jörg Müller": (48, 560, 220, 9, 4, 80, 0.55, 45, "3-4-5 polynomial", 90, 10, 24),
+}
 
 
 @pytest.fixture(scope="module")
@@ -100,6 +106,16 @@ def test_every_law_is_drawn_and_never_the_sources(machines: list[MillAndDie]) ->
         assert {getattr(machine.laws, name) for machine in machines} == {*choices}
         assert getattr(EXAMPLE.laws, name) not in choices
         assert getattr(NAMELESS.laws, name) in choices
+
+
+def test_every_number_of_a_table_is_drawn_and_never_the_sources(
+    machines: list[MillAndDie],
+) -> None:
+    for name, choices in TABLE_CHOICES.items():
+        assert {getattr(machine.table, name) for machine in machines} == {*choices}
+        assert getattr(EXAMPLE.table, name) not in choices
+        assert getattr(NAMELESS.table, name) in choices
+    assert all(m.table.hole_mm < m.table.radius_mm < m.table.plate_mm for m in machines)
 
 
 def test_the_die_always_has_room(machines: list[MillAndDie]) -> None:
@@ -167,6 +183,7 @@ def test_the_numbers_agree_with_those_done_by_hand(sample: list[MillAndDie]) -> 
 def test_a_name_leads_to_the_same_numbers_for_ever(who: str | int) -> None:
     assert numbers_of(machine_for(who)) == NEVER_CHANGED[who]
     assert machine_for(who).laws == LAWS_NEVER_CHANGED[who]
+    assert (*asdict(machine_for(who).table).values(),) == TABLES_NEVER_CHANGED[who]
 
 
 def test_the_numbers_do_not_depend_on_the_hash_of_a_run() -> None:

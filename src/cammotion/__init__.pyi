@@ -5,9 +5,13 @@ from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
 from .hardware.flat_faced_cam import FlatFacedCam
 from .hardware.followers import SwingingRoller, TranslatingRoller
+from .hardware.geneva import Geneva
+from .hardware.indexer import Indexer
+from .hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
 from .hardware.loads import FollowerLoad
 from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
+from .hardware.rotor import Rotor
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
 from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
@@ -57,6 +61,7 @@ from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, cho
 from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
+from .views.torque_plots import plot_torque
 
 __version__: str
 
@@ -70,8 +75,13 @@ __all__ = [
     "Button",
     "ClearanceRule",
     "Control",
+    "Cross",
+    "Cuboid",
+    "Disc",
     "FlatFacedCam",
     "FollowerLoad",
+    "Geneva",
+    "Indexer",
     "InputError",
     "LeastAcceleration",
     "Line",
@@ -81,9 +91,13 @@ __all__ = [
     "Move",
     "NumberControl",
     "OneMass",
+    "OwnInertia",
     "Panel",
     "Point",
+    "PointMasses",
+    "Ring",
     "RollerCam",
+    "Rotor",
     "Say",
     "Segment",
     "SwingingRoller",
@@ -139,6 +153,7 @@ __all__ = [
     "plot_peaks",
     "plot_ranking",
     "plot_timing",
+    "plot_torque",
     "plot_weight",
     "polynomial",
     "predict",

@@ -1,1 +1,4 @@
-"""What becomes of a timing diagram: the cam that is cut."""
+"""What is made of metal: the cam, the indexer, fits.
+
+It takes laws and motions as they are, and answers with sizes, torques and inertias.
+"""

@@ -10,6 +10,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
 from cammotion.teaching.law_numbers import LawNumbers
+from cammotion.teaching.table_numbers import TableNumbers
 
 QUIET_SHARE = 0.1
 """The share of the mill's time, at either end of its move, in which it does the die no harm."""
@@ -38,6 +39,7 @@ class MillAndDie:
     margin_mm: float = 1
     die_mass_kg: float = 12
     laws: LawNumbers = field(default_factory=LawNumbers)
+    table: TableNumbers = field(default_factory=TableNumbers)
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""

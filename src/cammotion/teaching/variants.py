@@ -17,6 +17,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.law_numbers import LawNumbers
+from cammotion.teaching.table_numbers import TABLE_CHOICES, TableNumbers
 
 NAMELESS = MillAndDie(
     rate_per_hour=2600,
@@ -34,6 +35,20 @@ NAMELESS = MillAndDie(
         fastest=1.8,
         head_start=0.35,
         pause=0.2,
+    ),
+    table=TableNumbers(
+        plate_kg=66,
+        plate_mm=560,
+        hole_mm=180,
+        stops=10,
+        station_kg=7,
+        inset_mm=70,
+        time_s=0.65,
+        friction_N_m=55,
+        law="cycloidal",
+        angle_deg=110,
+        slots=6,
+        per_minute=36,
     ),
 )
 """The machine of who gives no name; no number of a lesson is taken for one of its answers."""
@@ -112,10 +127,13 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
     True
     """
     laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
+    tables = _choices(f"{seed}|table", TABLE_CHOICES)
     for chosen in _choices(seed, _CHOICES):
         machine = MillAndDie(who=who, **chosen)
         if _is_sensible(machine):
-            yield replace(machine, laws=LawNumbers(**next(laws)))
+            yield replace(
+                machine, laws=LawNumbers(**next(laws)), table=TableNumbers(**next(tables))
+            )
 
 
 def _choices(seed: str, among: Mapping[str, Sequence[Any]]) -> Iterator[dict[str, Any]]:

@@ -78,6 +78,30 @@ def push_of_force(asked: float, mass_kg: Measure) -> Shows:
     return show
 
 
+def step_of_torque(step_deg: Measure, needed: Measure, drag: Measure) -> Shows:
+    """Show an answer in N m by how far a table gets with it in its time, beside its step.
+
+    `needed` is what its inertia needs, and `drag` what friction takes of the answer before.
+    """
+
+    def show(machine: MillAndDie, torque: float) -> Shown | None:
+        step = step_deg(machine)
+        made = step * (torque - drag(machine)) / needed(machine)
+        if made <= 0:
+            return None  # friction holds it
+        said = _compare(
+            made,
+            step,
+            "goes beyond its next stop.",
+            "comes just to its next stop.",
+            "does not get to its next stop.",
+        )
+        names = (f"one step: {step:g}°", "as far as your torque brings it in this time")
+        return _draw_bars(names, (step, made), f"With this largest torque the table {said}")
+
+    return show
+
+
 def _compare(made: float, asked: float, more: str, same: str, less: str) -> str:
     if math.isclose(made, asked, rel_tol=ROUNDING):
         return same

@@ -1,0 +1,272 @@
+"""The indexer: from a law, an inertia and a time to torque and power, over the whole index.
+
+A table of inertia I turns by h = 2 pi / stops in the time tm. With the law's S over x = t/tm,
+
+    omega = h/tm V,   alpha = h/tm^2 A,   torque = I alpha + friction + work,
+
+and the power is torque times omega.
+
+A camshaft that turns by Bm meanwhile, at the even speed Omega = Bm/tm, has to give that power:
+its torque is power/Omega. It is positive while the shaft drives, negative while the table does.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.hardware.inertia import whole_number
+from cammotion.hardware.rotor import Rotor
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.laws.piece import Piece, bisect
+from cammotion.machine.kinematics import ANGLE
+from cammotion.quantities import Floats, InputError, Numbers, Quantity
+
+_INERTIA = Quantity("inertia", "kg m2", example=38.5)
+_STOPS = Quantity("number of stops", "", example=8, low=2, low_included=True)
+_TIME = Quantity("indexing time", "s", example=0.75)
+_CYCLE = Quantity("cycle time", "s", example=1.8)
+_FRICTION = Quantity("friction torque", "N m", example=10, low_included=True)
+_WORK = Quantity("work torque", "N m", example=0, low_included=True)
+_SAFETY = Quantity("safety factor", "", example=1.5, low=1, low_included=True)
+_BACKLASH = Quantity("backlash", "deg", example=0.02)
+_SAMPLES, _NODES = 257, 24  # of a smooth piece: looked at for its peak, and integrated with
+
+
+@dataclass(frozen=True)
+class Indexer:
+    """A table that a law turns from stop to stop, and what that takes.
+
+    `turns` is what turns, a Rotor or its inertia in kg m2, `stops` the number of stops in a turn of
+    the table, `time_s` the indexing time tm. `friction_N_m` acts against the motion, `work_N_m` is
+    what else holds it back; both are taken as constant while the table moves. `safety` is what
+    the required torque is larger by. Raises InputError for numbers out of range, and for a law
+    whose velocity jumps.
+
+    >>> table = Indexer(38.5, stops=8, time_s=0.75, law="modified sine", friction_N_m=10)
+    >>> print(f"{table.peak_acceleration_rad_s2:.3f} rad/s2, {table.peak_torque_N_m:.2f} N m")
+    7.718 rad/s2, 307.16 N m
+    """
+
+    turns: float | Rotor
+    stops: int
+    time_s: float
+    law: str | MotionLaw = "modified sine"
+    friction_N_m: float = 0.0  # noqa: N815 (units)
+    work_N_m: float = 0.0  # noqa: N815
+    safety: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.turns, Rotor):
+            _INERTIA.number(self.turns)
+        whole_number(_STOPS, self.stops)
+        _TIME.number(self.time_s)
+        _FRICTION.number(self.friction_N_m)
+        _WORK.number(self.work_N_m)
+        _SAFETY.number(self.safety)
+        object.__setattr__(self, "law", as_law(self.law))
+        if not math.isfinite(self._law.Ca):
+            raise InputError(
+                f"The velocity of the law {self._law.name!r} jumps, and no torque turns a table "
+                "like that: give a law from rest to rest, for example 'modified sine'."
+            )
+
+    @property
+    def inertia_kg_m2(self) -> float:
+        """The moment of inertia of what turns, in kg m2."""
+        return self.turns.inertia_kg_m2 if isinstance(self.turns, Rotor) else float(self.turns)
+
+    @property
+    def step_rad(self) -> float:
+        """The angle of one index, in rad."""
+        return 2 * math.pi / self.stops
+
+    @property
+    def peak_velocity_rad_s(self) -> float:
+        """The largest angular velocity, Cv h/tm, in rad/s."""
+        return self._law.Cv * self.step_rad / self.time_s
+
+    @property
+    def peak_acceleration_rad_s2(self) -> float:
+        """The largest angular acceleration, Ca h/tm^2, in rad/s2."""
+        return self._law.Ca * self._per_a
+
+    @property
+    def inertia_torque_N_m(self) -> float:  # noqa: N802 (units, here and below)
+        """The largest torque of the inertia alone, in N m."""
+        return self.inertia_kg_m2 * self.peak_acceleration_rad_s2
+
+    @property
+    def peak_torque_N_m(self) -> float:  # noqa: N802
+        """The largest torque of all, in either direction, without the safety factor, in N m."""
+        ends = self._law.curve.derived(2).extremes
+        return max(abs(self.inertia_kg_m2 * self._per_a * a + self._drag) for a in ends)
+
+    @property
+    def required_torque_N_m(self) -> float:  # noqa: N802
+        """The largest torque times the safety factor, in N m."""
+        return self.safety * self.peak_torque_N_m
+
+    @property
+    def kinetic_energy_J(self) -> float:  # noqa: N802
+        """The energy of the table at its fastest, in J: put in, and taken out again."""
+        return self.inertia_kg_m2 * self.peak_velocity_rad_s**2 / 2
+
+    def velocity_rad_s(self, x: ArrayLike) -> Numbers:
+        """Return the angular velocity in rad/s at x = t/tm, 0 to 1, a number or an array."""
+        return self._law(x, 1) * self.step_rad / self.time_s
+
+    def acceleration_rad_s2(self, x: ArrayLike) -> Numbers:
+        """Return the angular acceleration in rad/s2 at x = t/tm, 0 to 1, a number or an array."""
+        return self._law(x, 2) * self._per_a
+
+    def torque_N_m(self, x: ArrayLike) -> Numbers:  # noqa: N802
+        """Return the torque on the table in N m at x = t/tm, 0 to 1, a number or an array.
+
+        >>> table = Indexer(38.5, stops=8, time_s=0.75, friction_N_m=10)
+        >>> table.torque_N_m([0.125, 0.5, 0.875]).round(1)
+        array([ 307.2,   10. , -287.2])
+        """
+        return self.inertia_kg_m2 * self.acceleration_rad_s2(x) + self._drag
+
+    def power_W(self, x: ArrayLike) -> Numbers:  # noqa: N802
+        """Return the power in W at x = t/tm, 0 to 1: negative where the table drives."""
+        return self.torque_N_m(x) * self.velocity_rad_s(x)
+
+    @cached_property
+    def peak_power_W(self) -> float:  # noqa: N802
+        """The largest power in either direction, in W; without friction I h^2/tm^3 Cq.
+
+        >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).peak_power_W:.0f} W")
+        307 W
+        """
+        return max(
+            _largest(self._power_of(v, a), v.low, v.high)
+            for v, a in zip(*(self._law.curve.derived(n).pieces for n in (1, 2)), strict=True)
+        )
+
+    def camshaft_torque_N_m(self, x: ArrayLike, angle_deg: float) -> Numbers:  # noqa: N802
+        """Return the torque on the camshaft in N m at x = t/tm, 0 to 1, a number or an array.
+
+        `angle_deg` is the indexing angle Bm, which the shaft turns evenly in the indexing time.
+        The cam is taken as without losses. Raises InputError for an angle out of range.
+
+        >>> mill = Indexer(38.5, stops=8, time_s=0.75)
+        >>> mill.camshaft_torque_N_m([0.25, 0.5, 0.75], angle_deg=150).round(1)
+        array([ 84.9,   0. , -84.9])
+        """
+        return self.power_W(x) / self._shaft_rad_s(angle_deg)
+
+    def peak_camshaft_torque_N_m(self, angle_deg: float) -> float:  # noqa: N802
+        """Return the largest torque on the camshaft, in either direction, in N m."""
+        return self.peak_power_W / self._shaft_rad_s(angle_deg)
+
+    def rms_torque_N_m(self, cycle_s: float) -> float:  # noqa: N802
+        """Return the root mean square of the torque over a cycle, in N m, as it heats a servo.
+
+        `cycle_s` is the time from index to index; while it rests the table takes no torque. Raises
+        InputError for a cycle that is shorter than the index.
+
+        >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).rms_torque_N_m(1.8):.1f} N m")
+        135.6 N m
+        """
+        cycle = _CYCLE.number(cycle_s)
+        if cycle < self.time_s:
+            raise InputError(
+                f"The cycle time is {cycle:g} s, and the index alone takes {self.time_s:g} s: give "
+                f"a cycle of at least {self.time_s:g} s."
+            )
+        nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+        total = 0.0
+        for piece in self._law.curve.derived(2).pieces:
+            half = (piece.high - piece.low) / 2
+            a = piece.over(piece.low + half * (1 + nodes))
+            torque = self.inertia_kg_m2 * self._per_a * a + self._drag
+            total += half * float(weights @ torque**2)
+        return math.sqrt(total * self.time_s / cycle)
+
+    @property
+    def braking(self) -> list[tuple[float, float]]:
+        """The intervals of x in which the torque is negative: the drive holds the table back.
+
+        >>> Indexer(38.5, stops=8, time_s=0.75).braking
+        [(0.5, 1.0)]
+        """
+        return self._law.curve.derived(2).where(-self._drag_a, -1, 1e-12)
+
+    def impact_rad_s(self, backlash_deg: float) -> float:
+        """Return how fast the table runs into the other flank when the torque turns, in rad/s.
+
+        `backlash_deg` is how far the table can turn while the drive stands. From where the torque
+        becomes negative the table runs free, slowed by friction and work alone, until the drive,
+        which goes on by its law, has fallen back by the backlash. A table that is braked only by
+        these never gets there: 0. Raises InputError for a backlash that is not used up before the
+        index ends.
+
+        >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).impact_rad_s(0.02):.4f} rad/s")
+        0.0286 rad/s
+        """
+        gap = math.radians(_BACKLASH.number(backlash_deg)) / self.step_rad
+        if not self.braking:
+            return 0.0
+        law, start = self._law, self.braking[0][0]
+        at, speed = law(start), law(start, 1)
+
+        def ahead(x: float) -> float:
+            gone = x - start
+            return float(speed * gone - self._drag_a * gone**2 / 2 - (law(x) - at))
+
+        end = self.braking[0][1]
+        if ahead(end) < gap:
+            most = math.degrees(ahead(end) * self.step_rad)
+            raise InputError(
+                f"The backlash is {backlash_deg:g} deg, and while it is braked the table gains "
+                f"only {most:.4g} deg on its drive: give a smaller backlash."
+            )
+        hit = bisect(lambda x: ahead(x) < gap, start, end)
+        faster = speed - self._drag_a * (hit - start) - law(hit, 1)
+        return float(faster * self.step_rad / self.time_s)
+
+    @property
+    def _law(self) -> MotionLaw:
+        return as_law(self.law)
+
+    @property
+    def _per_a(self) -> float:
+        return self.step_rad / self.time_s**2
+
+    @property
+    def _drag(self) -> float:
+        return float(self.friction_N_m + self.work_N_m)
+
+    @property
+    def _drag_a(self) -> float:
+        """How the law's A would be if friction and work alone braked the table."""
+        return self._drag / (self.inertia_kg_m2 * self._per_a)
+
+    def _power_of(self, velocity: Piece, acceleration: Piece) -> Callable[[Floats], Floats]:
+        """Return the power over a smooth piece of the law."""
+
+        def power(places: Floats) -> Floats:
+            torque = self.inertia_kg_m2 * self._per_a * acceleration.over(places) + self._drag
+            return torque * velocity.over(places) * (self.step_rad / self.time_s)
+
+        return power
+
+    def _shaft_rad_s(self, angle_deg: Any) -> float:
+        return math.radians(ANGLE.number(angle_deg)) / self.time_s
+
+
+def _largest(curve: Callable[[Floats], Floats], low: float, high: float) -> float:
+    """Return the largest magnitude of a smooth curve, ever nearer about the largest sample."""
+    for _ in range(4):
+        places = np.linspace(low, high, _SAMPLES)
+        values = np.abs(curve(places))
+        at = int(values.argmax())
+        low, high = places[max(at - 1, 0)], places[min(at + 1, _SAMPLES - 1)]
+    return float(values.max())

@@ -1,0 +1,255 @@
+"""The parts of what turns, and the inertia of each about the axis.
+
+The axis goes through the centre of each part, upright on it; what stands beside the axis is a
+point mass on a radius, with an inertia of its own if it has one. A body is given by its mass, or
+by its thickness along the axis and its density. Lengths are in mm, masses in kg, inertias in kg m2.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from cammotion.machine.kinematics import MM_PER_M
+from cammotion.quantities import InputError, Quantity
+
+_MASS = Quantity("mass", "kg", example=20)
+_RADIUS = Quantity("radius", "mm", example=450)
+_INNER = Quantity("inner radius", "mm", example=100)
+_LENGTH = Quantity("length", "mm", example=300)
+_WIDTH = Quantity("width", "mm", example=25)
+_THICKNESS = Quantity("thickness", "mm", example=10)
+_DENSITY = Quantity("density", "kg/m3", example=7850)
+_COUNT = Quantity("number of masses", "", example=8, low=1, low_included=True)
+_INERTIA = Quantity("inertia", "kg m2", example=5.38, low_included=True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Body:
+    """A flat body about its own axis; what each kind adds are its area and its square of gyration.
+
+    `mass_kg` is filled in where thickness and density were given.
+    """
+
+    mass_kg: Any = None
+    thickness_mm: Any = None
+    density_kg_m3: Any = None
+
+    def __post_init__(self) -> None:
+        self._check()
+        by_density = self.thickness_mm is not None and self.density_kg_m3 is not None
+        if (self.mass_kg is None) != by_density or (
+            self.mass_kg is not None and self.density_kg_m3 is not None
+        ):
+            kind = type(self).__name__
+            raise InputError(
+                f"A {kind} is weighed in one way: give its mass_kg, or its thickness_mm and its "
+                "density_kg_m3, for example 10 mm and 7850 kg/m3."
+            )
+        if by_density:
+            thick = _THICKNESS.number(self.thickness_mm) / MM_PER_M
+            mass = self._area_m2 * thick * _DENSITY.number(self.density_kg_m3)
+        else:
+            mass = _MASS.number(self.mass_kg)
+        object.__setattr__(self, "mass_kg", mass)
+
+    @property
+    def inertia_kg_m2(self) -> float:
+        """The moment of inertia about the axis, in kg m2."""
+        return float(self.mass_kg) * self._gyration_m2
+
+    def _check(self) -> None:
+        """Raise InputError for sizes that make no sense."""
+        raise NotImplementedError
+
+    @property
+    def _area_m2(self) -> float:
+        raise NotImplementedError
+
+    @property
+    def _gyration_m2(self) -> float:
+        """The square of the radius of gyration."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Disc(_Body):
+    """A round plate of a radius in mm: m r^2 / 2.
+
+    Give its mass_kg, or its thickness_mm and its density_kg_m3. Raises InputError for others.
+
+    >>> print(f"{Disc(radius_mm=500, mass_kg=43.04).inertia_kg_m2:.3f} kg m2")
+    5.380 kg m2
+    >>> print(f"{Disc(radius_mm=100, thickness_mm=10, density_kg_m3=7800).mass_kg:.2f} kg")
+    2.45 kg
+    """
+
+    radius_mm: float
+
+    def _check(self) -> None:
+        _RADIUS.number(self.radius_mm)
+
+    @property
+    def _area_m2(self) -> float:
+        return math.pi * _m(self.radius_mm) ** 2
+
+    @property
+    def _gyration_m2(self) -> float:
+        return _m(self.radius_mm) ** 2 / 2
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ring(_Body):
+    """A round plate with a round hole, radii in mm: m (r_outer^2 + r_inner^2) / 2.
+
+    Give its mass_kg, or its thickness_mm and its density_kg_m3. Raises InputError for others, and
+    for a hole that is as large as the plate.
+
+    >>> print(f"{Ring(radius_mm=500, inner_mm=400, mass_kg=10).inertia_kg_m2:.3f} kg m2")
+    2.050 kg m2
+    """
+
+    radius_mm: float
+    inner_mm: float
+
+    def _check(self) -> None:
+        outer, inner = _RADIUS.number(self.radius_mm), _INNER.number(self.inner_mm)
+        if inner >= outer:
+            raise InputError(
+                f"The inner radius is {inner:g} mm and the outer one {outer:g} mm: give an inner "
+                f"one that is smaller, for example {outer / 2:g} mm."
+            )
+
+    @property
+    def _area_m2(self) -> float:
+        return math.pi * (_m(self.radius_mm) ** 2 - _m(self.inner_mm) ** 2)
+
+    @property
+    def _gyration_m2(self) -> float:
+        return (_m(self.radius_mm) ** 2 + _m(self.inner_mm) ** 2) / 2
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cuboid(_Body):
+    """A bar of a length and a width in mm, which turns about its middle: m (l^2 + w^2) / 12.
+
+    Give its mass_kg, or its thickness_mm and its density_kg_m3. Raises InputError for others.
+
+    >>> print(f"{Cuboid(length_mm=1200, width_mm=0.1, mass_kg=1).inertia_kg_m2:.4f} kg m2")
+    0.1200 kg m2
+    """
+
+    length_mm: float
+    width_mm: float
+
+    def _check(self) -> None:
+        _LENGTH.number(self.length_mm)
+        _WIDTH.number(self.width_mm)
+
+    @property
+    def _area_m2(self) -> float:
+        return _m(self.length_mm) * _m(self.width_mm)
+
+    @property
+    def _gyration_m2(self) -> float:
+        return (_m(self.length_mm) ** 2 + _m(self.width_mm) ** 2) / 12
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cross(_Body):
+    """Two equal bars that cross in the middle, length and width in mm.
+
+    The square in which they cross is there once, so it is taken away once. Give the mass_kg of the
+    whole cross, or its thickness_mm and its density_kg_m3. Raises InputError for others, and for
+    bars that are wider than long.
+
+    >>> cross = Cross(length_mm=300, width_mm=25, thickness_mm=10, density_kg_m3=7800)
+    >>> print(f"{cross.mass_kg:.3f} kg, {cross.inertia_kg_m2 * 1e4:.2f} kg cm2")
+    1.121 kg, 88.31 kg cm2
+    """
+
+    length_mm: float
+    width_mm: float
+
+    def _check(self) -> None:
+        length, width = _LENGTH.number(self.length_mm), _WIDTH.number(self.width_mm)
+        if width >= length:
+            raise InputError(
+                f"The bars of the cross are {length:g} mm long and {width:g} mm wide: give a width "
+                f"below the length, for example {length / 10:g} mm."
+            )
+
+    @property
+    def _area_m2(self) -> float:
+        length, width = _m(self.length_mm), _m(self.width_mm)
+        return 2 * length * width - width**2
+
+    @property
+    def _gyration_m2(self) -> float:
+        length, width = _m(self.length_mm), _m(self.width_mm)
+        bar, square = length * width * (length**2 + width**2) / 12, width**4 / 6
+        return (2 * bar - square) / self._area_m2
+
+
+@dataclass(frozen=True, kw_only=True)
+class PointMasses:
+    """Equal masses on a radius in mm: count (m r^2 + own).
+
+    `each_kg` is the mass of one of them, `own_kg_m2` its inertia about its own upright axis, which
+    is left out for what is small beside the radius. Raises InputError for what makes no sense.
+
+    >>> stations = PointMasses(each_kg=20, radius_mm=450, count=8)
+    >>> print(f"{stations.mass_kg:g} kg, {stations.inertia_kg_m2:.3f} kg m2")
+    160 kg, 32.400 kg m2
+    """
+
+    each_kg: float
+    radius_mm: float
+    count: int = 1
+    own_kg_m2: float = 0.0
+
+    def __post_init__(self) -> None:
+        _MASS.number(self.each_kg)
+        _RADIUS.number(self.radius_mm)
+        _INERTIA.number(self.own_kg_m2)
+        whole_number(_COUNT, self.count)
+
+    @property
+    def mass_kg(self) -> float:
+        """The mass of all of them, in kg."""
+        return float(self.count * self.each_kg)
+
+    @property
+    def inertia_kg_m2(self) -> float:
+        """Their moment of inertia about the axis of the table, in kg m2."""
+        return self.count * float(self.each_kg * _m(self.radius_mm) ** 2 + self.own_kg_m2)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OwnInertia:
+    """A part whose mass in kg and inertia in kg m2 are known, from a drawing or a catalogue.
+
+    >>> OwnInertia(mass_kg=8, inertia_kg_m2=0.72).inertia_kg_m2
+    0.72
+    """
+
+    mass_kg: float
+    inertia_kg_m2: float
+
+    def __post_init__(self) -> None:
+        _MASS.number(self.mass_kg)
+        _INERTIA.number(self.inertia_kg_m2)
+
+
+def whole_number(quantity: Quantity, value: Any) -> int:
+    """Return a value as a whole number in the range of a quantity; raise InputError for others."""
+    number = quantity.number(value)
+    if number != int(number):
+        raise InputError(
+            f"The {quantity.name} is {number:g}; it has to be a whole number: give for example "
+            f"{quantity.example:g}."
+        )
+    return int(number)
+
+
+def _m(length_mm: float) -> float:
+    return float(length_mm) / MM_PER_M

@@ -1,0 +1,48 @@
+"""Pictures of what an indexer takes: torque and power, from stop to stop."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from cammotion.hardware.indexer import Indexer
+from cammotion.quantities import InputError, one_of, shorten
+from cammotion.views.pictures import blank_axes
+from cammotion.views.plots import style_axes, style_line
+
+QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
+_PLACES = 1001
+_REST = 0.06  # of the time, drawn before the index and after it
+
+
+def plot_torque(
+    indexers: Mapping[str, Indexer], *, quantity: str = "torque", ax: Axes | None = None
+) -> Axes:
+    """Draw the torque of each indexer over x = t/tm, from rest to rest, and return the Axes.
+
+    `indexers` are drawn by their names; `quantity` is "torque" in N m or "power" in W. A torque
+    that is there at once is drawn as the jump that it is. Raises InputError for no indexer, and
+    for another quantity.
+
+    >>> import cammotion as cm
+    >>> plot_torque({"table": cm.Indexer(38.5, stops=8, time_s=0.75)}).get_ylabel()
+    'torque on the table in N m'
+    """
+    if not isinstance(indexers, Mapping) or not indexers:
+        raise InputError(
+            f"The indexers are {shorten(indexers)}: give each a name, for example "
+            '{"table": cammotion.Indexer(38.5, stops=8, time_s=0.75)}.'
+        )
+    one_of("quantity", quantity, QUANTITIES)
+    if ax is None:
+        ax = blank_axes(7.5, 4.2, layout="constrained")
+    style_axes(ax, "x = t/tm", QUANTITIES[quantity])
+    x = np.linspace(0, 1, _PLACES)
+    for number, (name, indexer) in enumerate(indexers.items()):
+        values = indexer.torque_N_m(x) if quantity == "torque" else indexer.power_W(x)
+        points = np.column_stack([[-_REST, 0, *x, 1, 1 + _REST], [0, 0, *values, 0, 0]])
+        style_line(ax.plot(*points.T, label=name)[0], number)
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    ax.margins(x=0)
+    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    return ax

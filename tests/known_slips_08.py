@@ -1,0 +1,244 @@
+"""Lesson 08 by hand: right answers, and wrong ones that a student could give.
+
+Nothing here knows of the package's laws, wheels or inertias, or of the slips that it recognises.
+"""
+
+import math
+from collections.abc import Callable
+
+import mpmath
+from known_slips import KnownSlip
+from known_slips_laws import CYCLOID, POLYNOMIAL, SINE, TRAPEZOID
+
+from cammotion.teaching.example import MillAndDie
+
+
+def on_a_cosine(factor: float, share: float, before: float) -> float:
+    """Return the largest V A where A falls like a cosine over a `share` of the time.
+
+    A = factor cos u, V = factor (before + share (2/pi) sin u): the sine of the best u solves a
+    quadratic equation.
+    """
+    width = 2 * share / math.pi
+    a = before / width
+    sine = (-a + math.sqrt(a**2 + 8)) / 4
+    return factor**2 * width * math.sqrt(1 - sine**2) * (a + sine)
+
+
+CA = {
+    "cycloidal": CYCLOID,
+    "modified trapezoid": TRAPEZOID,
+    "modified sine": SINE,
+    "3-4-5 polynomial": POLYNOMIAL,
+}
+CQ = {
+    "cycloidal": 2 * math.pi * 3 * math.sqrt(3) / 4,
+    "modified trapezoid": on_a_cosine(TRAPEZOID, 1 / 8, 1 / (4 * math.pi) + 1 / 4),
+    "modified sine": on_a_cosine(SINE, 3 / 8, 1 / (4 * math.pi)),
+    "3-4-5 polynomial": 1800 * (3 / 14) ** 3 * math.sqrt(1 / 7),
+}
+CV = {
+    "cycloidal": 2,
+    "modified trapezoid": 2,
+    "modified sine": SINE / math.pi,
+    "3-4-5 polynomial": 15 / 8,
+}
+
+
+def plate(m: MillAndDie, sign: int = 1) -> float:
+    """Return the inertia of the plate in kg m²: the integral of the ring's rings."""
+    outer, inner = m.table.plate_mm / 1000, m.table.hole_mm / 1000
+    density = m.table.plate_kg / (math.pi * (outer**2 - inner**2))
+    if sign > 0:
+        return density * 2 * math.pi * (outer**4 - inner**4) / 4
+    return m.table.plate_kg * (outer**2 - inner**2) / 2
+
+
+def stations(m: MillAndDie, radius_mm: float | None = None) -> float:
+    """Return the inertia of the stations in kg m²."""
+    radius = (radius_mm or m.table.plate_mm - m.table.inset_mm) / 1000
+    return m.table.stops * m.table.station_kg * radius**2
+
+
+def inertia(m: MillAndDie) -> float:
+    return plate(m) + stations(m)
+
+
+def push(m: MillAndDie, factor: float | None = None) -> float:
+    """Return the largest angular acceleration in rad/s²."""
+    step = 2 * math.pi / m.table.stops
+    return (CA[m.table.law] if factor is None else factor) * step / m.table.time_s**2
+
+
+def torque(m: MillAndDie, factor: float | None = None) -> float:
+    return inertia(m) * push(m, factor) + m.table.friction_N_m
+
+
+def shaft(m: MillAndDie, factor: float | None = None, shaft_rad_s: float | None = None) -> float:
+    """Return the largest torque of the camshaft: power by speed."""
+    step = 2 * math.pi / m.table.stops
+    cq = CQ[m.table.law] if factor is None else factor
+    power = inertia(m) * step**2 / m.table.time_s**3 * cq
+    return power / (shaft_rad_s or math.radians(m.table.angle_deg) / m.table.time_s)
+
+
+def another(m: MillAndDie, law: str) -> float:
+    return math.nan if m.table.law == law else torque(m, CA[law])
+
+
+def omega(m: MillAndDie) -> float:
+    return 2 * math.pi * m.table.per_minute / 60
+
+
+def entry(m: MillAndDie) -> float:
+    """Return at which angle before the middle the pin enters, in rad."""
+    return math.pi / 2 - math.pi / m.table.slots
+
+
+def bent(m: MillAndDie, alpha: float, order: int = 2) -> float:
+    """Return a derivative of the angle under which the wheel sees the pin, by differences."""
+    ratio = mpmath.sin(mpmath.pi / m.table.slots)
+
+    def seen(angle: mpmath.mpf) -> mpmath.mpf:
+        return mpmath.atan2(ratio * mpmath.sin(angle), 1 - ratio * mpmath.cos(angle))
+
+    with mpmath.workdps(40):
+        return abs(float(mpmath.diff(seen, alpha, order)))
+
+
+def wheel(m: MillAndDie) -> float:
+    """Return the acceleration half-way from the entry to the middle, in rad/s²."""
+    return bent(m, entry(m) / 2) * omega(m) ** 2
+
+
+def largest(m: MillAndDie) -> float:
+    """Return the largest acceleration of the wheel, among many places."""
+    return max(bent(m, entry(m) * n / 2000) for n in range(0, 2001, 4)) * omega(m) ** 2
+
+
+RIGHT: dict[str, Callable[[MillAndDie], float]] = {
+    "08.1": inertia,
+    "08.2": torque,
+    "08.3": shaft,
+    "08.4": wheel,
+}
+
+SOURCE = {
+    "08.1": 5.380 + 32.400,
+    "08.2": 37.78 * math.pi / 4 / 0.75**2 * 5.52796 + 10,
+    "08.3": 37.78 * (math.pi / 4) ** 2 / 0.75**2 * 5.458 / math.radians(150),
+}
+
+SLIPS = [
+    # The moment of inertia.
+    KnownSlip("08.1", "diameters for radii", lambda m: 4 * inertia(m), "diameter"),
+    KnownSlip("08.1", "radii halved", lambda m: inertia(m) / 4, "halved"),
+    KnownSlip("08.1", "GD² in N m²", lambda m: 4 * 9.81 * inertia(m), "GD²"),
+    KnownSlip("08.1", "plate alone", plate, "alone"),
+    KnownSlip("08.1", "stations alone", stations, "alone"),
+    KnownSlip(
+        "08.1", "one station", lambda m: plate(m) + stations(m) / m.table.stops, "one station"
+    ),
+    KnownSlip("08.1", "a hoop", lambda m: 2 * plate(m) + stations(m), "half"),
+    KnownSlip("08.1", "stations as a plate", lambda m: plate(m) + stations(m) / 2, "halved"),
+    KnownSlip(
+        "08.1", "stations at the rim", lambda m: plate(m) + stations(m, m.table.plate_mm), "rim"
+    ),
+    KnownSlip(
+        "08.1",
+        "hole subtracted",
+        lambda m: plate(m, -1) + stations(m) if m.table.hole_mm else math.nan,
+        "taken away|finite",
+    ),
+    KnownSlip(
+        "08.1",
+        "no hole",
+        lambda m: (
+            m.table.plate_kg * (m.table.plate_mm / 1000) ** 2 / 2 + stations(m)
+            if m.table.hole_mm
+            else math.nan
+        ),
+        "no hole|finite",
+    ),
+    KnownSlip("08.1", "in mm", lambda m: 1e6 * inertia(m), "mm"),
+    KnownSlip("08.1", "the mass", lambda m: m.table.plate_kg + stations(m, 1000), "mass"),
+    # The largest torque.
+    KnownSlip("08.2", "no friction", lambda m: inertia(m) * push(m), "[Ff]riction"),
+    KnownSlip("08.2", "friction helps", lambda m: 2 * inertia(m) * push(m) - torque(m), "subtract"),
+    KnownSlip(
+        "08.2",
+        "in degrees",
+        lambda m: math.degrees(inertia(m) * push(m)) + m.table.friction_N_m,
+        "degrees",
+    ),
+    KnownSlip(
+        "08.2",
+        "a whole turn",
+        lambda m: inertia(m) * push(m) * m.table.stops + m.table.friction_N_m,
+        "whole turn",
+    ),
+    KnownSlip("08.2", "no factor", lambda m: torque(m, 1), "factor Ca"),
+    KnownSlip("08.2", "velocity factor", lambda m: torque(m, CV[m.table.law]), "velocity|Cv"),
+    KnownSlip("08.2", "power factor", lambda m: torque(m, CQ[m.table.law]), "Cq"),
+    KnownSlip("08.2", "constant", lambda m: torque(m, 4), "constant"),
+    KnownSlip("08.2", "the lesson's law", lambda m: another(m, "modified sine"), "sine|finite"),
+    KnownSlip("08.2", "the cycloid", lambda m: another(m, "cycloidal"), "cycloid|finite"),
+    KnownSlip(
+        "08.2",
+        "no square",
+        lambda m: inertia(m) * push(m) * m.table.time_s + m.table.friction_N_m,
+        "square",
+    ),
+    KnownSlip("08.2", "the acceleration", push, "acceleration, in rad"),
+    # The torque of the camshaft.
+    KnownSlip(
+        "08.3",
+        "peaks multiplied",
+        lambda m: shaft(m, CA[m.table.law] * CV[m.table.law]),
+        "same moment",
+    ),
+    KnownSlip("08.3", "the mean ratio", lambda m: shaft(m, CA[m.table.law]), "evenly|fast"),
+    KnownSlip("08.3", "on the table", lambda m: inertia(m) * push(m), "on the table"),
+    KnownSlip("08.3", "the power", lambda m: shaft(m, shaft_rad_s=1), "power, in W"),
+    KnownSlip(
+        "08.3",
+        "in degrees",
+        lambda m: shaft(m, shaft_rad_s=m.table.angle_deg / m.table.time_s),
+        "degrees",
+    ),
+    KnownSlip(
+        "08.3",
+        "a whole turn",
+        lambda m: shaft(m, shaft_rad_s=2 * math.pi / m.table.time_s),
+        "whole turn",
+    ),
+    KnownSlip("08.3", "velocity factor", lambda m: shaft(m, CV[m.table.law]), "Cv"),
+    KnownSlip("08.3", "half", lambda m: shaft(m) / 2, "half"),
+    KnownSlip(
+        "08.3",
+        "ratio upside down",
+        lambda m: shaft(m) * (math.radians(m.table.angle_deg) * m.table.stops / (2 * math.pi)) ** 2,
+        "upside",
+    ),
+    # The Geneva wheel.
+    KnownSlip("08.4", "at the entry", lambda m: bent(m, entry(m)) * omega(m) ** 2, "entry"),
+    KnownSlip("08.4", "the largest", largest, "largest"),
+    KnownSlip("08.4", "half of the entry", lambda m: bent(m, entry(m)) * omega(m) ** 2 / 2, "line"),
+    KnownSlip(
+        "08.4", "the velocity", lambda m: bent(m, entry(m) / 2, 1) * omega(m), "velocity, in"
+    ),
+    KnownSlip("08.4", "no square", lambda m: wheel(m) / omega(m), "square"),
+    KnownSlip("08.4", "no speed", lambda m: wheel(m) / omega(m) ** 2, "speed"),
+    KnownSlip(
+        "08.4", "turns a minute", lambda m: wheel(m) * (60 / 2 / math.pi) ** 2, "[Tt]urns a minute"
+    ),
+    KnownSlip(
+        "08.4", "turns a second", lambda m: wheel(m) / (2 * math.pi) ** 2, "[Tt]urns a second"
+    ),
+    KnownSlip("08.4", "per minute", lambda m: 3600 * wheel(m), "per minute"),
+    KnownSlip("08.4", "downwards", lambda m: -wheel(m), "sign"),
+    # The choice, each wrong option.
+    KnownSlip("08.5", "a: no squares", lambda _: "a", "time"),
+    KnownSlip("08.5", "c: as the power", lambda _: "c", "shaft"),
+    KnownSlip("08.5", "d: power as torque", lambda _: "d", "velocity"),
+]
