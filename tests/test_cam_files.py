@@ -89,8 +89,11 @@ def test_a_table_keeps_its_tolerance(name: str, tmp_path: Path) -> None:
 def test_nothing_is_written_for_a_cam_that_cannot_be_made(tmp_path: Path) -> None:
     cut = cm.RollerCam(DIE, cm.TranslatingRoller(14), prime_radius_mm=15)
     path = tmp_path / "cut.dxf"
-    with pytest.raises(cm.InputError, match=r"undercut from 194\.06 to 197\.64 deg"):
+    with pytest.raises(cm.InputError, match=r"undercut from 194\.06 to 197\.64 deg") as said:
         cm.write_cam(cut, path)
+    (least,) = re.findall(r"a prime circle of at least ([\d.]+) mm", str(said.value))
+    enough = cm.RollerCam(DIE, cm.TranslatingRoller(14), float(least) + 1e-3)
+    assert enough.undercuts == ()
     assert not path.exists()
     assert cm.write_cam(cut, path, undercut=True).exists()
     hollow = cm.RollerCam(DIE, cm.TranslatingRoller(14), prime_radius_mm=40)

@@ -5,7 +5,6 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from explored import drawn, panel_of
-from matplotlib.patches import Polygon
 
 import cammotion as cm
 from cammotion.hardware.disc_cam import DiscCam
@@ -67,8 +66,8 @@ CAMS: dict[str, Callable[[], DiscCam]] = {
 def test_a_cam_is_drawn_with_all_that_a_designer_wants(name: str) -> None:
     cam = CAMS[name]()
     ax = cm.plot_cam(cam, bore_mm=20)
-    (profile,) = [patch for patch in ax.patches if isinstance(patch, Polygon)]
-    drawn_at = profile.get_xy() @ [1, 1j]
+    (profile,) = [patch for patch in ax.patches if patch.get_label() == "cam"]
+    drawn_at = np.asarray(profile.get_path().vertices) @ [1, 1j]
     exact = cam.profile_mm(np.arange(0, 360, 0.02)) @ [1, 1j]
     assert max(np.abs(point - exact).min() for point in drawn_at) < 0.03
     written = {text.get_text() for text in ax.texts}

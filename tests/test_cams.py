@@ -72,6 +72,20 @@ def test_a_roller_on_the_written_cam_is_lifted_as_wanted(
         assert height - lowest == pytest.approx(lift_of(motion, angle), abs=allowed)
 
 
+def test_a_motion_with_a_limited_jerk_is_lifted_as_wanted(tmp_path: Path) -> None:
+    """The motion with the least peak that keeps the rule, from the linear program."""
+    example = cm.EXAMPLE
+    best = cm.least_acceleration(
+        example.diagram, "die", example.rule, still=[(205, 305)], jerk_limit=15, cells=120
+    )
+    cam = cm.RollerCam(best.motion, ROLLER, cm.smallest_prime_radius(best.motion, ROLLER))
+    outline = outline_of(cam, tmp_path)
+    allowed = 0.001 / math.cos(math.radians(cam.largest_pressure_angle.value))
+    for angle in PLACES:
+        height = roller_height(outline, angle, 10, 0) - cam.prime_radius_mm
+        assert height == pytest.approx(lift_of(best.motion, angle), abs=allowed)
+
+
 @pytest.mark.parametrize("motion", [AFTER, drawn(np.random.default_rng(4))], ids=str)
 def test_a_swinging_roller_is_lifted_as_wanted(motion: cm.Motion, tmp_path: Path) -> None:
     follower = cm.SwingingRoller(10, arm_mm=150, pivot_mm=165)
@@ -220,8 +234,25 @@ def test_a_groove_has_a_far_flank_of_its_own() -> None:
     near, far = cam.profile_mm(at), cam.profile_mm(at, outer=True)
     assert np.hypot(*(far - near).T) == pytest.approx(40)
     assert np.hypot(*((far + near) / 2 - cam.pitch_mm(at)).T) == pytest.approx(0, abs=1e-9)
-    cutter = cam.parallel_mm(at, 16 - 20)
-    assert np.hypot(*(cutter - near).T) == pytest.approx(16)
+    for cutter, flank in ((cam.cutter_mm(at, 16), near), (cam.cutter_mm(at, 16, outer=True), far)):
+        assert np.hypot(*(cutter - flank).T) == pytest.approx(16)
+    assert np.all(np.hypot(*(cam.cutter_mm(at, 16) - cam.pitch_mm(at)).T) < 4 + 1e-9)
+
+
+def test_a_cutter_that_is_too_large_is_refused() -> None:
+    """A cutter in a hollow touches the profile twice where it is wider than that."""
+    cam = cm.RollerCam(DIE, ROLLER, prime_radius_mm=60)
+    most = cam.hollowest.value + 10
+    at = np.arange(0, 360, 0.1)
+    profile = cam.profile_mm(at) @ [1, 1j]
+    way = cam.cutter_mm(at, most - 0.01) @ [1, 1j]
+    assert min(np.abs(place - profile).min() for place in way) > most - 0.02
+    with pytest.raises(cm.InputError, match=f"give a cutter of at most {most:.4g} mm"):
+        cam.cutter_mm(at, most + 0.01)
+    with pytest.raises(cm.InputError, match="as wide as the roller, of 10 mm"):
+        cam.cutter_mm(at, 10.5, outer=True)
+    with pytest.raises(cm.InputError, match="radius of the cutter is 0 mm"):
+        cam.cutter_mm(at, 0)
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,14 @@ from queue import Empty
 from types import FrameType
 from typing import Any
 
-from fresh import check_laws, check_limits, check_machines, check_questions, check_widest
+from fresh import (
+    check_cams,
+    check_laws,
+    check_limits,
+    check_machines,
+    check_questions,
+    check_widest,
+)
 from fresh.drawing import Machine, draw
 
 Check = Callable[[Machine], None]
@@ -39,6 +46,7 @@ CHECKS: Mapping[str, Check] = {
     "inverses": check_laws.inverses,
     "heights": check_laws.heights,
     "least": check_limits.least,
+    "cams": check_cams.cams,
     "questions": check_questions.questions,
 }
 PROCESSES = 2

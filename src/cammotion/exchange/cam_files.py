@@ -13,7 +13,9 @@ from ezdxf.filemanagement import new as new_drawing
 from cammotion.files import write_new
 from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.drawing import Stroke, strokes
+from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.outline import TOLERANCE, chords_along
+from cammotion.hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
 from cammotion.quantities import Floats, InputError, shorten
 
@@ -91,9 +93,19 @@ def _refuse_undercut(cam: DiscCam, *, groove: bool) -> None:
         ]
     if cuts:
         raise InputError(
-            f"Nothing was written: {cuts[0]}. Give a larger prime circle (smallest_prime_radius), "
-            "a smaller roller, or undercut=True if you want the file all the same."
+            f"Nothing was written: {cuts[0]}. Give {_enough(cam)}, or undercut=True if you want "
+            "the file all the same."
         )
+
+
+def _enough(cam: DiscCam) -> str:
+    """Return in words what cam of this motion would have no undercut."""
+    if isinstance(cam, FlatFacedCam):
+        return f"a base circle of at least {smallest_base_radius(cam.motion):.5g} mm"
+    if isinstance(cam, RollerCam) and cam.undercuts:
+        least = smallest_prime_radius(cam.motion, cam.follower, pressure_angle_deg=90)
+        return f"a prime circle of at least {least:.5g} mm, or a smaller roller"
+    return "a larger prime circle, or a smaller roller"
 
 
 def _as_dxf(drawn: Iterable[Stroke]) -> str:

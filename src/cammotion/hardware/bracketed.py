@@ -7,6 +7,7 @@ the sign changes is bracketed. A peak narrower than two samples could be missed.
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from typing import NamedTuple
 
 import numpy as np
@@ -15,13 +16,13 @@ from scipy.optimize import brentq, minimize_scalar
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats
+from cammotion.quantities import Floats, InputError
 
 Function = Callable[[Piece, Floats], Floats]
 
 _STEP_DEG = 0.25
 _LEAST_SAMPLES = 33
-_NEAR = 1e-2  # samples so near to a level, as a share of all, may have one above it beside them
+_NEAR = 5e-2  # samples so near to a level, as a share of all, may have one above it beside them
 _CLOSE_DEG = 1e-10
 
 
@@ -68,7 +69,16 @@ def where_positive(function: Function, pieces: Sequence[Piece]) -> list[Arc]:
 def samples(piece: Piece) -> Floats:
     """Return places in a piece, close to one another, with both ends."""
     count = max(_LEAST_SAMPLES, int(np.ceil((piece.high - piece.low) / _STEP_DEG)) + 1)
-    return np.linspace(piece.low, piece.high, count)
+    return np.union1d(np.linspace(piece.low, piece.high, count), _turns(piece))
+
+
+def _turns(piece: Piece) -> list[float]:
+    """Return where slope and bend turn: near there what is asked has its peaks, or its kinks."""
+    slope, found = piece.derivative, []
+    for curve in (slope, slope.derivative):
+        with suppress(InputError):  # some turn so often that it cannot be proved
+            found += curve.turns
+    return found
 
 
 def _positive(function: Function, piece: Piece, places: Floats) -> Iterator[Arc]:

@@ -126,11 +126,10 @@ def undercuts_of(
 
 
 def _inside(piece: Piece, start: float, end: float) -> Iterator[Piece]:
-    """Yield what of a piece lies in an arc, wherever its own angles count from."""
-    for turns in range(-3, 4):
-        low, high = (
-            max(piece.low, start + turns * DEG_PER_TURN),
-            min(piece.high, end + turns * DEG_PER_TURN),
-        )
+    """Yield what of a piece lies in an arc, whatever turn its own angles are of."""
+    first, last = ((at - start) // DEG_PER_TURN for at in (piece.low, piece.high))
+    for turn in range(int(first) - 1, int(last) + 1):
+        back = turn * DEG_PER_TURN
+        low, high = max(piece.low, start + back), min(piece.high, end + back)
         if low < high:
             yield piece.restricted(low, high)

@@ -20,6 +20,7 @@ ROLLER = Quantity("radius of the roller", "mm", example=10)
 OFFSET = Quantity("offset of the follower", "mm", example=5, low=-math.inf)
 ARM = Quantity("arm of the follower", "mm", example=80)
 PIVOT = Quantity("distance of the follower's pivot", "mm", example=100)
+CUTTER = Quantity("radius of the cutter", "mm", example=8)
 PRIME = Quantity("radius of the prime circle", "mm", example=50)
 
 

@@ -25,7 +25,7 @@ from cammotion.hardware.envelope import (
     points,
     pressure_angle,
 )
-from cammotion.hardware.followers import PRIME, Places, RollerFollower
+from cammotion.hardware.followers import CUTTER, PRIME, Places, RollerFollower
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -81,13 +81,37 @@ class RollerCam(DiscCam):
         With `outer` they are those of the far flank of a groove. Exact: each lies on the normal of
         the pitch curve, a radius away.
         """
-        return self.parallel_mm(angle_deg, self.roller_mm if outer else -self.roller_mm)
+        return self._beside(angle_deg, self.roller_mm if outer else -self.roller_mm)
 
-    def parallel_mm(self, angle_deg: ArrayLike, away_mm: float) -> Floats:
-        """Return the curve beside the pitch curve, so many mm outwards, as points (..., 2).
+    def cutter_mm(self, angle_deg: ArrayLike, radius_mm: float, *, outer: bool = False) -> Floats:
+        """Return the way of a cutter's centre, as points (..., 2) in mm, of another radius.
 
-        It is the way of a cutter's centre: of a cutter with 8 mm for a roller with 10, at -2 mm.
+        The cutter makes the profile, or with `outer` the far flank of a groove. Raises InputError
+        for one that is too large for a hollow of the profile, or for the groove.
+
+        >>> import cammotion as cm
+        >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=160)
+        >>> cam.cutter_mm(0, 16).round(6)
+        array([  0., 166.])
         """
+        radius = CUTTER.number(radius_mm)
+        most = self.roller_mm if outer else self.hollowest.value + self.roller_mm
+        if radius > most:
+            where = (
+                "the groove is as wide as the roller"
+                if outer
+                else f"at {self.hollowest.at_deg:.5g} deg the profile has a hollow"
+            )
+            raise InputError(
+                f"The radius of the cutter is {radius:g} mm, and {where}, of {most:.4g} mm: give a "
+                f"cutter of at most {most:.4g} mm."
+            )
+        return self._beside(
+            angle_deg, self.roller_mm - radius if outer else radius - self.roller_mm
+        )
+
+    def _beside(self, angle_deg: ArrayLike, away_mm: float) -> Floats:
+        """Return the curve beside the pitch curve, so many mm outwards, as points (..., 2)."""
         lift, slope = self.derivatives(angle_deg, 2)
         place, tangent = pitch_tangent(self.follower, lift, slope, self.prime_radius_mm)
         return points(place - 1j * away_mm * tangent / np.abs(tangent), angle_deg)

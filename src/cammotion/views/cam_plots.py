@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Circle, Polygon
+from matplotlib.patches import Circle, PathPatch
+from matplotlib.path import Path
 
 from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.drawing import strokes
@@ -15,15 +16,17 @@ from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, write
 
 _TOLERANCE_MM = 0.01
-_THIN: dict[str, Any] = {"color": "#555555", "linewidth": 1.0}
+_THIN: dict[str, Any] = {"edgecolor": "#555555", "linewidth": 1.0}
 _STYLES: dict[str, dict[str, Any]] = {
+    "PROFILE": {"facecolor": "#dbe9f4", "edgecolor": COLOURS[0], "linewidth": 2},
     "PITCH_CURVE": _THIN | {"linestyle": (0, (10, 3, 2, 3))},
-    "FOLLOWER": {"color": COLOURS[1], "linewidth": 2},
+    "FOLLOWER": {"edgecolor": COLOURS[1], "linewidth": 2},
     "CENTRE": _THIN | {"linestyle": (0, (10, 3, 2, 3)), "linewidth": 0.8},
-    "ZERO_MARK": {"color": "#b3200e", "linewidth": 1.5},
-    "ROTATION": {"color": "#000000", "linewidth": 1.2},
-    "BORE": {"color": COLOURS[0], "linewidth": 1.5},
+    "ZERO_MARK": {"edgecolor": "#b3200e", "linewidth": 1.5},
+    "ROTATION": {"edgecolor": "#000000", "linewidth": 1.2},
+    "BORE": {"edgecolor": COLOURS[0], "linewidth": 1.5},
 }
+_NAMES = {"PROFILE": "cam", "PITCH_CURVE": "pitch curve", "FOLLOWER": "follower"}
 _SIZE_IN = 5.2
 _STEM = 0.75  # of the follower over the roller, as a share of the travel
 
@@ -46,17 +49,13 @@ def plot_cam(cam: DiscCam, *, bore_mm: float | None = None, ax: Axes | None = No
     if ax is None:
         ax = blank_axes(_SIZE_IN, _SIZE_IN, layout="constrained")
     for stroke in strokes(cam, _TOLERANCE_MM, bore_mm=bore_mm):
-        points = stroke.filled()
-        if stroke.layer == "PROFILE":
-            ax.add_patch(
-                Polygon(points, facecolor="#dbe9f4", edgecolor=COLOURS[0], linewidth=2, label="cam")
-            )
-        else:
-            ax.plot(*points.T, **_STYLES[stroke.layer])
+        style = {"facecolor": "none", "label": _NAMES.get(stroke.layer)} | _STYLES[stroke.layer]
+        ax.add_patch(PathPatch(Path(stroke.filled()), **style))
     _circle(ax, cam)
     _stem(ax, cam)
     ax.set_aspect("equal")
     ax.margins(0.06)
+    ax.autoscale_view()
     ax.set(xlabel="x in mm", ylabel="y in mm")
     ax.spines[["top", "right"]].set_visible(False)
     return ax
@@ -75,7 +74,7 @@ def _circle(ax: Axes, cam: DiscCam) -> None:
         Circle((0, 0), radius, fill=False, linestyle="--", **_THIN, label=f"{name} {radius:.4g} mm")
     )
     place = radius * np.array([-np.sqrt(0.5), -np.sqrt(0.5)])
-    write(ax, f"{name} R {radius:.4g}", (place[0], place[1]), _THIN["color"], offset=(0, -4))
+    write(ax, f"{name} R {radius:.4g}", (place[0], place[1]), _THIN["edgecolor"], offset=(0, -4))
 
 
 def _stem(ax: Axes, cam: DiscCam) -> None:
@@ -83,10 +82,11 @@ def _stem(ax: Axes, cam: DiscCam) -> None:
     low, high = cam.motion.range_mm
     if isinstance(cam, FlatFacedCam):
         foot = 0.0, cam.base_radius_mm + float(cam.lift(0).lift)
-        ax.plot([0, 0], [foot[1], foot[1] + _STEM * (high - low)], **_STYLES["FOLLOWER"])
+        ax.plot([0, 0], [foot[1], foot[1] + _STEM * (high - low)], color=COLOURS[1], linewidth=2)
     elif isinstance(cam, RollerCam):
         x, y = cam.pitch_mm(0).tolist()
         ends = cam.follower.body(complex(x, y), _STEM * (high - low))
-        ax.plot([end.real for end in ends], [end.imag for end in ends], **_STYLES["FOLLOWER"])
+        places = [end.real for end in ends], [end.imag for end in ends]
+        ax.plot(*places, color=COLOURS[1], linewidth=2)
         ax.plot(x, y, "+", color=COLOURS[1])
         write(ax, f"roller r {cam.roller_mm:.4g}", (x + cam.roller_mm, y), COLOURS[1], (4, 2))
