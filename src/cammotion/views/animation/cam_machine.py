@@ -70,18 +70,7 @@ class _Machine:
 
     def draw(self) -> str:
         """Draw it all and return the SVG."""
-        drawing = draw.Drawing(
-            WIDTH_PX,
-            HEIGHT_PX,
-            class_="cm-drawing cm-still",
-            role="img",
-            font_family=svg.FONT,
-            style="background: white",
-        )
-        drawing.append_css(svg.STYLE)
-        drawing.append_title("A cam drives a die")
-        drawing.append(svg.Description(self._description))
-        drawing.append(svg.box(0, 0, WIDTH_PX, HEIGHT_PX, fill="white"))
+        drawing = svg.sheet(WIDTH_PX, HEIGHT_PX, "A cam drives a die", self._description)
         about_pivot = svg.placed(*PIVOT_PX)
         about_pivot.extend([*self._frame(), self._wheel(), self._ram(), self._guide()])
         about_pivot.extend([self._spring(), *self._camshaft(), self._lever(), self._pin()])

@@ -48,18 +48,8 @@ class _Drawing:
 
     def draw(self) -> str:
         """Draw it all and return the SVG."""
-        drawing = draw.Drawing(
-            WIDTH_PX,
-            HEIGHT_PX,
-            class_="cm-drawing cm-still",
-            role="img",
-            font_family=svg.FONT,
-            style="background: white",
-        )
-        drawing.append_css(svg.STYLE)
-        drawing.append_title("A table moves on from stop to stop")
-        drawing.append(svg.Description(self._description))
-        drawing.append(svg.box(0, 0, WIDTH_PX, HEIGHT_PX, fill="white"))
+        title = "A table moves on from stop to stop"
+        drawing = svg.sheet(WIDTH_PX, HEIGHT_PX, title, self._description)
         drawing.append(svg.placed(*_CENTRE, *self._table()))
         drawing.extend([*self._chart(), *self._said(), self._dot()])
         return str(drawing.as_svg(header=""))

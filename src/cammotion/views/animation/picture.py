@@ -10,8 +10,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import drawsvg as draw
-
 from cammotion.files import write_new
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
@@ -183,18 +181,7 @@ def _sheet(columns: Sequence[Any], height: float, title: str, description: str) 
     """Return the SVG of columns `height` px high, side by side and below one another."""
     whole = height * -(-len(columns) // COLUMNS)
     width = COLUMN_PX * min(len(columns), COLUMNS)
-    drawing = draw.Drawing(
-        width,
-        whole,
-        class_="cm-drawing cm-still",
-        role="img",
-        font_family=svg.FONT,
-        style="background: white",
-    )
-    drawing.append_css(svg.STYLE)
-    drawing.append_title(svg.printable(title))
-    drawing.append(svg.Description(svg.printable(description)))
-    drawing.append(svg.box(0, 0, width, whole, fill="white"))
+    drawing = svg.sheet(width, whole, svg.printable(title), svg.printable(description))
     for number, column in enumerate(columns):
         row, place = divmod(number, COLUMNS)
         drawing.append(svg.placed(place * COLUMN_PX + MARGIN_PX, row * height, column))

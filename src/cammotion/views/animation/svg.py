@@ -37,6 +37,23 @@ _HATCH_PX = 7
 _THOUSAND = 1000
 
 
+def sheet(width: float, height: float, title: str, description: str) -> draw.Drawing:
+    """Return an empty drawing on white, in px, with words for who does not see it."""
+    drawing = draw.Drawing(
+        width,
+        height,
+        class_="cm-drawing cm-still",
+        role="img",
+        font_family=FONT,
+        style="background: white",
+    )
+    drawing.append_css(STYLE)
+    drawing.append_title(title)
+    drawing.append(Description(description))
+    drawing.append(box(0, 0, width, height, fill="white"))
+    return drawing
+
+
 class Viewport(draw.DrawingParentElement):  # type: ignore[misc]
     """A rectangle, at whose edges what is drawn in it is cut off; nothing in it may move.
 
