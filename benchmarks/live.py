@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from execution import make_notebook, write_notebook
 from findings import Finding, percentile_95, ratio_of_medians, say
@@ -22,6 +23,7 @@ WORK = "work-benchmark"
 NOTEBOOK, LESSON = "ticks.ipynb", "02_maximum_acceleration.ipynb"
 ROUNDS, TICKS = 20, 10  # over the angle's whole range, so that changes of the axes have their share
 FIRST_PICTURES = 15
+ANGLE, PRIME = 1, 0  # which slider of notebook 02's figure, and of 07's
 IMPORTS = f"""\
 import sys
 sys.path.insert(0, {str(Path(__file__).parent)!r})
@@ -85,7 +87,7 @@ def _in_lab(browser: Browser) -> list[Finding]:
             first["rival"].append(lab.page.evaluate(FIRST, [RIVAL_PICTURE, 2]))
             lab.settle()
         for output in outputs.values():
-            angle_of(output).press("Home")
+            slider_of(output).press("Home")
         lab.settle()
         for number in range(ROUNDS):
             say(f"keys in JupyterLab, round {number + 1} of {ROUNDS}")
@@ -119,24 +121,30 @@ def _in_lab(browser: Browser) -> list[Finding]:
 
 
 def _in_page(browser: Browser) -> list[Finding]:
-    from cammotion import LAWS, Move, explore_move
+    from cammotion import EXAMPLE, LAWS, Move, explore_cam, explore_move
 
-    with tempfile.TemporaryDirectory() as folder:
-        move = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
-        figure = explore_move(move, laws=LAWS)
-        path = figure.save(Path(folder) / "figure.html")
-        size = path.stat().st_size
-        page = browser.new_context(offline=True).new_page()
-        page.goto(path.as_uri())
-        output = page.locator("main")
-        angle_of(output).press("Home")
-        times = press(output, ROUNDS * TICKS)
-        page.context.close()
+    move = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    times, size = _keys_in_page(browser, explore_move(move, laws=LAWS), ANGLE)
+    cam, _ = _keys_in_page(browser, explore_cam(EXAMPLE.die), PRIME)
     return [
         Finding("key to picture in a page: median", statistics.median(times), 8, "ms"),
         Finding("key to picture in a page: 95th percentile", percentile_95(times), 16, "ms"),
         Finding("page of notebook 02's figure, all laws", size / 1000, 30, "kB"),
+        Finding("key to picture, the cam of notebook 07: median", statistics.median(cam), 16, "ms"),
     ]
+
+
+def _keys_in_page(browser: Browser, figure: Any, number: int) -> tuple[list[float], int]:
+    """Return the times in ms from a key on a slider to the picture, and the bytes of the page."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = figure.save(Path(folder) / "figure.html")
+        page = browser.new_context(offline=True).new_page()
+        page.goto(path.as_uri())
+        output = page.locator("main")
+        slider_of(output, number).press("Home")
+        times = press(output, ROUNDS * TICKS, number)
+        page.context.close()
+        return times, path.stat().st_size
 
 
 def _growth(browser: Browser) -> list[Finding]:
@@ -190,16 +198,16 @@ def running_workbook(browser: Browser, name: str) -> Iterator[LabPage]:
         shutil.rmtree(ROOT / WORK, ignore_errors=True)
 
 
-def angle_of(output: Locator) -> Locator:
-    """Return the slider of the angle."""
-    return output.get_by_role("slider").nth(1)
+def slider_of(output: Locator, number: int = ANGLE) -> Locator:
+    """Return a slider by its number, from 0 on; that of the angle unless given."""
+    return output.get_by_role("slider").nth(number)
 
 
-def press(output: Locator, ticks: int) -> list[float]:
+def press(output: Locator, ticks: int, number: int = ANGLE) -> list[float]:
     """Press the arrow key, each time after the last picture; return the times in ms."""
     times = []
     for _ in range(ticks):
         output.evaluate(WATCH)
-        angle_of(output).press("ArrowRight")
+        slider_of(output, number).press("ArrowRight")
         times.append(output.page.evaluate("window.tick"))
     return times

@@ -379,9 +379,9 @@ EXERCISES = (
             "outwards. The roller has 10. What becomes of the follower there?"
         ),
         options={
-            "a": "Nothing: the profile has a radius of 1 mm there.",
-            "b": "It does not go as far out as it should, and its acceleration has a jerk there.",
-            "c": "It goes too far out, because the profile has a point.",
+            "a": "Nothing special: the profile has a radius of 1 mm there, and it rolls over it.",
+            "b": "It does not go as far out as it should, and its acceleration jumps.",
+            "c": "It goes further out than it should, because the profile has a point.",
             "d": "It gets stuck, because the roller does not fit into the hollow.",
         },
         answer="b",
