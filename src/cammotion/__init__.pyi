@@ -1,5 +1,15 @@
 from .dynamics.one_mass import OneMass
 from .exchange.tables import read_segments, write_curves, write_segments
+from .hardware.fits import (
+    Fit,
+    Limits,
+    deviation_um,
+    grade_um,
+    limits_of,
+    mean_diameter_mm,
+    size_step_mm,
+    tolerance_unit,
+)
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
 from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
@@ -39,6 +49,7 @@ from .views.explorers.overlap import explore_overlap
 from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.explorers.ways import explore_ways
+from .views.fit_plots import plot_fit
 from .views.law_plots import plot_laws, plot_ranking
 from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_weight
 from .views.live.explore import explore
@@ -60,8 +71,10 @@ __all__ = [
     "Button",
     "ClearanceRule",
     "Control",
+    "Fit",
     "InputError",
     "LeastAcceleration",
+    "Limits",
     "Line",
     "MillAndDie",
     "Motion",
@@ -86,6 +99,7 @@ __all__ = [
     "choice",
     "choose",
     "cycle_time",
+    "deviation_um",
     "dwell",
     "explore",
     "explore_follower",
@@ -97,6 +111,7 @@ __all__ = [
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
+    "grade_um",
     "hint",
     "indexing_motion",
     "indexing_time",
@@ -104,6 +119,8 @@ __all__ = [
     "largest",
     "law_from_points",
     "least_acceleration",
+    "limits_of",
+    "mean_diameter_mm",
     "motion",
     "peak_acceleration",
     "peak_jerk",
@@ -113,6 +130,7 @@ __all__ = [
     "plot_clearance",
     "plot_curves",
     "plot_detour",
+    "plot_fit",
     "plot_front",
     "plot_inverse_square",
     "plot_jerk_price",
@@ -128,7 +146,9 @@ __all__ = [
     "return_",
     "rise",
     "scca",
+    "size_step_mm",
     "smallest_clearance",
+    "tolerance_unit",
     "variant",
     "widest_move",
     "with_angle",
