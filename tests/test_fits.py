@@ -177,7 +177,7 @@ def test_a_fit_by_trying_every_pair_of_parts(designation: str) -> None:
         "transition": min(plays) < 0 < max(plays),
     }
     assert [kind for kind, holds in kinds.items() if holds] == [fit.kind]
-    assert fit.said.startswith(fit.kind)
+    assert fit.summary.startswith(fit.kind)
 
 
 @pytest.mark.parametrize(
@@ -187,9 +187,12 @@ def test_a_fit_by_trying_every_pair_of_parts(designation: str) -> None:
         ("0 g6", "diameter is 0 mm; .* above 0"),
         ("40 g4", "grade is 4; .* 5 to 11 here: give for example 7"),
         ("40 g12", "grade is 12; .* 5 to 11"),
-        ("60 s6", "60 mm, and the letter s is confirmed here only for up to 50 mm: give .* 50 mm"),
-        ("5 G7", "5 mm, and the letter G is confirmed here only for over 6 up to 400 mm"),
-        ("450 F7", "only for over 3 up to 400 mm: give for example 400 mm"),
+        (
+            "60 s6",
+            "the letter s is confirmed here only for diameters up to 50 mm: give .* 50 mm",
+        ),
+        ("5 G7", "5 mm, and the letter G is confirmed here only for diameters over 6 up to 400 mm"),
+        ("450 F7", "only for diameters over 3 up to 400 mm: give for example 400 mm"),
         ("40 t6", "no confirmed tolerance zone with the letter 't': use one of 'd', 'e'"),
         ("40 JS7", "letter 'JS': use one of"),
         ("g6", "by a diameter in mm, a letter and a grade, not 'g6': give for example '40 g6'"),

@@ -2,6 +2,7 @@
 
 import ast
 import json
+import math
 import re
 from pathlib import Path
 
@@ -56,6 +57,8 @@ def test_the_notebooks_ask_for_the_predictions_of_the_lessons_in_their_words() -
         ("05.best", cm.peak_acceleration(50, 55, 2000, law="modified trapezoid")),
         ("06.spring", 2 / (1 - 2 / 3)),  # up to the velocity 2 in the time that a brake of 3 leaves
         ("06.machine", 31 / 2425 / 1000 / (1.8 / 360) ** 2),
+        ("11.play", 360 * 0.05 / (math.pi * 40)),
+        ("11.errors", len({"E7", "E8", "f6", "f9", "H8", "K6", "p6", "R10"})),
     ],
 )
 def test_what_is_true(key: str, value: float) -> None:
@@ -76,6 +79,9 @@ def test_what_is_true(key: str, value: float) -> None:
         ("05.best", "3.232 m/s², with the modified trapezoid."),
         ("06.spring", "6, by the same three lines"),
         ("06.jerk", "It is between 3.35 and 3.43 % above."),
+        ("11.play", "0.143 degrees of cam angle."),
+        ("11.press", "40 H7/p6: interference, 1 to 42 µm."),
+        ("11.errors", "8 lines: E7 over 315 to 400 mm"),
     ],
 )
 def test_what_is_true_stands_folded_in_the_notebook(key: str, printed: str) -> None:

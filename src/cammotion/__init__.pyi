@@ -40,6 +40,7 @@ from .machine.segments import Segment
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
+from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
 from .views.animation.picture import animate
@@ -66,6 +67,7 @@ __all__ = [
     "EXAMPLE",
     "LAWS",
     "MATCHED",
+    "PRINTED_LIMITS",
     "SUSPECTS",
     "Box",
     "Button",
@@ -84,6 +86,7 @@ __all__ = [
     "OneMass",
     "Panel",
     "Point",
+    "PrintedLimits",
     "Say",
     "Segment",
     "TimingDiagram",

@@ -208,11 +208,11 @@ class Fit:
         return "interference" if self.largest_clearance_um <= 0 else "transition"
 
     @property
-    def said(self) -> str:
+    def summary(self) -> str:
         """The kind with how much of it there may be.
 
         >>> for shaft in ("g6", "k6", "p6"):
-        ...     print(Fit(f"40 H7/{shaft}").said)
+        ...     print(Fit(f"40 H7/{shaft}").summary)
         clearance, 9 to 50 µm
         transition, from 18 µm of interference to 23 µm of clearance
         interference, 1 to 42 µm
@@ -274,5 +274,5 @@ def _not_confirmed(diameter_mm: float, letter: str) -> str:
     high = STEPS_MM[known[-1]]
     return (
         f"The diameter is {diameter_mm:g} mm, and the letter {letter} is confirmed here only for "
-        f"{low}up to {high} mm: give for example {high} mm, or look it up in ISO 286-2."
+        f"diameters {low}up to {high} mm: give for example {high} mm, or look it up in ISO 286-2."
     )

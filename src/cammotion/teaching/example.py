@@ -9,6 +9,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
+from cammotion.teaching.fit_numbers import FitNumbers
 from cammotion.teaching.law_numbers import LawNumbers
 
 QUIET_SHARE = 0.1
@@ -38,6 +39,7 @@ class MillAndDie:
     margin_mm: float = 1
     die_mass_kg: float = 12
     laws: LawNumbers = field(default_factory=LawNumbers)
+    fits: FitNumbers = field(default_factory=FitNumbers)
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""

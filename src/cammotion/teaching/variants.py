@@ -16,6 +16,7 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
 from cammotion.teaching.law_numbers import LawNumbers
 
 NAMELESS = MillAndDie(
@@ -34,6 +35,9 @@ NAMELESS = MillAndDie(
         fastest=1.8,
         head_start=0.35,
         pause=0.2,
+    ),
+    fits=FitNumbers(
+        shaft=(55, 16), lag_deg=0.03, bore_mm=70, pair=("H8", "d7"), turned_mm=90, grade=8
     ),
 )
 """The machine of who gives no name; no number of a lesson is taken for one of its answers."""
@@ -112,10 +116,11 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
     True
     """
     laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
+    fits = _choices(f"{seed}|fits", FIT_CHOICES)
     for chosen in _choices(seed, _CHOICES):
         machine = MillAndDie(who=who, **chosen)
         if _is_sensible(machine):
-            yield replace(machine, laws=LawNumbers(**next(laws)))
+            yield replace(machine, laws=LawNumbers(**next(laws)), fits=FitNumbers(**next(fits)))
 
 
 def _choices(seed: str, among: Mapping[str, Sequence[Any]]) -> Iterator[dict[str, Any]]:

@@ -48,7 +48,7 @@ def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
         _draw_arrow(ax, left + 2.6, fit.shaft.upper_um, fit.hole.lower_um)
     ax.set_xlim(-0.75, _APART * (len(fits) - 1) + 3.1)
     starts = _APART * np.arange(len(fits))
-    names = [f"{fit.designation}\n{fill(fit.said, _LINE)}" for fit in fits]
+    names = [f"{fit.designation}\n{fill(fit.summary, _LINE)}" for fit in fits]
     ax.set_xticks(starts + 1.2, names, fontsize=_SIZE)
     ax.tick_params(axis="x", length=0)
     return ax
@@ -95,4 +95,5 @@ def _write(ax: Axes, text: str, at: tuple[float, float], *, above: bool = True) 
         va="bottom" if above else "top",
         color=_INK,
         fontsize=_SIZE,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
     )
