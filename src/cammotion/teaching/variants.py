@@ -37,7 +37,7 @@ NAMELESS = MillAndDie(
         pause=0.2,
     ),
     fits=FitNumbers(
-        shaft=(55, 16), lag_deg=0.03, bore_mm=70, pair=("H8", "d7"), turned_mm=90, grade=8
+        shaft=(55, 16), lag_deg=0.03, bore_mm=70, pair=("H8", "d7"), turned_mm=90, grade=9
     ),
 )
 """The machine of who gives no name; no number of a lesson is taken for one of its answers."""

@@ -83,7 +83,7 @@ EXERCISES = (
         unit="µm",
         answer=_allowed,
         shows=turn_by_play(lambda m: m.fits.lag_deg, _radius),
-        right="Timing asks for micrometres here, and a file will not make them.",
+        right="Timing asks for micrometres here: that is work for a grinding machine.",
         slips=(
             Slip(
                 lambda m: 2 * _allowed(m),
@@ -211,7 +211,7 @@ EXERCISES = (
         unit="µm",
         answer=_formula,
         tolerance=0.002,
-        right="From here the table is a rounding away, but you cannot tell which.",
+        right="The table is only a rounding away, but it rounds by rules of its own.",
         slips=(
             Slip(
                 lambda m: _formula_at(m, m.fits.turned_mm),
