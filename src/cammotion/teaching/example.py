@@ -38,8 +38,8 @@ class MillAndDie:
     gap_mm: float = 1
     margin_mm: float = 1
     die_mass_kg: float = 12
-    laws: LawNumbers = field(default_factory=LawNumbers)
     fits: FitNumbers = field(default_factory=FitNumbers)
+    laws: LawNumbers = field(default_factory=LawNumbers)
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""

@@ -29,15 +29,15 @@ NAMELESS = MillAndDie(
     pocket_mm=37,
     margin_mm=3,
     die_mass_kg=17,
+    fits=FitNumbers(
+        shaft=(55, 16), lag_deg=0.03, bore_mm=70, pair=("H8", "d7"), turned_mm=90, grade=9
+    ),
     laws=LawNumbers(
         powers=(3, 5),
         compared=("3-4-5 polynomial", "4-5-6-7 polynomial"),
         fastest=1.8,
         head_start=0.35,
         pause=0.2,
-    ),
-    fits=FitNumbers(
-        shaft=(55, 16), lag_deg=0.03, bore_mm=70, pair=("H8", "d7"), turned_mm=90, grade=9
     ),
 )
 """The machine of who gives no name; no number of a lesson is taken for one of its answers."""
@@ -115,8 +115,8 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
     >>> next(drawn("anna", "Anna")) == machine_for("Anna")
     True
     """
-    laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
     fits = _choices(f"{seed}|fits", FIT_CHOICES)
+    laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
     for chosen in _choices(seed, _CHOICES):
         machine = MillAndDie(who=who, **chosen)
         if _is_sensible(machine):

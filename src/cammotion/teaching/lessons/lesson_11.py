@@ -13,8 +13,9 @@ from cammotion.hardware.fits import (
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
-from cammotion.teaching.shown.bars import UM_PER_MM, turn_by_play
+from cammotion.teaching.shown.bars import turn_by_play
 
+UM_PER_MM = 1000
 _KEY_GRADE = 9
 _NO_SLIP = 0.02  # a diameter that changes less than this leads to the right number
 _DEG_PER_TURN = 360
