@@ -48,6 +48,18 @@ def picture_in(bundle: dict[str, str], words: str) -> bytes:
     return base64.b64decode(str(image["src"]).removeprefix("data:image/png;base64,"))
 
 
+def zones_figure() -> LiveFigure:
+    """Return the live figure of tolerance zones over the diameter, as the cells of 11 make it."""
+    (path,) = LESSONS.glob("11_*.ipynb")
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    sources = {cell["id"]: "".join(cell["source"]) for cell in cells}
+    names: dict[str, Any] = {"sp": sp, "cm": cm}
+    exec(sources["explore-parts"], names)  # noqa: S102 - our own notebook
+    before, _, call = sources["explore-figure"].rpartition("\ncm.explore(")
+    exec(f"{before}\nfigure = cm.explore({call}", names)  # noqa: S102
+    return names["figure"]  # type: ignore[no-any-return]
+
+
 def control_of(figure: LiveFigure, symbol: sp.Symbol) -> dict[str, Any]:
     """Return the description of a control."""
     controls = figure.description["controls"]

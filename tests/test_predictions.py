@@ -60,6 +60,8 @@ def test_the_notebooks_ask_for_the_predictions_of_the_lessons_in_their_words() -
         ("08.plate", 100 * 5.38 / 38.5),
         ("08.backlash", 10 ** (2 / 3)),
         ("08.geneva", 0.69976 * (135 / 180 * math.pi) ** 2 * 8 / (2 * math.pi) / 5.52796),
+        ("11.play", 360 * 0.05 / (math.pi * 40)),
+        ("11.errors", len({"E7", "E8", "f6", "f9", "H8", "K6", "p6", "R10"})),
     ],
 )
 def test_what_is_true(key: str, value: float) -> None:
@@ -83,6 +85,9 @@ def test_what_is_true(key: str, value: float) -> None:
         ("08.plate", "14.0 percent."),
         ("08.backlash", "4.64 times."),
         ("08.geneva", "0.895 times."),
+        ("11.play", "0.143 degrees of cam angle."),
+        ("11.press", "40 H7/p6: interference, 1 to 42 µm."),
+        ("11.errors", "8 lines: E7 over 315 to 400 mm"),
     ],
 )
 def test_what_is_true_stands_folded_in_the_notebook(key: str, printed: str) -> None:

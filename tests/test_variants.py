@@ -19,6 +19,7 @@ from cammotion.machine.clearance import find_violations
 from cammotion.quantities import Floats
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise
+from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.table_numbers import TABLE_CHOICES
@@ -72,6 +73,18 @@ TABLES_NEVER_CHANGED: dict[str | int, tuple[Any, ...]] = {
     "Jörg Müller": (48, 560, 220, 9, 4, 80, 0.55, 45, "3-4-5 polynomial", 90, 10, 24),
 }
 
+FITS_NEVER_CHANGED: dict[str | int, FitNumbers] = {
+    "Anna": FitNumbers(
+        shaft=(32, 10), lag_deg=0.02, bore_mm=16, pair=("H7", "d6"), turned_mm=15, grade=10
+    ),
+    7: FitNumbers(
+        shaft=(28, 8), lag_deg=0.05, bore_mm=60, pair=("H8", "d7"), turned_mm=12, grade=7
+    ),
+    "Jörg Müller": FitNumbers(
+        shaft=(55, 16), lag_deg=0.08, bore_mm=90, pair=("H7", "d6"), turned_mm=110, grade=7
+    ),
+}
+
 
 @pytest.fixture(scope="module")
 def machines() -> list[MillAndDie]:
@@ -116,6 +129,13 @@ def test_every_number_of_a_table_is_drawn_and_never_the_sources(
         assert getattr(EXAMPLE.table, name) not in choices
         assert getattr(NAMELESS.table, name) in choices
     assert all(m.table.hole_mm < m.table.radius_mm < m.table.plate_mm for m in machines)
+
+
+def test_every_fit_is_drawn_and_never_the_lessons(machines: list[MillAndDie]) -> None:
+    for name, choices in FIT_CHOICES.items():
+        assert {getattr(machine.fits, name) for machine in machines} == {*choices}
+        assert getattr(EXAMPLE.fits, name) not in choices
+        assert getattr(NAMELESS.fits, name) in choices
 
 
 def test_the_die_always_has_room(machines: list[MillAndDie]) -> None:
@@ -184,6 +204,7 @@ def test_a_name_leads_to_the_same_numbers_for_ever(who: str | int) -> None:
     assert numbers_of(machine_for(who)) == NEVER_CHANGED[who]
     assert machine_for(who).laws == LAWS_NEVER_CHANGED[who]
     assert (*asdict(machine_for(who).table).values(),) == TABLES_NEVER_CHANGED[who]
+    assert machine_for(who).fits == FITS_NEVER_CHANGED[who]
 
 
 def test_the_numbers_do_not_depend_on_the_hash_of_a_run() -> None:

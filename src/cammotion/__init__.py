@@ -4,8 +4,9 @@ Every public name is listed once, in ``__init__.pyi``, and its module is loaded 
 first used. So ``import cammotion`` costs next to nothing, and a lesson pays for SymPy, Matplotlib
 or ipywidgets only when it draws or derives something.
 
-Four names are values: `LAWS`, the motion laws by their names; `x`, the symbol in which a law is
-written; `EXAMPLE`, the machine of the lessons; and `SUSPECTS`, the six laws of the bug hunt.
+Five names are values: `LAWS`, the motion laws by their names; `x`, the symbol in which a law is
+written; `EXAMPLE`, the machine of the lessons; `SUSPECTS`, the six laws of the bug hunt; and
+`PRINTED_LIMITS`, a table of limits with errors in it.
 """
 
 import lazy_loader

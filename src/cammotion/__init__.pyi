@@ -3,6 +3,16 @@ from .exchange.cam_files import write_cam
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
+from .hardware.fits import (
+    Fit,
+    Limits,
+    deviation_um,
+    grade_um,
+    limits_of,
+    mean_diameter_mm,
+    size_step_mm,
+    tolerance_unit,
+)
 from .hardware.flat_faced_cam import FlatFacedCam
 from .hardware.followers import SwingingRoller, TranslatingRoller
 from .hardware.geneva import Geneva
@@ -42,6 +52,7 @@ from .machine.segments import Segment
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
+from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
 from .views.animation.picture import animate
@@ -53,6 +64,7 @@ from .views.explorers.overlap import explore_overlap
 from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.explorers.ways import explore_ways
+from .views.fit_plots import plot_fit
 from .views.law_plots import plot_laws, plot_ranking
 from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_weight
 from .views.live.explore import explore
@@ -70,6 +82,7 @@ __all__ = [
     "EXAMPLE",
     "LAWS",
     "MATCHED",
+    "PRINTED_LIMITS",
     "SUSPECTS",
     "Box",
     "Button",
@@ -78,12 +91,14 @@ __all__ = [
     "Cross",
     "Cuboid",
     "Disc",
+    "Fit",
     "FlatFacedCam",
     "FollowerLoad",
     "Geneva",
     "Indexer",
     "InputError",
     "LeastAcceleration",
+    "Limits",
     "Line",
     "MillAndDie",
     "Motion",
@@ -95,6 +110,7 @@ __all__ = [
     "Panel",
     "Point",
     "PointMasses",
+    "PrintedLimits",
     "Ring",
     "RollerCam",
     "Rotor",
@@ -116,6 +132,7 @@ __all__ = [
     "choice",
     "choose",
     "cycle_time",
+    "deviation_um",
     "dwell",
     "explore",
     "explore_cam",
@@ -128,6 +145,7 @@ __all__ = [
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
+    "grade_um",
     "hertz_pressure",
     "hint",
     "indexing_motion",
@@ -136,6 +154,8 @@ __all__ = [
     "largest",
     "law_from_points",
     "least_acceleration",
+    "limits_of",
+    "mean_diameter_mm",
     "motion",
     "peak_acceleration",
     "peak_jerk",
@@ -146,6 +166,7 @@ __all__ = [
     "plot_clearance",
     "plot_curves",
     "plot_detour",
+    "plot_fit",
     "plot_front",
     "plot_inverse_square",
     "plot_jerk_price",
@@ -162,9 +183,11 @@ __all__ = [
     "return_",
     "rise",
     "scca",
+    "size_step_mm",
     "smallest_base_radius",
     "smallest_clearance",
     "smallest_prime_radius",
+    "tolerance_unit",
     "variant",
     "widest_move",
     "with_angle",

@@ -9,6 +9,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
+from cammotion.teaching.fit_numbers import FitNumbers
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.table_numbers import TableNumbers
 
@@ -38,6 +39,7 @@ class MillAndDie:
     gap_mm: float = 1
     margin_mm: float = 1
     die_mass_kg: float = 12
+    fits: FitNumbers = field(default_factory=FitNumbers)
     laws: LawNumbers = field(default_factory=LawNumbers)
     table: TableNumbers = field(default_factory=TableNumbers)
 

@@ -16,6 +16,7 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.table_numbers import TABLE_CHOICES, TableNumbers
 
@@ -29,6 +30,9 @@ NAMELESS = MillAndDie(
     pocket_mm=37,
     margin_mm=3,
     die_mass_kg=17,
+    fits=FitNumbers(
+        shaft=(55, 16), lag_deg=0.03, bore_mm=70, pair=("H8", "d7"), turned_mm=90, grade=9
+    ),
     laws=LawNumbers(
         powers=(3, 5),
         compared=("3-4-5 polynomial", "4-5-6-7 polynomial"),
@@ -126,13 +130,17 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
     >>> next(drawn("anna", "Anna")) == machine_for("Anna")
     True
     """
+    fits = _choices(f"{seed}|fits", FIT_CHOICES)
     laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
     tables = _choices(f"{seed}|table", TABLE_CHOICES)
     for chosen in _choices(seed, _CHOICES):
         machine = MillAndDie(who=who, **chosen)
         if _is_sensible(machine):
             yield replace(
-                machine, laws=LawNumbers(**next(laws)), table=TableNumbers(**next(tables))
+                machine,
+                laws=LawNumbers(**next(laws)),
+                table=TableNumbers(**next(tables)),
+                fits=FitNumbers(**next(fits)),
             )
 
 

@@ -64,6 +64,21 @@ def turn_on_screen(turn_s: float) -> Shows:
     return show
 
 
+def turn_by_play(asked_deg: Measure, radius_mm: Measure) -> Shows:
+    """Show an answer in um of play by how far it lets a cam turn, beside the angle it may turn."""
+
+    def show(machine: MillAndDie, play_um: float) -> Shown:
+        asked = asked_deg(machine)
+        made = math.degrees(play_um / 1000 / radius_mm(machine))
+        said = _compare(made, asked, "farther than", "just as far as", "less far than")
+        names = (f"how far the cam may turn: {asked:g} deg", "how far your play lets it turn")
+        return _draw_bars(
+            names, (asked, made), f"With this play the cam turns {said} it may, to and fro."
+        )
+
+    return show
+
+
 def push_of_force(asked: float, mass_kg: Measure) -> Shows:
     """Show an answer in N by the acceleration that it gives to a mass, beside that asked for."""
 

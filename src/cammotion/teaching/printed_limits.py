@@ -1,0 +1,67 @@
+"""A page of limits with errors in it, for the hunt in notebook 11.
+
+Some errors were printed: in ISO 286-2:1988, which a corrigendum of 2006 put right, and in tables
+that are in use. Some are planted. Which ones they are is for the learner to find out, by a test.
+"""
+
+import re
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, repr=False)
+class PrintedLimits:
+    """A line of a table: the limits in um of a zone, for diameters over one to another, in mm.
+
+    >>> PrintedLimits("g6", 30, 50, -9, -25)
+    g6 over 30 to 50 mm: -9/-25 µm
+    """
+
+    zone: str
+    over_mm: int
+    to_mm: int
+    upper_um: float
+    lower_um: float
+
+    def __repr__(self) -> str:
+        """Write the line."""
+        upper, lower = (f"{um:+g}" if um else "0" for um in (self.upper_um, self.lower_um))
+        return f"{self.zone} over {self.over_mm} to {self.to_mm} mm: {upper}/{lower} µm"
+
+    @property
+    def letter(self) -> str:
+        """The letter of the zone."""
+        return re.sub(r"\d", "", self.zone)
+
+    @property
+    def grade(self) -> int:
+        """The grade of the zone."""
+        return int(re.sub(r"\D", "", self.zone))
+
+
+PRINTED_LIMITS = (
+    PrintedLimits("d9", 18, 30, -65, -117),
+    PrintedLimits("E7", 315, 400, 185, 125),
+    PrintedLimits("E8", 80, 120, 125, 72),
+    PrintedLimits("f6", 30, 50, -25, -41),
+    PrintedLimits("f6", 120, 180, -43, -48),
+    PrintedLimits("f7", 50, 80, -30, -60),
+    PrintedLimits("f9", 250, 315, -56, -185),
+    PrintedLimits("F8", 18, 30, 53, 20),
+    PrintedLimits("g5", 80, 120, -12, -27),
+    PrintedLimits("g6", 18, 30, -7, -20),
+    PrintedLimits("g6", 30, 50, -9, -25),
+    PrintedLimits("G7", 3, 6, 14, 2),
+    PrintedLimits("G7", 30, 50, 34, 9),
+    PrintedLimits("h6", 10, 18, 0, -11),
+    PrintedLimits("h7", 120, 180, 0, -40),
+    PrintedLimits("H7", 50, 80, 30, 0),
+    PrintedLimits("H8", 250, 315, 18, 0),
+    PrintedLimits("k6", 30, 50, 18, 2),
+    PrintedLimits("K6", 6, 10, 2, -6),
+    PrintedLimits("m6", 18, 30, 21, 8),
+    PrintedLimits("n6", 50, 80, 39, 20),
+    PrintedLimits("p6", 80, 120, 95, 37),
+    PrintedLimits("p6", 180, 250, 79, 50),
+    PrintedLimits("R10", 18, 30, -10, -112),
+)
+"""Twenty-four lines; how many of them are wrong is the question of notebook 11."""

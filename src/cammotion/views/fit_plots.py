@@ -1,0 +1,99 @@
+"""Pictures of fits, as a workshop draws them: the zero line, and tolerance zones to scale in um."""
+
+from collections.abc import Iterable
+from textwrap import fill
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from cammotion.hardware.fits import Fit, Limits
+from cammotion.quantities import InputError
+from cammotion.views.pictures import blank_axes
+from cammotion.views.plots import COLOURS, style_axes
+
+HOLE, SHAFT = COLOURS[:2]
+_APART, _WIDTH = 4.0, 0.9  # from fit to fit, and how wide a zone is
+_INK = "#1b1b1b"
+_SIZE, _LINE = 11, 28  # of a text in points, and how many letters a line has
+
+
+def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
+    """Draw the tolerance zones of a fit, or of several side by side; return the Axes.
+
+    The zero line is the nominal diameter, and the scale is in um. Of each fit the hole's zone is on
+    the left and the shaft's on the right, with the upper and the lower deviation at their ends.
+    Beside them arrows span the largest and the smallest clearance, or interference, in um. Raises
+    InputError for no fit.
+
+    >>> import cammotion as cm
+    >>> plot_fit(cm.Fit("40 H7/g6")).get_ylabel()
+    'deviation in µm'
+    """
+    fits = [fits] if isinstance(fits, Fit) else [*fits]
+    if not fits:
+        raise InputError("There is no fit to draw: give for example cm.Fit('40 H7/g6').")
+    if ax is None:
+        ax = blank_axes(1.6 + 2.9 * len(fits), 4.2, layout="constrained")
+    style_axes(ax, "", "deviation in µm")
+    ax.grid(visible=False, axis="x")
+    ax.axhline(0, color=_INK, linewidth=1.5)
+    lowest, highest = _span(fits)
+    clear = 0.09 * (highest - lowest)
+    ax.set_ylim(lowest - 1.5 * clear, highest + 1.5 * clear)
+    for number, fit in enumerate(fits):
+        left = _APART * number
+        _draw_zone(ax, left, fit.hole, HOLE, "")
+        _draw_zone(ax, left + 1, fit.shaft, SHAFT, "//")
+        _draw_arrow(ax, left + 1.9, fit.shaft.lower_um, fit.hole.upper_um)
+        _draw_arrow(ax, left + 2.6, fit.shaft.upper_um, fit.hole.lower_um)
+    ax.set_xlim(-0.75, _APART * (len(fits) - 1) + 3.1)
+    starts = _APART * np.arange(len(fits))
+    names = [f"{fit.designation}\n{fill(fit.summary, _LINE)}" for fit in fits]
+    ax.set_xticks(starts + 1.2, names, fontsize=_SIZE)
+    ax.tick_params(axis="x", length=0)
+    return ax
+
+
+def _span(fits: Iterable[Fit]) -> tuple[float, float]:
+    """Return the lowest and the highest deviation of all, zero among them."""
+    parts = [part for fit in fits for part in (fit.hole, fit.shaft)]
+    lows, highs = [part.lower_um for part in parts], [part.upper_um for part in parts]
+    return min(0, *lows), max(0, *highs)
+
+
+def _draw_zone(ax: Axes, middle: float, part: Limits, colour: str, hatch: str) -> None:
+    """Draw the zone of a hole or a shaft, its name in it and its deviations at its ends."""
+    bar = ax.bar(middle, part.width_um, _WIDTH, bottom=part.lower_um, color=colour)
+    bar.patches[0].set(hatch=hatch, edgecolor="white", linewidth=0)
+    upper, lower = part.signed
+    _write(ax, upper, (middle, part.upper_um))
+    _write(ax, lower, (middle, part.lower_um), above=False)
+    box = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
+    level = (part.upper_um + part.lower_um) / 2
+    ax.text(
+        middle, level, part.zone, bbox=box, ha="center", va="center", color=_INK, fontsize=_SIZE
+    )
+
+
+def _draw_arrow(ax: Axes, at: float, low: float, high: float) -> None:
+    """Draw how far it is from the shaft's surface to the hole's: below zero is interference."""
+    for level, colour in ((low, SHAFT), (high, HOLE)):
+        ax.plot([at - 0.25, at + 0.25], [level, level], color=colour, linewidth=2)
+    if high != low:
+        arrow = {"arrowstyle": "<->", "color": _INK, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", (at, high), (at, low), arrowprops=arrow)
+    _write(ax, f"{high - low:g}", (at, max(low, high)))
+
+
+def _write(ax: Axes, text: str, at: tuple[float, float], *, above: bool = True) -> None:
+    ax.annotate(
+        text,
+        at,
+        (0, 3 if above else -3),
+        textcoords="offset points",
+        ha="center",
+        va="bottom" if above else "top",
+        color=_INK,
+        fontsize=_SIZE,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+    )
