@@ -115,7 +115,7 @@ EXERCISES = (
         ),
         unit="kg m²",
         answer=_inertia,
-        right="The stations have the long radius, and it counts twice.",
+        right="The stations have the long radius, and it is squared.",
         slips=(
             Slip(
                 lambda m: _inertia(m) / 4,
