@@ -83,6 +83,7 @@ FAULTS: dict[str, Patch] = {
     "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
     "least": (cm, "least_acceleration", bounded),
+    "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "questions": (again, "whole_question", lambda _: lambda one, machine: one.question(machine)),
 }
 

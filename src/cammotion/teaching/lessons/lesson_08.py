@@ -101,7 +101,7 @@ def _degrees_for_rad(m: MillAndDie) -> float:
 
 def _plate_in_words(m: MillAndDie) -> str:
     t = m.table
-    hole = f", with a round hole of radius {t.hole_mm:g} mm in the middle" if t.hole_mm else ""
+    hole = f", weighed with its hole of radius {t.hole_mm:g} mm in the middle" if t.hole_mm else ""
     return f"a round plate of {t.plate_kg:g} kg and of radius {t.plate_mm:g} mm{hole}"
 
 
