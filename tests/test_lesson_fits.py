@@ -110,15 +110,15 @@ def test_what_is_found_in_the_explorer() -> None:
     figure.values = {size: round(at)}
     assert "largest play: 100.0 µm" in figure.text
     assert "tolerance of the hole: 51." in figure.text
-    assert says("11", "At about 274 mm.")
-    assert says("11", "goes from 25 to 54 µm")
+    assert says("11", "At about 274 mm, by the formula")
+    assert says("11", "From 40 to 320 mm H7 goes from 25 to 54 µm")
 
 
 def test_the_numbers_of_the_prose() -> None:
     loose, pressed = cm.Fit("40 H7/g6"), cm.Fit("40 H7/s6")
     assert loose.largest_clearance_um == 50
     assert pressed.smallest_clearance_um == -59
-    assert says("11", "In the worst case 50 µm of play are left")
+    assert says("11", "At most the diameters differ by 50 µm")
     assert says("11", "59 µm of interference")
     assert np.isclose(float(sp.cbrt(8)), 2)
     zones = [cm.Fit(f"40 H7/{letter}6") for letter in "ghkmnp"]

@@ -1,0 +1,101 @@
+"""What notebook 07 says of its numbers, by paper and by rolling, without the package's cams."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from known_slips import law, widest
+from machines import Array
+from rolling import roller_height
+from scipy.optimize import brentq, minimize_scalar
+from test_claims import says
+
+from cammotion.teaching.example import EXAMPLE
+
+STROKE, ROLLER, PRIME = 50, 10, 60
+BEFORE, AFTER = 55.0, widest(EXAMPLE)
+
+
+def cycloid(x: Array) -> Array:
+    return STROKE * (x - np.sin(2 * np.pi * x) / (2 * np.pi))
+
+
+def lift(angle_deg: Any, wide: float) -> Array:
+    """Return the die's displacement: down before 205 deg, up from 305 on."""
+    turned = np.mod(np.asarray(angle_deg, float) - 205 + wide, 360)
+    down, up = np.clip(turned / wide, 0, 1), np.clip((turned - wide - 100) / wide, 0, 1)
+    return cycloid(down) - cycloid(up)
+
+
+def needed(wide: float, steepest: float) -> float:
+    """Return the prime circle, from the largest of s'/tan - s over x."""
+    rad, tan = math.radians(wide), math.tan(math.radians(steepest))
+
+    def short(x: float) -> float:
+        return -(STROKE * (1 - math.cos(2 * math.pi * x)) / rad / tan - STROKE * law(x))
+
+    return -float(minimize_scalar(short, bounds=(0.2, 0.6), method="bounded").fun)
+
+
+def test_the_obvious_cam_is_off_by_as_much_as_it_says() -> None:
+    at = np.linspace(0, 360, 72_001)
+    for wide, said in ((BEFORE, "At rest the die stands right"), (AFTER, "it is 1.6 mm")):
+        outline = (PRIME - ROLLER + lift(at, wide)) * 1j * np.exp(1j * np.radians(at))
+        places = np.arange(0, 360, 0.5)
+        off = max(
+            roller_height(outline, place, ROLLER, 0) - PRIME - float(lift(place, wide))
+            for place in places
+        )
+        assert off == pytest.approx(6.3 if wide == BEFORE else 1.6, abs=0.05)
+        assert says("07", said)
+
+
+def test_prime_circles() -> None:
+    assert needed(BEFORE, 30) == pytest.approx(156.8, abs=0.05)
+    assert needed(AFTER, 30) == pytest.approx(57.6, abs=0.05)
+    assert needed(BEFORE, 40) == pytest.approx(101, abs=0.5)
+    assert says("07", "About 101 mm, two thirds of the 157 for 30 degrees.")
+    assert says("07", "from 157 to 58 mm")
+    assert math.tan(math.radians(30)) == pytest.approx(0.58, abs=0.005)
+    assert says("07", "58 % of what drives it")
+
+
+def test_the_flat_face_of_the_die_needs_a_large_base_circle() -> None:
+    rad = math.radians(BEFORE)
+
+    def radius(x: float) -> float:
+        bend = 2 * math.pi * STROKE * math.sin(2 * math.pi * x) / rad**2
+        return STROKE * law(x) + bend
+
+    least = minimize_scalar(radius, bounds=(0.6, 0.9), method="bounded").fun
+    assert -least == pytest.approx(296, abs=0.5)
+    assert says("07", "at least 296 mm")
+
+
+def test_the_spring() -> None:
+    """12 kg, 0.5 N/mm: the least force over x, and the rate at which 40 N are used up."""
+
+    def least(wide: float, rate: float, preload: float) -> float:
+        tm = wide / 360 * 3600 / rate
+
+        def force(x: float) -> float:
+            a = 2 * math.pi * STROKE / 1000 / tm**2 * math.sin(2 * math.pi * x)
+            return 12 * a + 0.5 * STROKE * law(x) + preload
+
+        return float(minimize_scalar(force, bounds=(0.5, 1), method="bounded").fun)
+
+    assert least(BEFORE, 2000, 0) == pytest.approx(-27.3, abs=0.05)
+    assert least(AFTER, 2000, 0) > 0
+    for wide, rate in ((BEFORE, 2241), (AFTER, 5087)):
+        leaves = brentq(lambda n, wide=wide: least(wide, n, 40), 1000, 9000)
+        assert leaves == pytest.approx(rate, abs=0.6)
+        assert says("07", f"{rate}")
+    assert says("07", "27.3 N are missing")
+    assert pytest.approx(118, abs=0.5) == 12 * 9.80665
+    assert says("07", "118 N more")
+
+
+def test_an_error_of_the_outline_lifts_by_more() -> None:
+    assert 0.001 / math.cos(math.radians(30)) == pytest.approx(0.0012, abs=5e-5)
+    assert says("07", "0.0012 mm")
