@@ -41,7 +41,8 @@ def needed(wide: float, steepest: float) -> float:
 def test_the_obvious_cam_is_off_by_as_much_as_it_says() -> None:
     at = np.linspace(0, 360, 72_001)
     for wide, said in ((BEFORE, "At rest the die stands right"), (AFTER, "it is 1.6 mm")):
-        outline = (PRIME - ROLLER + lift(at, wide)) * 1j * np.exp(1j * np.radians(at))
+        radius = PRIME - ROLLER + lift(at, wide)
+        outline = np.asarray(1j * radius * np.exp(1j * np.radians(at)), np.complex128)
         places = np.arange(0, 360, 0.5)
         off = max(
             roller_height(outline, place, ROLLER, 0) - PRIME - float(lift(place, wide))
