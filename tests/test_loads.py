@@ -48,6 +48,13 @@ def test_a_spring_as_it_is_needed_just_keeps_contact() -> None:
     assert EXAM.needed_preload_N(CYCLOID, 100) == 0
 
 
+def test_a_light_follower_under_a_third_of_a_newton() -> None:
+    """It leaves where mass times 2 pi h/tm² is the preload, and the move is a third of a turn."""
+    tm = math.sqrt(2 * math.pi * 0.010 * 0.01 / 0.3)
+    load = cm.FollowerLoad(mass_kg=0.01, preload_N=0.3)
+    assert load.lift_off_rate(CYCLOID) == pytest.approx(3600 / (3 * tm))
+
+
 def test_a_follower_that_nothing_holds_leaves_at_once() -> None:
     assert cm.FollowerLoad(mass_kg=1).lift_off_rate(CYCLOID) == 0
     assert cm.FollowerLoad(mass_kg=1, weight_N=-20, preload_N=10).lift_off_rate(CYCLOID) == 0
