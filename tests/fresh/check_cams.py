@@ -71,7 +71,10 @@ def _check_rolling(
     profile = cam.profile_mm(np.linspace(0, 360, FINE)) @ [1, 1j]
     radius = cam.roller_mm
     lowest = np.sqrt(cam.prime_radius_mm**2 - offset**2)
-    coarse = float(np.abs(np.diff(profile)).max()) ** 2 / radius
+    step = float(np.abs(np.diff(profile)).max())
+    if step > radius / 4:  # a move over a hundredth of a degree has a cam of kilometres
+        return
+    coarse = step**2 / radius
     for angle in rng.uniform(0, 360, 6):
         seen = profile * np.exp(-1j * np.radians(angle))
         under = seen[np.abs(seen.real + offset) < radius]
