@@ -106,6 +106,12 @@ def test_nothing_is_written_for_a_cam_that_cannot_be_made(tmp_path: Path) -> Non
         cm.write_cam(face, tmp_path / "face.csv")
 
 
+def test_where_no_prime_circle_would_do_nothing_is_written_either(tmp_path: Path) -> None:
+    arm = cm.SwingingRoller(14, arm_mm=60, pivot_mm=65)
+    with pytest.raises(cm.InputError, match=r"Nothing was written: .* a larger prime circle"):
+        cm.write_cam(cm.RollerCam(DIE, arm, 16), tmp_path / "arm.dxf")
+
+
 def test_no_file_is_lost(tmp_path: Path) -> None:
     path = tmp_path / "die.svg"
     path.write_text("mine")

@@ -7,7 +7,6 @@ import pytest
 from explored import drawn, panel_of
 
 import cammotion as cm
-from cammotion.hardware.disc_cam import DiscCam
 from cammotion.views.explorers.cam import OFFSET, PRIME, ROLLER
 from cammotion.views.live.figure import LiveFigure
 
@@ -48,6 +47,21 @@ def test_the_explorer_draws_the_cam_of_the_package(
     assert ("UNDERCUT" in figure.text) == bool(cam.undercuts)
 
 
+@pytest.mark.parametrize(("prime", "roller"), [(10, 10), (700, 40), (60, 2)])
+def test_the_controls_reach_what_is_given(prime: float, roller: float) -> None:
+    figure = cm.explore_cam(cm.EXAMPLE.die, roller_mm=roller, prime_mm=prime)
+    assert (figure.values[PRIME], figure.values[ROLLER]) == (prime, roller)
+
+
+def test_a_short_move_is_judged_too() -> None:
+    parts = cm.rise(5, over_deg=3), cm.dwell(100), cm.return_(5, over_deg=7), cm.dwell(250)
+    motion = cm.motion("short", *parts, start_deg=350)
+    cam = cm.RollerCam(motion, cm.TranslatingRoller(10), 60)
+    text = cm.explore_cam(motion).text
+    assert f"up to {cam.largest_pressure_angle.value:.3g} deg" in text
+    assert f"a radius of {cam.sharpest.value:.3g} mm" in text
+
+
 def test_a_bad_cam_is_refused_in_words() -> None:
     with pytest.raises(cm.InputError, match="moves on from stop to stop"):
         cm.explore_cam(cm.EXAMPLE.mill)
@@ -55,7 +69,7 @@ def test_a_bad_cam_is_refused_in_words() -> None:
         cm.explore_cam(cm.EXAMPLE.die, roller_mm=0)
 
 
-CAMS: dict[str, Callable[[], DiscCam]] = {
+CAMS: dict[str, Callable[[], cm.RollerCam | cm.FlatFacedCam]] = {
     "slide": lambda: cm.RollerCam(AFTER, cm.TranslatingRoller(10, 5), 60),
     "arm": lambda: cm.RollerCam(AFTER, cm.SwingingRoller(10, 150, 165), 60),
     "face": lambda: cm.FlatFacedCam(AFTER, 40),

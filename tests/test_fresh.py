@@ -84,6 +84,8 @@ FAULTS: dict[str, Patch] = {
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
     "least": (cm, "least_acceleration", bounded),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
+    "followers": (cm, "smallest_base_radius", scaled(0.9)),
+    "indexers": (cm.Indexer, "rms_torque_N_m", scaled(1.01)),
     "questions": (again, "whole_question", lambda _: lambda one, machine: one.question(machine)),
 }
 

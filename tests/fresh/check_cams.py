@@ -33,6 +33,90 @@ def cams(machine: Machine) -> None:
         _check_rolling(cm.RollerCam(motion, follower, prime), track, follower.offset_mm, rng)
 
 
+def followers(machine: Machine) -> None:
+    """Try a flat face, an arm, and the force of each follower."""
+    for name, track in tracks_of(machine.diagram).items():
+        motion = machine.diagram[name]
+        if not motion.is_indexing and not motion.steps(1):
+            _check_face(track, motion)
+            _check_arm(track, motion, machine.rng)
+            _check_load(track, motion, machine)
+
+
+def _check_face(track: Track, motion: cm.Motion) -> None:
+    """Compare the smallest base circle and the contact with displacement and derivatives."""
+    lift, slope, bend = _derivatives(track, motion.range_mm[0])
+    travel = float(np.ptp(motion.range_mm))
+    needed = max(0.0, -float((lift + bend).min()))
+    base = cm.smallest_base_radius(motion)
+    near = 1e-6 * (travel + float(np.abs(bend).max()))
+    assert base > needed - near, f"{motion.name}: base circle {base}, needed {needed}"
+    assert base < 1.02 * needed + near, f"{motion.name}: base circle {base}, enough {needed}"
+    cam = cm.FlatFacedCam(motion, base + travel)
+    assert cam.undercuts == ()
+    assert np.allclose(cam.face_mm, [-slope.max(), -slope.min()], rtol=2e-2, atol=near)
+    angles = _angles(track)
+    face = 1j * (cam.base_radius_mm + lift) - slope  # the line's point, and how it goes on
+    points = cam.profile_mm(angles) @ [1, 1j]
+    assert np.allclose(points * np.exp(-1j * np.radians(angles)), face, atol=near)
+
+
+def _check_arm(track: Track, motion: cm.Motion, rng: np.random.Generator) -> None:
+    """Turn an arm by hand: the roller touches the profile, and the push leans as it is said."""
+    travel = float(np.ptp(motion.range_mm))
+    arm, pivot = travel * rng.uniform(1.5, 4), travel * rng.uniform(1.5, 4)
+    follower = cm.SwingingRoller(travel * rng.uniform(0.05, 0.2), arm_mm=arm, pivot_mm=pivot)
+    low, high = follower.primes(travel)
+    prime = rng.uniform(max(low, follower.radius_mm), high)
+    try:
+        cam = cm.RollerCam(motion, follower, prime)
+    except cm.InputError:
+        assert not max(low, follower.radius_mm) < prime < high
+        return
+    angles = _angles(track)
+    lift, slope, _ = _derivatives(track, motion.range_mm[0])
+    swung = np.arccos((prime**2 - pivot**2 - arm**2) / (2 * pivot * arm)) - lift / arm
+    centre = (pivot + arm * np.exp(1j * swung)) * np.exp(1j * np.radians(angles))
+    size = pivot + arm
+    assert np.allclose(cam.pitch_mm(angles) @ [1, 1j], centre, atol=1e-7 * size)
+    apart = np.abs(cam.profile_mm(angles) @ [1, 1j] - centre)
+    assert np.allclose(apart, follower.radius_mm, atol=1e-7 * size)
+    turned, back = np.exp(1j * swung), np.exp(-1j * np.radians(angles))
+    tangent = -1j * turned * slope + 1j * centre * back  # of the path, before the cam's turn
+    cosine = np.abs((tangent.conj() * -1j * turned * 1j).real) / np.abs(tangent)
+    said = np.abs(np.cos(np.radians(cam.pressure_angle_deg(angles))))
+    assert np.allclose(said, cosine, atol=1e-6), f"{motion.name}: pressure angle"
+
+
+def _check_load(track: Track, motion: cm.Motion, machine: Machine) -> None:
+    """Find the least force and the rate at which contact is lost among samples."""
+    rng, rate = machine.rng, machine.diagram.rate_per_hour
+    travel = float(np.ptp(motion.range_mm))
+    lift, _, _ = _derivatives(track, motion.range_mm[0])
+    push = track.curve(2, _angles(track)) * (rate / 10) ** 2 / 1000
+    mass, stiffness = rng.uniform(0.1, 20), rng.uniform(0, 5)
+    preload = mass * float(np.abs(push).max()) * rng.uniform(0.01, 2)
+    load = cm.FollowerLoad(mass_kg=mass, stiffness_N_per_mm=stiffness, preload_N=preload)
+    standing = stiffness * lift + preload
+    force = mass * push + standing
+    size = float(np.abs(force).max()) + stiffness * travel
+    least = load.least_force(motion, rate).value
+    assert least < force.min() + 1e-6 * size, f"{motion.name}: {least}, but {force.min()}"
+    assert least > force.min() - 2e-2 * size, f"{motion.name}: {least}, and only {force.min()}"
+    most = float((-mass * push / standing).max())
+    leaves = load.lift_off_rate(motion)
+    if most > 0:
+        sampled = rate / np.sqrt(most)
+        assert 0.97 * sampled < leaves < sampled * (1 + 1e-6), f"{motion.name}: off at {leaves}"
+
+
+def _derivatives(track: Track, low_mm: float) -> tuple[Array, Array, Array]:
+    """Return displacement and two derivatives by the rad, beside all joints."""
+    angles = _angles(track)
+    lift, slope, bend = (track.curve(order, angles) * np.degrees(1) ** order for order in range(3))
+    return lift - low_mm, slope, bend
+
+
 def _check_smallest(
     track: Track,
     follower: cm.TranslatingRoller,
@@ -91,9 +175,8 @@ def _angles(track: Track) -> Array:
 
 def _judged(track: Track, offset: float, prime: float, low_mm: float) -> tuple[Array, Array]:
     """Return pressure angle and curvature of the pitch curve, by the textbook's formulas."""
-    angles = _angles(track)
-    lift, slope, bend = (track.curve(order, angles) * np.degrees(1) ** order for order in range(3))
-    height = np.sqrt(prime**2 - offset**2) + lift - low_mm
+    lift, slope, bend = _derivatives(track, low_mm)
+    height = np.sqrt(prime**2 - offset**2) + lift
     beside = slope - offset
     turn = height**2 - height * bend + beside * (2 * slope - offset)
     return np.degrees(np.arctan2(beside, height)), turn / (height**2 + beside**2) ** 1.5

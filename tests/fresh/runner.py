@@ -21,6 +21,7 @@ from typing import Any
 
 from fresh import (
     check_cams,
+    check_indexers,
     check_laws,
     check_limits,
     check_machines,
@@ -47,6 +48,8 @@ CHECKS: Mapping[str, Check] = {
     "heights": check_laws.heights,
     "least": check_limits.least,
     "cams": check_cams.cams,
+    "followers": check_cams.followers,
+    "indexers": check_indexers.indexers,
     "questions": check_questions.questions,
 }
 PROCESSES = 2

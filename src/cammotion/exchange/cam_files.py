@@ -3,6 +3,7 @@
 import csv
 import io
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -103,8 +104,9 @@ def _enough(cam: DiscCam) -> str:
     if isinstance(cam, FlatFacedCam):
         return f"a base circle of at least {smallest_base_radius(cam.motion):.5g} mm"
     if isinstance(cam, RollerCam) and cam.undercuts:
-        least = smallest_prime_radius(cam.motion, cam.follower, pressure_angle_deg=90)
-        return f"a prime circle of at least {least:.5g} mm, or a smaller roller"
+        with suppress(InputError):  # an arm may reach none
+            least = smallest_prime_radius(cam.motion, cam.follower, pressure_angle_deg=90)
+            return f"a prime circle of at least {least:.5g} mm, or a smaller roller"
     return "a larger prime circle, or a smaller roller"
 
 

@@ -22,6 +22,7 @@ Function = Callable[[Piece, Floats], Floats]
 
 _STEP_DEG = 0.25
 _LEAST_SAMPLES = 33
+_SHARES = np.linspace(0, 1, 9)  # of a part between two cuts, where it is looked at
 _NEAR = 5e-2  # samples so near to a level, as a share of all, may have one above it beside them
 _CLOSE_DEG = 1e-10
 
@@ -67,18 +68,25 @@ def where_positive(function: Function, pieces: Sequence[Piece]) -> list[Arc]:
 
 
 def samples(piece: Piece) -> Floats:
-    """Return places in a piece, close to one another, with both ends."""
+    """Return places in a piece, close to one another and some between two cuts, with both ends."""
     count = max(_LEAST_SAMPLES, int(np.ceil((piece.high - piece.low) / _STEP_DEG)) + 1)
-    return np.union1d(np.linspace(piece.low, piece.high, count), _turns(piece))
+    ends = np.array([piece.low, *cuts(piece), piece.high])
+    between = ends[:-1, None] + np.diff(ends)[:, None] * _SHARES
+    return np.union1d(np.linspace(piece.low, piece.high, count), between)
 
 
-def _turns(piece: Piece) -> list[float]:
-    """Return where slope and bend turn: near there what is asked has its peaks, or its kinks."""
-    slope, found = piece.derivative, []
-    for curve in (slope, slope.derivative):
+def cuts(piece: Piece) -> list[float]:
+    """Return in order where a piece's first three derivatives turn.
+
+    Near there what is made of them has its peaks. And there, where the third has steps as in a law
+    from points, the second has its kinks: between two cuts it is smooth.
+    """
+    curve, found = piece, set[float]()
+    for _ in range(3):
+        curve = curve.derivative
         with suppress(InputError):  # some turn so often that it cannot be proved
-            found += curve.turns
-    return found
+            found.update(curve.turns)
+    return sorted(found)
 
 
 def _positive(function: Function, piece: Piece, places: Floats) -> Iterator[Arc]:

@@ -11,7 +11,6 @@ its torque is power/Omega. It is positive while the shaft drives, negative while
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -19,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.hardware.bracketed import cuts, largest
 from cammotion.hardware.inertia import whole_number
 from cammotion.hardware.rotor import Rotor
 from cammotion.laws.catalogue import as_law
@@ -35,7 +35,7 @@ _FRICTION = Quantity("friction torque", "N m", example=10, low_included=True)
 _WORK = Quantity("work torque", "N m", example=0, low_included=True)
 _SAFETY = Quantity("safety factor", "", example=1.5, low=1, low_included=True)
 _BACKLASH = Quantity("backlash", "deg", example=0.02)
-_SAMPLES, _NODES = 257, 24  # of a smooth piece: looked at for its peak, and integrated with
+_NODES = 24  # with which a smooth part is integrated
 
 
 @dataclass(frozen=True)
@@ -145,10 +145,12 @@ class Indexer:
         >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).peak_power_W:.0f} W")
         307 W
         """
-        return max(
-            _largest(self._power_of(v, a), v.low, v.high)
-            for v, a in zip(*(self._law.curve.derived(n).pieces for n in (1, 2)), strict=True)
-        )
+
+        def power(piece: Piece, places: Floats) -> Floats:
+            speed = piece.derivative.over(places.copy()) * (self.step_rad / self.time_s)
+            return np.abs(self._torque_over(piece, places) * speed)
+
+        return largest(power, self._law.curve.pieces).value
 
     def camshaft_torque_N_m(self, x: ArrayLike, angle_deg: float) -> Numbers:  # noqa: N802
         """Return the torque on the camshaft in N m at x = t/tm, 0 to 1, a number or an array.
@@ -183,11 +185,12 @@ class Indexer:
             )
         nodes, weights = np.polynomial.legendre.leggauss(_NODES)
         total = 0.0
-        for piece in self._law.curve.derived(2).pieces:
-            half = (piece.high - piece.low) / 2
-            a = piece.over(piece.low + half * (1 + nodes))
-            torque = self.inertia_kg_m2 * self._per_a * a + self._drag
-            total += half * float(weights @ torque**2)
+        for piece in self._law.curve.pieces:
+            ends = np.array([piece.low, *cuts(piece), piece.high])
+            half = np.diff(ends) / 2
+            places = ends[:-1, None] + half[:, None] * (1 + nodes)
+            torque = self._torque_over(piece, places.ravel()).reshape(places.shape)
+            total += float(half @ (torque**2 @ weights))
         return math.sqrt(total * self.time_s / cycle)
 
     @property
@@ -249,24 +252,10 @@ class Indexer:
         """How the law's A would be if friction and work alone braked the table."""
         return self._drag / (self.inertia_kg_m2 * self._per_a)
 
-    def _power_of(self, velocity: Piece, acceleration: Piece) -> Callable[[Floats], Floats]:
-        """Return the power over a smooth piece of the law."""
-
-        def power(places: Floats) -> Floats:
-            torque = self.inertia_kg_m2 * self._per_a * acceleration.over(places) + self._drag
-            return torque * velocity.over(places) * (self.step_rad / self.time_s)
-
-        return power
+    def _torque_over(self, piece: Piece, places: Floats) -> Floats:
+        """Return the torque in N m over a piece of the law."""
+        a = piece.derivative.derivative.over(places.copy())
+        return self.inertia_kg_m2 * self._per_a * a + self._drag
 
     def _shaft_rad_s(self, angle_deg: Any) -> float:
         return math.radians(ANGLE.number(angle_deg)) / self.time_s
-
-
-def _largest(curve: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """Return the largest magnitude of a smooth curve, ever nearer about the largest sample."""
-    for _ in range(4):
-        places = np.linspace(low, high, _SAMPLES)
-        values = np.abs(curve(places))
-        at = int(values.argmax())
-        low, high = places[max(at - 1, 0)], places[min(at + 1, _SAMPLES - 1)]
-    return float(values.max())

@@ -39,9 +39,9 @@ def smallest_prime_radius(
 
     With it the pressure angle is nowhere larger than `pressure_angle_deg`, and the profile, where
     it bulges outwards, has at least `profile_radius_mm` of radius, so that it is nowhere undercut.
-    A pressure angle of 90 asks for the second alone. The usual rules are 30 deg for a slide, and
-    for the pitch curve a radius of two to three times the roller's. What lies between two of 64
-    prime circles that are tried, and is good in between alone, is missed.
+    Of a slide, a pressure angle of 90 asks for the second alone. The usual rules are 30 deg for a
+    slide, and for the pitch curve a radius of two to three times the roller's. What lies between
+    two of 64 prime circles that are tried, and is good in between alone, is missed.
 
     Raises InputError for a motion that no disc cam can give, and where no prime circle will do.
 

@@ -7,7 +7,6 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle, PathPatch
 from matplotlib.path import Path
 
-from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.drawing import strokes
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.roller_cam import RollerCam
@@ -31,7 +30,9 @@ _SIZE_IN = 5.2
 _STEM = 0.75  # of the follower over the roller, as a share of the travel
 
 
-def plot_cam(cam: DiscCam, *, bore_mm: float | None = None, ax: Axes | None = None) -> Axes:
+def plot_cam(
+    cam: RollerCam | FlatFacedCam, *, bore_mm: float | None = None, ax: Axes | None = None
+) -> Axes:
     """Draw a disc cam at 0 deg with its follower, in mm about its axis; return the Axes.
 
     With the profile are the pitch curve, the prime or base circle with its radius, the roller or
@@ -44,7 +45,7 @@ def plot_cam(cam: DiscCam, *, bore_mm: float | None = None, ax: Axes | None = No
     >>> plot_cam(cam).get_xlabel()
     'x in mm'
     """
-    if not isinstance(cam, DiscCam):
+    if not isinstance(cam, RollerCam | FlatFacedCam):
         raise InputError(f"The cam is {shorten(cam)}: give a RollerCam or a FlatFacedCam.")
     if ax is None:
         ax = blank_axes(_SIZE_IN, _SIZE_IN, layout="constrained")
@@ -61,15 +62,12 @@ def plot_cam(cam: DiscCam, *, bore_mm: float | None = None, ax: Axes | None = No
     return ax
 
 
-def _circle(ax: Axes, cam: DiscCam) -> None:
+def _circle(ax: Axes, cam: RollerCam | FlatFacedCam) -> None:
     """Draw the prime or base circle, and write its radius beside it."""
-    name, radius = (
-        ("base circle", cam.base_radius_mm)
-        if isinstance(cam, FlatFacedCam)
-        else ("prime circle", cam.prime_radius_mm)
-        if isinstance(cam, RollerCam)
-        else ("", 0.0)
-    )
+    if isinstance(cam, FlatFacedCam):
+        name, radius = "base circle", cam.base_radius_mm
+    else:
+        name, radius = "prime circle", cam.prime_radius_mm
     ax.add_patch(
         Circle((0, 0), radius, fill=False, linestyle="--", **_THIN, label=f"{name} {radius:.4g} mm")
     )
@@ -77,13 +75,13 @@ def _circle(ax: Axes, cam: DiscCam) -> None:
     write(ax, f"{name} R {radius:.4g}", (place[0], place[1]), _THIN["edgecolor"], offset=(0, -4))
 
 
-def _stem(ax: Axes, cam: DiscCam) -> None:
+def _stem(ax: Axes, cam: RollerCam | FlatFacedCam) -> None:
     """Draw the slide or the arm, and name the roller."""
     low, high = cam.motion.range_mm
     if isinstance(cam, FlatFacedCam):
         foot = 0.0, cam.base_radius_mm + float(cam.lift(0).lift)
         ax.plot([0, 0], [foot[1], foot[1] + _STEM * (high - low)], color=COLOURS[1], linewidth=2)
-    elif isinstance(cam, RollerCam):
+    else:
         x, y = cam.pitch_mm(0).tolist()
         ends = cam.follower.body(complex(x, y), _STEM * (high - low))
         places = [end.real for end in ends], [end.imag for end in ends]

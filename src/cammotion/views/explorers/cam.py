@@ -12,7 +12,7 @@ from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.views.explorers.moving import ALPHA, Moving, Part
+from cammotion.views.explorers.moving import ALPHA, Moving, Part, control
 from cammotion.views.live.explore import explore
 from cammotion.views.live.expressions import NOW
 from cammotion.views.live.figure import LiveFigure
@@ -56,18 +56,16 @@ def explore_cam(motion: Motion, *, roller_mm: float = 10, prime_mm: float = 60) 
     TranslatingRoller(roller_mm)
     least = smallest_prime_radius(motion, TranslatingRoller(roller_mm))
     curves = _curves(motion)
-    most = _rounded_up(max(_COARSEST * prime_mm, 1.5 * least))
+    largest_prime = _rounded_up(max(_COARSEST * prime_mm, 1.5 * least))
     return explore(
         [[_cam(curves, motion)], _judged(curves)],
         _TURN,
         {
-            PRIME: Control(
-                low=15, high=most, step=1, start=prime_mm, name="prime circle Rp", unit="mm"
-            ),
+            PRIME: control("prime circle Rp", (15, largest_prime, 1), prime_mm, "mm"),
             OFFSET: Control(low=-30, high=30, step=1, start=0, name="offset e", unit="mm"),
-            ROLLER: Control(low=3, high=30, step=1, start=roller_mm, name="roller r", unit="mm"),
+            ROLLER: control("roller r", (3, 30, 1), roller_mm, "mm"),
         },
-        says=_sentences(curves),
+        says=_sentences(curves, motion),
         clock=ALPHA,
         seconds=_SECONDS,
         shares=(1, 1),
@@ -174,13 +172,13 @@ def _judged(curves: _Curves) -> list[Panel]:
     ]
 
 
-def _sentences(curves: _Curves) -> Iterator[Say]:
-    steep, sharp = sp.Abs(curves.pressure_deg, evaluate=False), curves.sharpness
-    most = largest(sharp, _TURN)
+def _sentences(curves: _Curves, motion: Motion) -> Iterator[Say]:
+    most = _largest(curves.sharpness, motion)
+    steepest = _largest(sp.Abs(curves.pressure_deg, evaluate=False), motion)
     numbers = {"radius": ROLLER / most, "roller": ROLLER, "times": 1 / most}
     yield Say(
         "pressure angle: up to {angle:.3g} deg",
-        {"angle": largest(steep, _TURN)},
+        {"angle": steepest},
     )
     yield Say(
         "UNDERCUT: at its sharpest the pitch curve has a radius of {radius:.3g} mm, and the roller "
@@ -193,6 +191,12 @@ def _sentences(curves: _Curves) -> Iterator[Say]:
             numbers,
         ),
     )
+
+
+def _largest(expression: sp.Expr, motion: Motion) -> sp.Expr:
+    """Return the largest value over the turn, searched for in each segment, however short it is."""
+    spans = [(ALPHA, segment.from_deg, segment.to_deg) for segment in motion.segments]
+    return sp.Max(*(largest(expression, span) for span in spans), evaluate=False)
 
 
 def _rounded_up(number: float) -> float:
