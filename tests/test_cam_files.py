@@ -11,6 +11,7 @@ import dxfgrabber  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from rolling import dense
+from scipy.spatial import cKDTree
 
 import cammotion as cm
 
@@ -84,6 +85,22 @@ def test_a_table_keeps_its_tolerance(name: str, tmp_path: Path) -> None:
         chord = (along[-1] - along[0]) @ [1, 1j]
         off = ((along - along[0]) @ [1, 1j] * np.conj(chord)).imag / abs(chord)
         assert np.abs(off).max() < 0.01
+
+
+def test_the_outline_of_a_law_from_points_keeps_its_tolerance(tmp_path: Path) -> None:
+    """The profile bends otherwise from each knot on."""
+    places = np.linspace(0, 1, 12)
+    law = cm.law_from_points(places, places**2 * (3 - 2 * places))
+    up, down = (make(30, over_deg=100, law=law) for make in (cm.rise, cm.return_))
+    motion = cm.motion("points", up, cm.dwell(60), down, cm.dwell(100))
+    cam = cm.RollerCam(motion, cm.TranslatingRoller(5), prime_radius_mm=60)
+    found = entities(cm.write_cam(cam, tmp_path / "points.dxf", tolerance_mm=0.01, undercut=True))
+    (profile,) = found["PROFILE"]
+    corners = zip(profile.points, profile.bulge, strict=True)
+    line = dense([(x, y, bulge) for (x, y, *_), bulge in corners], step_mm=0.002)
+    points = np.column_stack([line.real, line.imag])
+    off, _ = cKDTree(points).query(cam.profile_mm(np.arange(0, 360, 0.05)))
+    assert off.max() < 0.01 + 1e-4
 
 
 def test_nothing_is_written_for_a_cam_that_cannot_be_made(tmp_path: Path) -> None:

@@ -202,3 +202,18 @@ def test_what_notebook_08_says_of_the_flywheel() -> None:
     assert index.kinetic_energy_J / (0.1 * shaft**2) > index.inertia_kg_m2
     assert 10 * math.pi / 4 / 1.8 == pytest.approx(4.4, abs=0.05)
     assert index.peak_power_W == pytest.approx(321, abs=0.5)
+
+
+def test_a_law_from_points_is_reckoned_between_its_knots() -> None:
+    """Its A goes straight from knot to knot: root mean square and power, against samples."""
+    places = np.linspace(0, 1, 12)
+    wave = 0.02 * np.sin(np.pi * places) ** 2 * np.sin(20 * places)
+    law = cm.law_from_points(places, places**2 * (3 - 2 * places) + wave)
+    table = cm.Indexer(10, 8, 0.5, law, friction_N_m=3)
+    x = np.linspace(0, 1, 400_001)
+    torque, step = table.torque_N_m(x), 2 * np.pi / 8
+    assert torque == pytest.approx(10 * step / 0.25 * law(x, 2) + 3)
+    mean_square = (np.sum(torque**2) - (torque[0] ** 2 + torque[-1] ** 2) / 2) / (x.size - 1)
+    assert table.rms_torque_N_m(1) == pytest.approx(np.sqrt(mean_square / 2), rel=1e-8)
+    power = np.abs(torque * law(x, 1)) * step / 0.5
+    assert table.peak_power_W == pytest.approx(power.max(), rel=1e-8)

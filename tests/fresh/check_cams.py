@@ -3,6 +3,7 @@
 import numpy as np
 
 import cammotion as cm
+from cammotion.hardware.outline import arcs_along
 from fresh.drawing import Machine
 from fresh.sampling import Array, Track, tracks_of
 
@@ -30,7 +31,9 @@ def cams(machine: Machine) -> None:
         lowest = 1.001 * max(follower.radius_mm, abs(follower.offset_mm))
         other = max(prime * rng.uniform(0.4, 1.2), lowest)
         _check_undercuts(track, cm.RollerCam(motion, follower, other), follower.offset_mm)
-        _check_rolling(cm.RollerCam(motion, follower, prime), track, follower.offset_mm, rng)
+        cam = cm.RollerCam(motion, follower, prime)
+        _check_outline(cam, max(travel * rng.choice([1e-2, 1e-4]), 1e-6))
+        _check_rolling(cam, track, follower.offset_mm, rng)
 
 
 def followers(machine: Machine) -> None:
@@ -145,6 +148,27 @@ def _check_undercuts(track: Track, cam: cm.RollerCam, offset: float) -> None:
         within |= turned < cut.end_deg - cut.start_deg
     wrong = within != (sharp > 1)
     assert not np.any(wrong & (np.abs(sharp - 1) > 1e-3)), f"undercuts {cam.undercuts}"
+
+
+def _check_outline(cam: cm.RollerCam, tolerance: float) -> None:
+    """Look between the corners of the outline how far the profile is off the arcs."""
+    outline = arcs_along(cam.profile_mm, cam.motion, tolerance)
+    corners = outline.points_mm @ [1, 1j]
+    turns = np.append(outline.angles_deg[1:], outline.angles_deg[0]) - outline.angles_deg
+    places = outline.angles_deg[:, None] + np.mod(turns, 360)[:, None] * np.linspace(0, 1, 23)
+    exact = cam.profile_mm(places.ravel()).reshape(*places.shape, 2) @ [1, 1j]
+    chords = np.roll(corners, -1) - corners
+    along = (exact - corners[:, None]) / chords[:, None]  # each chord from 0 to 1
+    bulge = outline.bulges[:, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        centre = 0.5 + 1j * (1 / bulge - bulge) / 4
+        off = np.where(
+            np.abs(bulge) < 1e-7,
+            np.abs(along.imag),
+            np.abs(np.abs(along - centre) - np.abs(centre)),
+        )
+    worst = float((off * np.abs(chords[:, None])).max())
+    assert worst < tolerance, f"{cam.motion.name}: {worst} mm off, allowed {tolerance}"
 
 
 def _check_rolling(

@@ -5,15 +5,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cammotion.hardware.bracketed import cuts
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity
 
 TOLERANCE = Quantity("tolerance of the outline", "mm", example=0.001, low=1e-6, low_included=True)
 
-_FIRST_DEG = 15.0
+_FIRST_DEG, _LEAST_DEG = 15.0, 1e-6
 _HALVINGS = 24
-_SHARES = np.array([0, 1 / 4, 1 / 2, 3 / 4, 1])  # of a part, where it is looked at
+_SHARES = np.linspace(0, 1, 9)  # of a part, where it is looked at
+_MIDDLE = len(_SHARES) // 2
 _SURE = 0.9  # between the places that are looked at a curve may be a little further off
 
 
@@ -70,7 +72,7 @@ def _divided(
         points = curve(places.ravel()).reshape(*places.shape, 2)
         is_good = off(points) <= tolerance
         done.append(starts[is_good])
-        starts, ends, middle = starts[~is_good], ends[~is_good], places[~is_good, 2]
+        starts, ends, middle = starts[~is_good], ends[~is_good], places[~is_good, _MIDDLE]
         if not starts.size:
             return np.sort(np.concatenate(done))
         starts, ends = np.concatenate([starts, middle]), np.concatenate([middle, ends])
@@ -84,14 +86,15 @@ def _first_parts(motion: Motion) -> tuple[Floats, Floats]:
     starts, ends = [], []
     for piece in motion.curve.pieces:
         count = int(np.ceil((piece.high - piece.low) / _FIRST_DEG))
-        places = np.linspace(piece.low, piece.high, count + 1)
-        starts.append(places[:-1])
-        ends.append(places[1:])
+        places = np.union1d(np.linspace(piece.low, piece.high, count + 1), cuts(piece))
+        wide = np.diff(places) > _LEAST_DEG  # a cut may lie just beside an end
+        starts.append(places[:-1][wide])
+        ends.append(places[1:][wide])
     return np.concatenate(starts), np.concatenate(ends)
 
 
 def _off_the_chord(points: Floats) -> Floats:
-    """Return how far the points between lie off the chord, at most, for each part (n, 5, 2)."""
+    """Return how far the points between lie off the chord, at most, for each part (n, 9, 2)."""
     chord = points[:, -1] - points[:, 0]
     length = np.hypot(*chord.T)
     beside = points[:, 1:-1] - points[:, :1]
@@ -100,7 +103,7 @@ def _off_the_chord(points: Floats) -> Floats:
 
 def _off_the_arc(points: Floats) -> Floats:
     """Return how far the points between lie off the arc through both ends and the middle."""
-    start, middle, end = points[:, 0], points[:, 2], points[:, -1]
+    start, middle, end = points[:, 0], points[:, _MIDDLE], points[:, -1]
     one, two = middle - start, end - start
     twice = 2 * _cross(one, two)
     squares = (one**2).sum(axis=1), (two**2).sum(axis=1)
@@ -113,7 +116,7 @@ def _off_the_arc(points: Floats) -> Floats:
             axis=1,
         )
         radius = np.hypot(*across.T)
-        away = np.hypot(*np.moveaxis(points[:, [1, 3]] - (start + across)[:, None], -1, 0))
+        away = np.hypot(*np.moveaxis(points[:, 1:-1] - (start + across)[:, None], -1, 0))
         off = np.abs(away - radius[:, None]).max(axis=1)
     return np.where(np.isfinite(off) & (radius < 1e6), off, _off_the_chord(points))  # noqa: PLR2004 - straight
 
