@@ -216,4 +216,4 @@ def test_a_law_from_points_is_reckoned_between_its_knots() -> None:
     mean_square = (np.sum(torque**2) - (torque[0] ** 2 + torque[-1] ** 2) / 2) / (x.size - 1)
     assert table.rms_torque_N_m(1) == pytest.approx(np.sqrt(mean_square / 2), rel=1e-8)
     power = np.abs(torque * law(x, 1)) * step / 0.5
-    assert table.peak_power_W == pytest.approx(power.max(), rel=1e-8)
+    assert power.max() <= table.peak_power_W == pytest.approx(power.max(), rel=1e-5)
