@@ -49,6 +49,7 @@ from .machine.kinematics import (
 from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
 from .machine.segments import Segment
+from .measured.cam_table import CamTable
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
@@ -86,6 +87,7 @@ __all__ = [
     "SUSPECTS",
     "Box",
     "Button",
+    "CamTable",
     "ClearanceRule",
     "Control",
     "Cross",
