@@ -105,8 +105,8 @@ def test_springs_in_series_of_the_handbook() -> None:
     assert frequency == pytest.approx(np.sqrt(392.6 * 386 / 185) / (2 * np.pi), rel=2e-4)
     assert frequency == pytest.approx(4.55, abs=0.01)
     assert cm.critical_harmonic(frequency, RATE) == pytest.approx(18.2, abs=0.05)
-    assert cm.MM_PER_INCH == pytest.approx(25.4)
-    assert cm.N_PER_LBF == pytest.approx(4.4482216152605)
+    assert pytest.approx(25.4) == cm.MM_PER_INCH
+    assert pytest.approx(4.4482216152605) == cm.N_PER_LBF
 
 
 def test_springs_that_are_none_are_refused() -> None:
