@@ -78,6 +78,7 @@ from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_we
 from .views.live.explore import explore
 from .views.live.formulas import inverse, largest, place_of_largest
 from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, choice, pinned
+from .views.measured_plots import plot_harmonics, plot_measured
 from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
@@ -189,9 +190,11 @@ __all__ = [
     "plot_detour",
     "plot_fit",
     "plot_front",
+    "plot_harmonics",
     "plot_inverse_square",
     "plot_jerk_price",
     "plot_laws",
+    "plot_measured",
     "plot_peaks",
     "plot_ranking",
     "plot_timing",
