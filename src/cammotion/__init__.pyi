@@ -20,6 +20,7 @@ from .hardware.geneva import Geneva
 from .hardware.indexer import Indexer
 from .hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
 from .hardware.loads import FollowerLoad
+from .hardware.measured_profile import ProfileLift, lift_from_profile
 from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
 from .hardware.rotor import Rotor
@@ -114,6 +115,7 @@ __all__ = [
     "Point",
     "PointMasses",
     "PrintedLimits",
+    "ProfileLift",
     "Ring",
     "RollerCam",
     "Rotor",
@@ -157,6 +159,7 @@ __all__ = [
     "largest",
     "law_from_points",
     "least_acceleration",
+    "lift_from_profile",
     "limits_of",
     "mean_diameter_mm",
     "motion",
