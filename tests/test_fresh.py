@@ -63,6 +63,16 @@ def bounded(solve: Any) -> Callable[..., Any]:
     return promise
 
 
+def shifted(read: Any) -> Callable[..., Any]:
+    """Break the reader of cam tables: it takes a row for the one before."""
+
+    def shift(*given: Any, **named: Any) -> Any:
+        table = read(*given, **named)
+        return replace(table, position_mm=np.roll(table.position_mm, 1))
+
+    return shift
+
+
 def scaled(factor: float) -> Callable[[Any], Any]:
     """Break a curve or a peak by a factor."""
     return lambda right: lambda *given, **named: factor * right(*given, **named)
@@ -82,6 +92,7 @@ FAULTS: dict[str, Patch] = {
     "derived": (MotionLaw, "reversed", lambda _: lambda law: law),
     "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
+    "cam_tables": (cm, "read_cam_table", shifted),
     "least": (cm, "least_acceleration", bounded),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),
