@@ -32,7 +32,7 @@ from cammotion.quantities import Floats, InputError
 Ends = Literal["natural", "clamped", "periodic"]
 MOST = 2000  # points, of which every eigenvector is reckoned
 _SCAN = 400  # amounts
-_FLAT = 1e-12  # an eigenvalue, as a share of the largest, that is one of a line
+_LINES = {"natural": 2, "clamped": 0, "periodic": 1}  # modes that do not bend
 
 
 class EvenCycle:
@@ -88,12 +88,12 @@ class AnyPoints:
         if ends == "natural":
             r, q, known = r[1:-1, 1:-1], q[1:-1], known[1:-1]
         self._bends, self._known = np.linalg.solve(r, q), np.linalg.solve(r, known)
-        self._ends = ends
+        self._ends, self._places = ends, places
         rough = q.T @ self._bends
         free, count = self._free, len(range(number)[self._free])
         values, self._vectors = np.linalg.eigh((rough + rough.T)[free, free] / 2)
-        values[values < _FLAT * values[-1]] = 0.0
-        self.eigenvalues = values * count / length
+        values[: _LINES[ends]] = 0.0
+        self.eigenvalues = np.maximum(values, 0.0) * count / length
         self._rough, self._pull = rough, q.T @ self._known
 
     def modes(self, values: Floats) -> Floats:
@@ -118,12 +118,15 @@ class AnyPoints:
         return np.asarray(np.sqrt(np.sum(self.shares(amount) ** 2, axis=1)))
 
     def _smoothest(self, values: Floats) -> Floats:
-        """Return what an endless amount leaves of clamped points; else 0, as lines are modes."""
+        """Return what an endless amount leaves of the points."""
+        if self._ends == "natural":
+            return np.asarray(np.polyval(np.polyfit(self._places, values, 1), self._places))
+        if self._ends == "periodic":
+            return np.full(values.size, values.mean())
         result = np.zeros(values.size)
-        if self._ends == "clamped":
-            result[[0, -1]] = values[[0, -1]]
-            pull = (self._rough @ result + self._pull)[self._free]
-            result[self._free] = -np.linalg.solve(self._inner, pull)
+        result[[0, -1]] = values[[0, -1]]
+        pull = (self._rough @ result + self._pull)[self._free]
+        result[self._free] = -np.linalg.solve(self._inner, pull)
         return result
 
     @cached_property
