@@ -127,6 +127,7 @@ def test_a_repeated_law_goes_on_as_it_began() -> None:
         abs=1e-4,
     )
     smooth = cm.law_from_points(x, s, fit="periodic", smoothing=1e-6)
+    assert (smooth(0.0), smooth(1.0)) == (0, pytest.approx(1, abs=1e-15))
     wave = 0.05 / (1 + 1e-6 * (2 * np.pi) ** 4)
     assert smooth(0.25) - smooth(0.75) + 0.5 == pytest.approx(2 * wave, rel=1e-4)
 

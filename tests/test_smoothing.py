@@ -190,6 +190,17 @@ def test_the_reading_error_is_found_again() -> None:
     assert np.std(raw) > 100 * np.std(off)
 
 
+def test_the_error_is_over_what_noise_would_lose() -> None:
+    """The share is 1 less the weight of each point in its own value, which unit readings tell."""
+    weights = [
+        cm.smoothed(cm.CamTable(CAM.angle_deg, unit, is_cycle=True), 1e-4).position_mm[n]
+        for n, unit in enumerate(np.eye(36))
+    ]
+    found = cm.smoothed(CAM, 1e-4)
+    left = np.sum((found.position_mm - CAM.position_mm) ** 2)
+    assert found.error_mm == pytest.approx(np.sqrt(left / (36 - sum(weights))))
+
+
 def test_points_of_a_smooth_curve_are_left_as_they_are() -> None:
     angle = turn(36)
     found = cm.smoothed(cm.CamTable(angle, np.cos(np.radians(angle)), is_cycle=True))
