@@ -1,4 +1,12 @@
+from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.one_mass import OneMass
+from .dynamics.residual import (
+    dynamic_factor,
+    residual_vibration,
+    running_factor,
+    running_residual,
+)
+from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
 from .exchange.cam_files import write_cam
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
@@ -65,6 +73,7 @@ from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.explorers.ways import explore_ways
 from .views.fit_plots import plot_fit
+from .views.follower_plots import plot_residual, plot_response
 from .views.law_plots import plot_laws, plot_ranking
 from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_weight
 from .views.live.explore import explore
@@ -86,6 +95,7 @@ __all__ = [
     "SUSPECTS",
     "Box",
     "Button",
+    "Chain",
     "ClearanceRule",
     "Control",
     "Cross",
@@ -104,6 +114,7 @@ __all__ = [
     "Motion",
     "MotionLaw",
     "Move",
+    "MoveResponse",
     "NumberControl",
     "OneMass",
     "OwnInertia",
@@ -116,6 +127,8 @@ __all__ = [
     "Rotor",
     "Say",
     "Segment",
+    "StartResponse",
+    "SteadyResponse",
     "SwingingRoller",
     "TimingDiagram",
     "TranslatingRoller",
@@ -134,6 +147,7 @@ __all__ = [
     "cycle_time",
     "deviation_um",
     "dwell",
+    "dynamic_factor",
     "explore",
     "explore_cam",
     "explore_follower",
@@ -173,6 +187,8 @@ __all__ = [
     "plot_laws",
     "plot_peaks",
     "plot_ranking",
+    "plot_residual",
+    "plot_response",
     "plot_timing",
     "plot_torque",
     "plot_weight",
@@ -180,14 +196,19 @@ __all__ = [
     "predict",
     "progress",
     "read_segments",
+    "residual_vibration",
     "return_",
     "rise",
+    "running_factor",
+    "running_residual",
     "scca",
     "size_step_mm",
     "smallest_base_radius",
     "smallest_clearance",
     "smallest_prime_radius",
     "tolerance_unit",
+    "tuned_mass",
+    "two_masses",
     "variant",
     "widest_move",
     "with_angle",
