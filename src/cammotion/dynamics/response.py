@@ -293,7 +293,7 @@ class SteadyResponse(_TurnResponse):
         self._repeated = np.linalg.solve(left.T, row)
 
     def _start(self, turn: int) -> Floats:  # noqa: ARG002 - all turns are alike
-        return self._repeated
+        return np.asarray(self._repeated)
 
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         since = np.mod(angles - self.motion.start_deg, DEG_PER_TURN)
