@@ -53,8 +53,9 @@ def drives_of_law(
 
 
 def fastest_of(row: "Row") -> float:
-    """Return an angular frequency in 1/s above all of the row's."""
-    return float(2 * np.sqrt(np.max(row.springs) / np.min(row.masses)))
+    """Return a rate in 1/s above all of the row's, of its swings and of what its dampers stop."""
+    swings = 2 * np.sqrt(np.max(row.springs) / np.min(row.masses))
+    return float(max(swings, 4 * np.max(row.dampers) / np.min(row.masses)))
 
 
 class Row:

@@ -123,15 +123,16 @@ def plot_response(
 
 def _label_ends(ax: Axes, names: Sequence[str], heights: Sequence[float]) -> None:
     """Write the name of each curve at its right end, moved apart where they would meet."""
-    shares = _apart(
-        ax.transAxes.inverted().transform(
-            ax.transData.transform([(0, height) for height in heights])
-        )[:, 1]
-    )
+    ends = ax.transData.transform([(0, height) for height in heights])
+    shares = _apart(ax.transAxes.inverted().transform(ends)[:, 1])
+    lines = {line.get_label(): line for line in ax.lines}
     for number, (name, share) in enumerate(zip(names, shares, strict=True)):
+        sample = ax.plot([1.01, 1.06], [share, share], transform=ax.transAxes, clip_on=False)[0]
+        sample.update_from(lines[name])  # its dashes, since two may have one colour
+        sample.set(transform=ax.transAxes, clip_on=False, label=f"_{name}")
         ax.annotate(
             name,
-            (1.01, share),
+            (1.07, share),
             xycoords="axes fraction",
             color=colour(number),
             fontsize=10,
