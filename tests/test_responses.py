@@ -286,6 +286,37 @@ def test_far_above_critical_it_creeps(ratio: float) -> None:
     assert found == pytest.approx(float(known), rel=1e-10)
 
 
+def test_three_masses_with_fast_and_slow_decay_in_forty_digits() -> None:
+    """Roots from -2 to -4448 per s: where an integrator is lost, the matrix's own exponential."""
+    masses, springs, dampers = (
+        (2.145, 0.1497, 0.6769),
+        (0.9943, 0.01366, 12.06),
+        (0.277, 0.0086, 0.54),
+    )
+    move = move_of("constant acceleration")
+    response, times = cm.MoveResponse(cm.Chain(masses, springs, dampers), move), (0.001, 0.02, 0.13)
+    with mp.workdps(40):
+        whole = mp.zeros(7)
+        for i in range(3):
+            whole[i, 3 + i], whole[3 + i, 6] = 1, -1
+            for given, first in ((springs, 0), (dampers, 3)):
+                own, after = mp.mpf(given[i]), mp.mpf(given[i + 1] if i < 2 else 0)
+                mass = mp.mpf(masses[i]) / 1000
+                whole[3 + i, first + i] = -(own + after) / mass
+                if i:
+                    whole[3 + i, first + i - 1] = own / mass
+                if i < 2:
+                    whole[3 + i, first + i + 1] = after / mass
+        a = 4 * 50 / mp.mpf(move.time_s) ** 2
+        known = [mp.expm(whole * mp.mpf(time))[:6, 6] * a for time in times]
+        pushed = [(whole[3:6, :6] * state)[:, 0] for state in known]
+    for time, state, push in zip(times, known, pushed, strict=True):
+        for n in range(3):
+            away, moved = response.deflection_mm(time, n + 1), response.acceleration(time, n + 1)
+            assert away == pytest.approx(float(state[n]), rel=1e-12)
+            assert moved == pytest.approx(float(push[n]) / 1000, rel=1e-12)
+
+
 @pytest.mark.parametrize("law", [ODD, HARD, POWER])
 def test_what_is_neither_polynomial_nor_wave_keeps_the_tolerance(law: cm.MotionLaw) -> None:
     places = np.linspace(0, 1, 1001)
