@@ -251,6 +251,17 @@ def test_a_peak_is_found_to_the_last_digits() -> None:
         assert response.peak_acceleration().value == pytest.approx(known * a0, rel=1e-12)
 
 
+@pytest.mark.parametrize("ratio", [30, 3000])
+def test_a_peak_soon_after_the_beginning_is_not_missed(ratio: float) -> None:
+    """A stiff damper takes the mass along at once, and the cubic pushes hardest at first."""
+    move = move_of("cubic")
+    response = cm.MoveResponse(cm.tuned_mass(3, ratio), move)
+    dense = np.abs(response.acceleration(move.time_s * np.geomspace(1e-9, 0.5, 40_001))).max()
+    assert response.peak_acceleration(over=(0, 0.5 * move.time_s)).value == pytest.approx(
+        dense, rel=1e-7
+    )
+
+
 def test_critical_damping_has_a_closed_form() -> None:
     """Its matrix is defective: z = -A/w^2 (1 - (1 + w t) exp(-w t)) under a constant A."""
     move, hz = move_of("constant acceleration"), 9.0
