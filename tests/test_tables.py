@@ -136,7 +136,9 @@ def test_two_laws_of_one_name_come_back(tmp_path: Path, laws: tuple[Any, Any]) -
     parts = [cm.rise(50, over_deg=90, law=laws[0]), cm.return_(50, over_deg=90, law=laws[1])]
     diagram = cm.TimingDiagram([cm.motion("die", *parts, cm.dwell(180))], 2000)
     back = read_segments(write(diagram, tmp_path / "m.csv"))["die"]
-    assert [move.law.name for move in back.moves] == [cm.as_law(law).name for law in laws]
+    assert [cm.as_law(move.law).name for move in back.moves] == [
+        cm.as_law(law).name for law in laws
+    ]
     angles = np.arange(0, 360, 7.3)
     assert back.position_mm(angles).tolist() == diagram.position_mm("die", angles).tolist()
 

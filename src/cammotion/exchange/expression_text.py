@@ -6,6 +6,7 @@ Piecewise((2*x**2, x <= 1/2), (1 - 2*(1 - x)**2, True)).
 
 import ast
 import operator
+import warnings
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 from typing import Any
@@ -59,16 +60,22 @@ def expression_from_text(text: str) -> sympy.Expr:
     -2*x**3 + 3*x**2
     """
     try:
-        tree = ast.parse(text.strip(), mode="eval").body
+        tree = parsed(text)
         _check_size(tree)
         return _read_cases(tree)
     except InputError:
         raise
-    except (SyntaxError, ValueError, ArithmeticError, MemoryError, RecursionError):
+    except (SyntaxError, TypeError, ValueError, ArithmeticError, MemoryError, RecursionError):
         raise InputError(
             f"The expression {shorten(text)} cannot be read: look for a bracket or a sign too "
             f"many. It may have {ALLOWED}."
         ) from None
+
+
+def parsed(text: str) -> Any:
+    """Return the parts of a text that is one expression of Python's; nothing is run."""
+    with warnings.catch_warnings(action="ignore"):  # of what looks odd in Python
+        return ast.parse(text.strip(), mode="eval").body
 
 
 class _Printer(StrPrinter):  # type: ignore[misc]

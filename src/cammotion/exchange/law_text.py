@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from cammotion.exchange.expression_text import expression_as_text, expression_from_text
+from cammotion.exchange.expression_text import expression_as_text, expression_from_text, parsed
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.piece import Piece, Placed
@@ -78,7 +78,7 @@ def law_from_text(name: str, text: str) -> MotionLaw:
     if text.startswith(_EXPRESSION):
         return MotionLaw(name, expression_from_text(text.removeprefix(_EXPRESSION)))
     try:
-        call: Any = ast.parse(text, mode="eval").body
+        call = parsed(text)
         given = [ast.literal_eval(argument) for argument in call.args]
         more = {word.arg: ast.literal_eval(word.value) for word in call.keywords}
         return _FORMS[call.func.id](name, *given, **more)
