@@ -1,5 +1,6 @@
 from .dynamics.one_mass import OneMass
 from .exchange.cam_files import write_cam
+from .exchange.cam_tables import read_cam_table
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
@@ -49,6 +50,7 @@ from .machine.kinematics import (
 from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
 from .machine.segments import Segment
+from .measured.cam_table import CamTable
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
@@ -86,6 +88,7 @@ __all__ = [
     "SUSPECTS",
     "Box",
     "Button",
+    "CamTable",
     "ClearanceRule",
     "Control",
     "Cross",
@@ -179,6 +182,7 @@ __all__ = [
     "polynomial",
     "predict",
     "progress",
+    "read_cam_table",
     "read_segments",
     "return_",
     "rise",
