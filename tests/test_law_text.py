@@ -173,6 +173,41 @@ def test_an_expression_is_read_as_it_was(expression: sympy.Expr) -> None:
     assert expression_from_text(expression_as_text(expression)) == expression
 
 
+DAMAGE = ["-", "=", "\t", "'", '"', ";", ",", "\n", "1e9", "**", "x", "(", ")", "[", "nan", "S ="]
+DAMAGE += [
+    "scca",
+    "0",
+    " ",
+    "\0",
+    "é",
+    "1_0",
+    ".",
+    "E",
+    "sin(",
+    "Piecewise((",
+    "9" * 20,
+    "/0",
+    "inf",
+]
+
+
+def test_damaged_tables_are_read_or_refused_in_words(tmp_path: Path) -> None:
+    rng, path = np.random.default_rng(4), tmp_path / "m.csv"
+    for _ in range(25):
+        text = cm.write_segments(draw(rng, 2), path, overwrite=True).read_bytes().decode()[:20_000]
+        for _ in range(12):
+            damaged = text
+            for _ in range(int(rng.integers(1, 4))):
+                at, gone = int(rng.integers(len(damaged))), int(rng.choice([0, 1, 1, 3, 30]))
+                new = str(rng.choice(DAMAGE))
+                damaged = damaged[:at] + new + damaged[at + gone :]
+            path.write_bytes(damaged.encode())
+            try:
+                cm.read_segments(path)
+            except InputError as refusal:
+                assert 20 < len(str(refusal)) < 700
+
+
 ATTACKS = [
     *("__import__('os').system('true')", "x.__class__", "().__class__", "[x]", "x if x else x"),
     *("lambda: x", "x := 3", "f'{x}'", "eval('x')", "open('m')", "x[0]", "*x", "sin", "sin()"),

@@ -1,6 +1,7 @@
 from .dynamics.one_mass import OneMass
 from .exchange.cam_files import write_cam
 from .exchange.cam_tables import read_cam_table
+from .exchange.cam_tables_out import write_cam_tables
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
@@ -197,6 +198,7 @@ __all__ = [
     "with_angle",
     "within",
     "write_cam",
+    "write_cam_tables",
     "write_curves",
     "write_segments",
     "x",
