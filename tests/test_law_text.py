@@ -84,6 +84,8 @@ def test_laws_that_differ_are_told_apart() -> None:
     assert is_same_law(cubic, MotionLaw("b", x**2 * (3 - 2 * x)))
     assert not is_same_law(cubic, MotionLaw("a", 3 * x**2 - 2 * x**3 + x**2 * (1 - x) ** 2 / 10**9))
     assert not is_same_law(cubic, cm.LAWS["cycloidal"])
+    trembling = MotionLaw("a", cubic.s + 1e-14 * sympy.sin(200 * sympy.pi * x))  # 1e-7 of the jerk
+    assert not is_same_law(cubic, trembling)
 
 
 @pytest.mark.parametrize("name", ["cycloidal", "constant velocity", "dwell"])
