@@ -25,7 +25,6 @@ from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
 from .hardware.rotor import Rotor
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
-from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
@@ -52,6 +51,13 @@ from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
 from .machine.segments import Segment
 from .measured.cam_table import CamTable
+from .measured.differences import Differences, differences
+from .measured.from_points import law_from_points, law_from_table
+from .measured.harmonics import Harmonics, harmonics
+from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
+from .measured.sampled_law import SampledLaw
+from .measured.smoothing import SmoothedTable, smoothed
+from .measured.springs import critical_harmonic, natural_frequency, springs_in_series
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
@@ -73,6 +79,7 @@ from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_we
 from .views.live.explore import explore
 from .views.live.formulas import inverse, largest, place_of_largest
 from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, choice, pinned
+from .views.measured_plots import plot_harmonics, plot_measured
 from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
@@ -83,8 +90,11 @@ __version__: str
 __all__ = [
     "CONSTANT_VELOCITY",
     "EXAMPLE",
+    "KG_PER_LB",
     "LAWS",
     "MATCHED",
+    "MM_PER_INCH",
+    "N_PER_LBF",
     "PRINTED_LIMITS",
     "SUSPECTS",
     "Box",
@@ -94,11 +104,13 @@ __all__ = [
     "Control",
     "Cross",
     "Cuboid",
+    "Differences",
     "Disc",
     "Fit",
     "FlatFacedCam",
     "FollowerLoad",
     "Geneva",
+    "Harmonics",
     "Indexer",
     "InputError",
     "LeastAcceleration",
@@ -118,8 +130,10 @@ __all__ = [
     "Ring",
     "RollerCam",
     "Rotor",
+    "SampledLaw",
     "Say",
     "Segment",
+    "SmoothedTable",
     "SwingingRoller",
     "TimingDiagram",
     "TranslatingRoller",
@@ -135,8 +149,10 @@ __all__ = [
     "check_setup",
     "choice",
     "choose",
+    "critical_harmonic",
     "cycle_time",
     "deviation_um",
+    "differences",
     "dwell",
     "explore",
     "explore_cam",
@@ -150,6 +166,7 @@ __all__ = [
     "find_clearances",
     "find_violations",
     "grade_um",
+    "harmonics",
     "hertz_pressure",
     "hint",
     "indexing_motion",
@@ -157,10 +174,12 @@ __all__ = [
     "inverse",
     "largest",
     "law_from_points",
+    "law_from_table",
     "least_acceleration",
     "limits_of",
     "mean_diameter_mm",
     "motion",
+    "natural_frequency",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
@@ -172,9 +191,11 @@ __all__ = [
     "plot_detour",
     "plot_fit",
     "plot_front",
+    "plot_harmonics",
     "plot_inverse_square",
     "plot_jerk_price",
     "plot_laws",
+    "plot_measured",
     "plot_peaks",
     "plot_ranking",
     "plot_timing",
@@ -192,6 +213,8 @@ __all__ = [
     "smallest_base_radius",
     "smallest_clearance",
     "smallest_prime_radius",
+    "smoothed",
+    "springs_in_series",
     "tolerance_unit",
     "variant",
     "widest_move",

@@ -6,9 +6,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
 
-TURN = 360.0  # deg
+TURN = DEG_PER_TURN
 _ANGLE = Quantity("cam angle of the table", "deg", example=10, low=-1e6, high=1e6)
 _POSITION = Quantity("position of the table", "mm", example=5, low=-1e6, high=1e6)
 _STEP = Quantity("step of the positions", "mm", example=0.01, high=1e6, low_included=True)
@@ -61,6 +62,28 @@ class CamTable:
         steps = np.diff([*self.angle_deg, *closing])
         is_even = np.ptp(steps) <= _EVEN * np.mean(steps)
         return float(np.mean(steps)) if is_even else None
+
+    def mirrored(self) -> "CamTable":
+        """Return the table with the return that mirrors it: from its last angle back as it came.
+
+        A table over half a turn becomes a cycle. Raises InputError for one that is a cycle already,
+        or goes over more than half a turn.
+
+        >>> angles = np.arange(0, 190, 10)
+        >>> CamTable(angles, 25 - 25 * np.cos(np.radians(angles)), step_mm=0.01).mirrored()
+        CamTable(36 points every 10 deg, a whole turn, 0 to 50 mm in steps of 0.01)
+        """
+        span = self.angle_deg[-1] - self.angle_deg[0]
+        if self.is_cycle or span > TURN / 2 * (1 + _EVEN):
+            raise InputError(
+                f"The table {'is a cycle' if self.is_cycle else f'goes over {span:g} deg'} and "
+                "cannot be mirrored: give a table without its return, over 180 deg at most."
+            )
+        is_cycle = span >= TURN / 2 * (1 - _EVEN)
+        back = slice(-2, 0, -1) if is_cycle else slice(-2, None, -1)
+        angles = [*self.angle_deg, *(2 * self.angle_deg[-1] - self.angle_deg[back])]
+        positions = [*self.position_mm, *self.position_mm[back]]
+        return CamTable(np.array(angles), np.array(positions), self.step_mm, is_cycle, self.said)
 
     def __repr__(self) -> str:
         step = self.even_step_deg
