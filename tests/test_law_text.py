@@ -4,6 +4,7 @@ import csv
 import time
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -57,12 +58,25 @@ def test_a_family_is_written_with_its_parameters() -> None:
 
 
 def test_points_are_written_as_they_are() -> None:
-    places, ways = [0.0, 0.3, 0.55, 1.0], [0.0, 0.125, 0.6, 1.0]
-    law = cm.law_from_points(places, ways)
-    assert law_as_text(law).startswith(f"polynomials(([0.0, 0.3, 0.55, 1.0], {ways[:-1]}, ")
-    back = law_from_text("", law_as_text(law))
-    assert back.sampled_at == law.sampled_at
-    assert back([0.3, 0.55]).tolist() == [0.125, 0.6]
+    law = cm.law_from_points([0, 0.3, 0.55, 1], [0, 0.125, 0.6, 1], end_slopes=(0.5, 0))
+    assert law_as_text(law) == (
+        "law_from_points([0.0, 0.3, 0.55, 1.0], [0.0, 0.125, 0.6, 1.0], end_slopes=(0.5, 0.0), "
+        "fit='through', step=0.0)"
+    )
+
+
+def test_a_law_from_points_knows_them_when_it_comes_back() -> None:
+    """Its points, their rounding and what that does, however it lies to them."""
+    sampled: list[Any] = [law for law in pool() if hasattr(law, "sampled_at")]
+    assert {(type(law.fit).__name__, law.amount > 0) for law in sampled} == {
+        *(("Through", False), ("Through", True), ("Monotone", False)),
+        *(("Periodic", False), ("Periodic", True)),
+    }
+    for law in sampled:
+        back: Any = law_from_text(law.name, law_as_text(law))
+        assert repr(back) == repr(law)
+        for what in ("sampled_at", "step", "amount", "rounding", "Ca", "Cj"):
+            assert getattr(back, what) == pytest.approx(getattr(law, what), rel=1e-12), what
 
 
 def test_ten_thousand_points_are_read_in_seconds(tmp_path: Path) -> None:
@@ -250,7 +264,10 @@ def test_what_is_no_law_is_refused_at_once(text: str) -> None:
         "polynomials(([0, 0.5, 1], [0, 0.7], [1, 1]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 0.9], [0, 0.2]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 1], [0, 0], [0, 0], [0, 0]))",
-        "polynomials(([0, 1], [0], [1]), sampled_at=3)",
+        "law_from_points([0, 1], [0, 1])",
+        "law_from_points([0, 0.3, 0.6, 1], [0, 0.1, 0.7, 1], fit='best')",
+        "law_from_points([0, 0.3, 0.6, 1], [0, 0.1, 0.7, 1], name='other')",
+        "law_from_points()",
         "polynomials(([[0, 1]], [0], [1]))",
         f"polynomials(([0, 1], {', '.join(['[1]'] * 40)}))",
         f"polynomials({'(' * 500})",
@@ -281,4 +298,3 @@ def test_every_law_of_the_pool_has_a_text() -> None:
         back = law_from_text(law.name, law_as_text(law))
         for mine, theirs in ((law.Cv, back.Cv), (law.Ca, back.Ca), (law.Cj, back.Cj)):
             assert mine == pytest.approx(theirs, rel=1e-9)
-        assert back.sampled_at == pytest.approx(law.sampled_at, abs=1e-15)
