@@ -79,9 +79,11 @@ def test_a_law_from_points_knows_them_when_it_comes_back() -> None:
             assert getattr(back, what) == pytest.approx(getattr(law, what), rel=1e-12), what
 
 
-def test_ten_thousand_points_are_read_in_seconds(tmp_path: Path) -> None:
+@pytest.mark.parametrize("turned", [False, True], ids=["as points", "as polynomials"])
+def test_ten_thousand_points_are_read_in_seconds(tmp_path: Path, turned: bool) -> None:
     places = np.linspace(0, 1, 10_001)
-    law = cm.law_from_points(places, places**2 * (3 - 2 * places))
+    law: MotionLaw = cm.law_from_points(places, places - np.sin(2 * np.pi * places) / (2 * np.pi))
+    law = law.reversed() if turned else law
     start = time.process_time()
     path = cm.write_segments(make_diagram(make_die(law=law)), tmp_path / "m.csv")
     back = cm.read_segments(path)
@@ -89,7 +91,8 @@ def test_ten_thousand_points_are_read_in_seconds(tmp_path: Path) -> None:
     assert is_same_law(cm.as_law(back["die"].moves[0].law), law)
     cells = [cell for row in csv.reader(path.open(newline="")) for cell in row]
     assert max(map(len, cells)) <= 30_001  # a spreadsheet cuts after 32,767
-    assert not any(cell.startswith(("=", "+", "@")) for cell in cells)
+    assert not any(cell.startswith(("=", "+", "@", "-")) for cell in cells)
+    assert any(cell.startswith("'-") for cell in cells) == turned
 
 
 def test_laws_that_differ_are_told_apart() -> None:
@@ -170,6 +173,16 @@ def test_a_law_that_no_text_gives_back_is_refused(
         cm.write_segments(
             make_diagram(make_die(law=MotionLaw("sq", sympy.sqrt(1 + 3 * x) - 1))), tmp_path / "m"
         )
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_table_that_would_not_come_back_is_an_error_of_ours(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for wrong in (str.upper, lambda _: "", lambda name: f"a, {name}\n"):
+        monkeypatch.setattr("cammotion.exchange.tables.name_cell", wrong)
+        with pytest.raises(cm.WrongAnswerError, match=r"^write_segments has checked its answer"):
+            cm.write_segments(make_diagram(), tmp_path / "m.csv")
     assert not [*tmp_path.iterdir()]
 
 
@@ -261,6 +274,7 @@ def test_what_is_no_law_is_refused_at_once(text: str) -> None:
         "polynomials(([0, 0.5], [0], [1]), ([0.6, 1], [0.5], [1]))",
         "polynomials(([0, 0.5, 0.5, 1], [0, 0, 0], [1, 1, 1]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 1, 1]))",
+        "polynomials(([0, 0.6, 0.4, 1], [0, 0.6, 0.4], [1, 1, 1]))",
         "polynomials(([0, 0.5, 1], [0, 0.7], [1, 1]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 0.9], [0, 0.2]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 1], [0, 0], [0, 0], [0, 0]))",
