@@ -293,6 +293,14 @@ def test_lists_that_are_no_law_are_refused(text: str) -> None:
         law_from_text("my", text)
 
 
+def test_a_law_that_is_given_takes_the_place_of_none_but_itself(tmp_path: Path) -> None:
+    law, same, other = (MotionLaw("my", s) for s in (x**2, x * x, x**3))
+    path = cm.write_segments(make_diagram(make_die(law=law)), tmp_path / "m.csv")
+    assert cm.read_segments(path, laws=[other, same])["die"].moves[0].law is same
+    found = cm.read_segments(path, laws=[other])["die"].moves[0].law
+    assert is_same_law(cm.as_law(found), law)
+
+
 @pytest.mark.parametrize("laws", [["cubic"], "cubic", 3, None, [MotionLaw("a", x), None]])
 def test_laws_are_laws(tmp_path: Path, laws: object) -> None:
     path = cm.write_segments(make_diagram(make_die()), tmp_path / "m.csv")
