@@ -9,6 +9,7 @@ from .dynamics.residual import (
 from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
 from .exchange.cam_files import write_cam
 from .exchange.cam_tables import read_cam_table
+from .exchange.cam_tables_out import write_cam_tables
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
@@ -246,6 +247,7 @@ __all__ = [
     "with_angle",
     "within",
     "write_cam",
+    "write_cam_tables",
     "write_curves",
     "write_segments",
     "x",

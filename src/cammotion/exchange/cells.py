@@ -1,0 +1,90 @@
+"""The cells of a table: numbers with a decimal point or comma, and names that are no formulas."""
+
+import csv
+import io
+import math
+from collections.abc import Iterable
+
+from cammotion.exchange.table_numbers import number_of
+from cammotion.quantities import InputError
+
+_QUOTE = "'"
+_ODD = ("=", "+", "-", "@", _QUOTE)  # a spreadsheet reckons with a cell that begins so
+
+
+def cut_rows(file: str, text: str) -> tuple[list[list[str]], str]:
+    """Return the rows of a table, cut into cells, and the sign that separates the cells.
+
+    That is the semicolon where the first line has one, else the comma. `file` is the name to tell
+    in the InputError for what cannot be cut.
+    """
+    separator = ";" if ";" in text.partition("\n")[0] else ","
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    try:
+        return list(reader), separator
+    except csv.Error as wrong:
+        raise InputError(
+            f"Line {reader.line_num} of {file} cannot be cut into cells ({wrong}): look for a "
+            "quotation mark too many."
+        ) from None
+
+
+def rows_as_text(rows: Iterable[Iterable[object]]) -> str:
+    """Return rows as the text of a file with commas between the cells."""
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    return text.getvalue()
+
+
+def decimal_mark(cells: Iterable[str]) -> str:
+    """Return the decimal mark of numbers, as far as they tell; "" if both are possible.
+
+    A mark tells nothing where three digits follow it, since it may separate the thousands.
+
+    >>> decimal_mark(["2.400", "0,5"]), decimal_mark(["2.400", "55"])
+    (',', '')
+    """
+    possible = (_readings(cell) for cell in cells)
+    marks = {mark for found in possible if len(found) == 1 for mark in found}
+    return marks.pop() if len(marks) == 1 else ""
+
+
+def number_in(cell: str, decimal: str) -> float:
+    """Return the number in a cell; nan for what is none, and for what can be read in two ways.
+
+    >>> number_in("2.400", ","), number_in("2.400", "."), number_in("2.400", "")
+    (2400.0, 2.4, nan)
+    """
+    readings = {*_readings(cell, decimal or ".,").values()}
+    return readings.pop() if len(readings) == 1 else math.nan
+
+
+def two_readings(cell: str) -> tuple[float, ...]:
+    """Return both numbers that a cell may stand for, like 2400 and 2.4; () for any other cell."""
+    readings = {*_readings(cell).values()}
+    return tuple(sorted(readings, reverse=True)) if len(readings) > 1 else ()
+
+
+def name_cell(name: str) -> str:
+    """Return a name as it stands in a cell: what a spreadsheet would reckon with gets a quote.
+
+    >>> name_cell("=1+1"), name_cell("die")
+    ("'=1+1", 'die')
+    """
+    return _QUOTE + name if _is_odd(name) else name
+
+
+def name_in(cell: str) -> str:
+    """Return the name for which a cell of `name_cell` stands."""
+    is_quoted = cell.startswith(_QUOTE) and _is_odd(cell[1:])
+    return cell[1:] if is_quoted else cell
+
+
+def _is_odd(name: str) -> bool:
+    return name.startswith(_ODD) or name != name.lstrip()
+
+
+def _readings(cell: str, marks: str = ".,") -> dict[str, float]:
+    """Return the number in a cell for each decimal mark with which it is one."""
+    numbers = ((mark, number_of(cell, mark)) for mark in marks)
+    return {mark: number for mark, number in numbers if number is not None}
