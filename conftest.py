@@ -1,5 +1,6 @@
 """What pytest collects, and what nbval compares."""
 
+import os
 from typing import Any
 
 import pytest
@@ -8,6 +9,8 @@ from nbval.plugin import IPyNbCell, IPyNbFile  # type: ignore[import-untyped]
 from starter.refresh import keep_as_png
 
 collect_ignore = ["tests/data"]
+# What a test answers is nobody's progress; in a folder of copies it is kept all the same.
+os.environ["CAMMOTION_PROGRESS"] = "off"
 
 
 def pytest_collectstart(collector: pytest.Collector) -> None:
