@@ -71,6 +71,8 @@ def shifted(read: Any) -> Callable[..., Any]:
         return replace(table, position_mm=np.roll(table.position_mm, 1))
 
     return shift
+
+
 def restarted(diagram: TimingDiagram) -> TimingDiagram:
     """Break a machine: its motions begin a little later."""
     return replace(diagram, motions=[motion.shifted(1e-5) for motion in diagram.motions])

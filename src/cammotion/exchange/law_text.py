@@ -165,7 +165,7 @@ def _expression(pieces: tuple[Piece, ...]) -> str:
 
 def _inmost(piece: Piece) -> Piece:
     while isinstance(piece, Placed):
-        piece = piece._inner
+        piece = piece.inner
     return piece
 
 
