@@ -1,4 +1,7 @@
+from .dynamics.contact import Flight, Flights, follower_flights
+from .dynamics.loads import FollowerLoad
 from .dynamics.one_mass import OneMass
+from .dynamics.polydyne import Polydyne, polydyne
 from .exchange.cam_files import write_cam
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
@@ -18,7 +21,6 @@ from .hardware.followers import SwingingRoller, TranslatingRoller
 from .hardware.geneva import Geneva
 from .hardware.indexer import Indexer
 from .hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
-from .hardware.loads import FollowerLoad
 from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
 from .hardware.rotor import Rotor
@@ -55,6 +57,7 @@ from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
+from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
 from .views.explorers.cam import explore_cam
@@ -93,6 +96,9 @@ __all__ = [
     "Disc",
     "Fit",
     "FlatFacedCam",
+    "Flight",
+    "Flights",
+    "FollowerAnimation",
     "FollowerLoad",
     "Geneva",
     "Indexer",
@@ -110,6 +116,7 @@ __all__ = [
     "Panel",
     "Point",
     "PointMasses",
+    "Polydyne",
     "PrintedLimits",
     "Ring",
     "RollerCam",
@@ -124,6 +131,7 @@ __all__ = [
     "WrongAnswerError",
     "again",
     "animate",
+    "animate_follower",
     "as_law",
     "ask",
     "beyond",
@@ -145,6 +153,7 @@ __all__ = [
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
+    "follower_flights",
     "grade_um",
     "hertz_pressure",
     "hint",
@@ -176,6 +185,7 @@ __all__ = [
     "plot_timing",
     "plot_torque",
     "plot_weight",
+    "polydyne",
     "polynomial",
     "predict",
     "progress",

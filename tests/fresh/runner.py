@@ -21,6 +21,7 @@ from typing import Any
 
 from fresh import (
     check_cams,
+    check_contacts,
     check_indexers,
     check_laws,
     check_limits,
@@ -49,6 +50,7 @@ CHECKS: Mapping[str, Check] = {
     "least": check_limits.least,
     "cams": check_cams.cams,
     "followers": check_cams.followers,
+    "contacts": check_contacts.contacts,
     "indexers": check_indexers.indexers,
     "questions": check_questions.questions,
 }
