@@ -1,7 +1,15 @@
+from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.contact import Flight, Flights, follower_flights
 from .dynamics.loads import FollowerLoad
 from .dynamics.one_mass import OneMass
 from .dynamics.polydyne import Polydyne, polydyne
+from .dynamics.residual import (
+    dynamic_factor,
+    residual_vibration,
+    running_factor,
+    running_residual,
+)
+from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
 from .exchange.cam_files import write_cam
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
@@ -68,6 +76,7 @@ from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.explorers.ways import explore_ways
 from .views.fit_plots import plot_fit
+from .views.follower_plots import plot_residual, plot_response
 from .views.law_plots import plot_laws, plot_ranking
 from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_weight
 from .views.live.explore import explore
@@ -89,6 +98,7 @@ __all__ = [
     "SUSPECTS",
     "Box",
     "Button",
+    "Chain",
     "ClearanceRule",
     "Control",
     "Cross",
@@ -110,6 +120,7 @@ __all__ = [
     "Motion",
     "MotionLaw",
     "Move",
+    "MoveResponse",
     "NumberControl",
     "OneMass",
     "OwnInertia",
@@ -123,6 +134,8 @@ __all__ = [
     "Rotor",
     "Say",
     "Segment",
+    "StartResponse",
+    "SteadyResponse",
     "SwingingRoller",
     "TimingDiagram",
     "TranslatingRoller",
@@ -142,6 +155,7 @@ __all__ = [
     "cycle_time",
     "deviation_um",
     "dwell",
+    "dynamic_factor",
     "explore",
     "explore_cam",
     "explore_follower",
@@ -182,6 +196,8 @@ __all__ = [
     "plot_laws",
     "plot_peaks",
     "plot_ranking",
+    "plot_residual",
+    "plot_response",
     "plot_timing",
     "plot_torque",
     "plot_weight",
@@ -190,14 +206,19 @@ __all__ = [
     "predict",
     "progress",
     "read_segments",
+    "residual_vibration",
     "return_",
     "rise",
+    "running_factor",
+    "running_residual",
     "scca",
     "size_step_mm",
     "smallest_base_radius",
     "smallest_clearance",
     "smallest_prime_radius",
     "tolerance_unit",
+    "tuned_mass",
+    "two_masses",
     "variant",
     "widest_move",
     "with_angle",
