@@ -1,5 +1,5 @@
 from .dynamics.chain import Chain, tuned_mass, two_masses
-from .dynamics.contact import Flight, Flights, follower_flights
+from .dynamics.contact import Flights, follower_flights
 from .dynamics.loads import FollowerLoad
 from .dynamics.one_mass import OneMass
 from .dynamics.polydyne import Polydyne, polydyne
@@ -10,6 +10,7 @@ from .dynamics.residual import (
     running_residual,
 )
 from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
+from .dynamics.turns import Flight
 from .exchange.cam_files import write_cam
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure

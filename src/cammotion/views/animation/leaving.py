@@ -14,7 +14,8 @@ import drawsvg as draw
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from cammotion.dynamics.contact import Flight, Flights
+from cammotion.dynamics.contact import Flights
+from cammotion.dynamics.turns import Flight
 from cammotion.hardware.followers import TranslatingRoller
 from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
