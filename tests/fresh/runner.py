@@ -22,6 +22,7 @@ from typing import Any
 from fresh import (
     check_cam_tables,
     check_cams,
+    check_contacts,
     check_indexers,
     check_laws,
     check_limits,
@@ -52,6 +53,7 @@ CHECKS: Mapping[str, Check] = {
     "least": check_limits.least,
     "cams": check_cams.cams,
     "followers": check_cams.followers,
+    "contacts": check_contacts.contacts,
     "indexers": check_indexers.indexers,
     "responses": check_responses.responses,
     "questions": check_questions.questions,

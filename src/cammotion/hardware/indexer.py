@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.hardware.bracketed import cuts, largest
+from cammotion.bracketed import cuts, largest
 from cammotion.hardware.inertia import whole_number
 from cammotion.hardware.rotor import Rotor
 from cammotion.laws.catalogue import as_law

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
-from cammotion.hardware.bracketed import Extreme, largest
+from cammotion.bracketed import Extreme, largest
 from cammotion.hardware.disc_cam import (
     DiscCam,
     Undercut,
