@@ -144,7 +144,7 @@ def test_nothing_is_chosen_beforehand(exercise: ChoiceExercise) -> None:
     assert control.answer is None
     assert control.buttons.index is None
     assert feedback_of(control) == ""
-    assert cm.progress().text.count("open") == len(EXERCISES)
+    assert cm.progress().text.count("  open\n") == len(EXERCISES)
 
 
 @each_choice
