@@ -1,6 +1,7 @@
 """What pytest collects, and what nbval compares."""
 
 import os
+import sys
 from typing import Any
 
 import pytest
@@ -30,3 +31,9 @@ def pytest_itemcollected(item: pytest.Item) -> None:
             return compare(outputs, *rest, **named)
 
         item.compare_outputs = compare_stored
+
+
+def pytest_runtest_teardown() -> None:
+    """Close the pictures of each test: Matplotlib warns of more than twenty, whoever drew them."""
+    if pyplot := sys.modules.get("matplotlib.pyplot"):
+        pyplot.close("all")

@@ -12,6 +12,7 @@ from fresh.runner import CHECKS, examine, main, run
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
+from cammotion.measured.fits import Through
 from cammotion.teaching import again
 
 SEED, SOUND = "cam", range(6)
@@ -98,6 +99,10 @@ FAULTS: dict[str, Patch] = {
     "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
     "cam_tables": (cm, "read_cam_table", shifted),
+    "differences": (cm.Differences, "acceleration_bound", scaled(1.01)),
+    "harmonics": (cm.Harmonics, "rebuilt", scaled(1 + 1e-5)),
+    "smoothings": (cm.SmoothedTable, "acceleration_rms", scaled(1.001)),
+    "roundings": (Through, "effects", lambda _: lambda *_: 2 * (np.ones(1),)),
     "least": (cm, "least_acceleration", bounded),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),

@@ -379,7 +379,7 @@ BAD_CHAINS: list[tuple[tuple[Any, ...], str]] = [
     (([1, 2], [2]), "has 2 masses, 1 springs and 2 dampers: give each mass a spring"),
     (([1, 2], [2, 2], [1]), "1 dampers"),
     (([], []), "0 masses"),
-    ((5, [2]), "mass of each mass is wanted, not 5: give a list, for example \\[12\\]"),
+    ((5, [2]), "Of the mass a list is wanted, a number for each mass, and not 5: give for example"),
     ((["a"], [2]), "mass has to be a number in kg"),
 ]
 

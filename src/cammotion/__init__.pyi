@@ -10,6 +10,7 @@ from .dynamics.residual import (
     running_residual,
 )
 from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
+from .dynamics.springs import critical_harmonic, natural_frequency, springs_in_series
 from .dynamics.turns import Flight
 from .exchange.cam_files import write_cam
 from .exchange.cam_tables import read_cam_table
@@ -69,7 +70,6 @@ from .measured.harmonics import Harmonics, harmonics
 from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
 from .measured.sampled_law import SampledLaw
 from .measured.smoothing import SmoothedTable, smoothed
-from .measured.springs import critical_harmonic, natural_frequency, springs_in_series
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie

@@ -78,6 +78,22 @@ class Quantity:
             )
         return float(array)
 
+    def whole(self, value: Any) -> int:
+        """Return `value`, a single whole number such as 8 or 8.0, as an int.
+
+        Raises InputError like `number`, and for a number that is not whole.
+
+        >>> Quantity("number of stops", "", example=8).whole(24.0)
+        24
+        """
+        number = self.number(value)
+        if number != int(number):
+            raise InputError(
+                f"The {self.name} is {number:g}; it has to be a whole number: give for example "
+                f"{self.example:g}."
+            )
+        return int(number)
+
     @property
     def allowed(self) -> str:
         """The range in words, after 'a finite number': ' above 0 and at most 360 deg'.

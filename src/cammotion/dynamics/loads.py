@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from cammotion.bracketed import Extreme, Function, largest, where_positive
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc
-from cammotion.machine.kinematics import RATE, cycle_time
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, Numbers, Quantity, plain
 
@@ -18,7 +18,6 @@ STIFFNESS = Quantity("stiffness of the spring", "N/mm", example=5, low_included=
 PRELOAD = Quantity("preload of the spring", "N", example=100, low_included=True)
 WEIGHT = Quantity("weight on the cam", "N", example=117.7, low=-math.inf)
 
-_MM_PER_M = 1000.0
 _LEAST_N = 1e-12
 
 
@@ -131,8 +130,8 @@ class FollowerLoad:
 
     def _inertia(self, rate_per_hour: float) -> float:
         """Return the force in N that a second derivative of 1 mm/deg² asks for at a rate."""
-        per_second = 360 / cycle_time(RATE.number(rate_per_hour))
-        return float(self.mass_kg * per_second**2 / _MM_PER_M)
+        per_second = DEG_PER_TURN / cycle_time(RATE.number(rate_per_hour))
+        return float(self.mass_kg * per_second**2 / MM_PER_M)
 
     def _standing_at(self, motion: Motion, piece: Piece, places: Floats) -> Floats:
         return np.asarray(self.standing_N(piece.over(places.copy()) - motion.range_mm[0]))

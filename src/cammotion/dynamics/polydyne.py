@@ -22,14 +22,12 @@ from typing import Any
 
 import sympy
 
-from cammotion.dynamics.one_mass import OneMass
+from cammotion.dynamics.one_mass import DAMPING, SWINGS, OneMass
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Quantity
 
-_SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
-_DAMPING = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
 _THIRD = 3
 
 
@@ -76,7 +74,7 @@ def polydyne(law: str | MotionLaw, swings: float, damping: float = 0.0) -> Polyd
     5.32, 7.53, 7.51
     """
     wanted = as_law(law)
-    numbers = _SWINGS.number(swings), _DAMPING.number(damping)
+    numbers = SWINGS.number(swings), DAMPING.number(damping)
     _check(wanted)
     lead = 2 * exact(numbers[1]) / (2 * sympy.pi * exact(numbers[0]))
     give = 1 / (2 * sympy.pi * exact(numbers[0])) ** 2

@@ -124,7 +124,7 @@ class Response(ABC):
 
     def _number(self, number: Any, what: str) -> int:
         count = len(self.chain.masses_kg)
-        if isinstance(number, bool) or number not in range(1, count + 1):
+        if isinstance(number, bool | np.ndarray) or number not in range(1, count + 1):
             raise InputError(
                 f"The number of the {what} is {shorten(number)}; the follower has {count}: give a "
                 f"whole number from 1, at the cam, to {count}."
@@ -193,7 +193,7 @@ class MoveResponse(Response):
         return np.where((times >= 0) & (times < self.move.time_s), moved(inside), 0.0)
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = ordered(_TIME, over or self.span)
+        low, high = ordered(_TIME, self.span if over is None else over)
         return [
             (self._course.lows[number], self._begins[number], spots)
             for spots in self._course.samples(max(low, 0.0), high)
@@ -233,7 +233,7 @@ class _TurnResponse(Response):
         """Return the number of the turn and the angle in the first one of it."""
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = ordered(CAM_ANGLE, over or self.span)
+        low, high = ordered(CAM_ANGLE, self.span if over is None else over)
         self._phase(np.array([low, high]))  # refuses what is none of its places
         ends = (int((angle - self.motion.start_deg) // DEG_PER_TURN) for angle in (low, high))
         first, last = ends

@@ -13,7 +13,7 @@ import numpy as np
 from cammotion.exchange.table_columns import Columns
 from cammotion.exchange.table_headings import DISTANCE, LENGTHS, TIME
 from cammotion.exchange.table_numbers import step_of
-from cammotion.measured.cam_table import TURN
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity, one_of
 
 CYCLE = Quantity("cycle, in units of the first column,", "", example=360, high=1e9)
@@ -106,7 +106,7 @@ def check_not_counted(found: Columns) -> None:
 def master_of(found: Columns, first: str | None, cycle: float | None) -> Master:
     """Return what the first column is; raise InputError where nothing says so."""
     values, rounding = found.numbers[:, 0], step_of(found.cells(0), found.decimal)
-    kind, why = _kind(found, first, cycle)
+    kind, why = _kind(found, rounding, first, cycle)
     turn = _turn(found, kind, cycle)
     closes, is_open = _ends(values, rounding, turn)
     said = f"{WORDS[kind]} ({why})"
@@ -115,11 +115,13 @@ def master_of(found: Columns, first: str | None, cycle: float | None) -> Master:
     return Master(turn, rounding, closes, is_open, said)
 
 
-def _kind(found: Columns, first: str | None, cycle: float | None) -> tuple[str, str]:
+def _kind(
+    found: Columns, rounding: float, first: str | None, cycle: float | None
+) -> tuple[str, str]:
     """Return what the first column is, and who says so."""
     if first is not None:
         return one_of("kind of a first column", first, WORDS), "as set"
-    values, rounding = found.numbers[:, 0], step_of(found.cells(0), found.decimal)
+    values = found.numbers[:, 0]
     seen = next((unit for unit in _SEEN if any(_ends(values, rounding, TURNS[unit]))), "")
     named = _named(found)
     ends = f"goes from {found.cells(0)[0]} to {found.cells(0)[-1]}"
@@ -246,7 +248,7 @@ def shape_of(found: Columns, master: Master, is_cycle: bool | None, *, is_even: 
     if is_cycle is None:
         is_cycle = whole and closes
     if not is_cycle:
-        first, last = values[[0, -1]] * TURN / master.turn
+        first, last = values[[0, -1]] * DEG_PER_TURN / master.turn
         return Shape(False, False, f"{way} from {first:.6g} to {last:.6g} deg")
     how = "its last row repeats the first" if master.closes else "its last row comes a step before"
     if master.closes and gap:

@@ -17,7 +17,6 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from cammotion.hardware.inertia import whole_number
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.quantities import InputError, Numbers, Quantity, plain
@@ -44,7 +43,7 @@ class Geneva:
     slots: int
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "slots", whole_number(_SLOTS, self.slots))
+        object.__setattr__(self, "slots", _SLOTS.whole(self.slots))
 
     @property
     def ratio(self) -> float:

@@ -12,7 +12,6 @@ from typing import Any
 
 import drawsvg as draw
 import numpy as np
-from matplotlib.ticker import MaxNLocator
 
 from cammotion.dynamics.contact import Flights
 from cammotion.dynamics.turns import Flight
@@ -23,9 +22,10 @@ from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time
 from cammotion.quantities import Floats, InputError, Quantity, shorten
 from cammotion.views.animation import svg
-from cammotion.views.animation.charts import HEADING_PX, LEFT_PX, Chart, LabelledCurve, Lane
+from cammotion.views.animation.cam_machine import STEEL
 from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.keyframes import CAMSHAFT, Trace
+from cammotion.views.animation.leaving_charts import CAM, FOLLOWER, Curves, draw_charts
 from cammotion.views.animation.moving_picture import MovingPicture
 from cammotion.views.animation.picture import TURN
 from cammotion.views.animation.player import SHOWN_ANGLE
@@ -34,16 +34,14 @@ from cammotion.views.plots import colour
 
 MAGNIFICATION = Quantity("magnification of the gap", "times", example=10, low=1, low_included=True)
 WIDTH_PX, HEIGHT_PX = 800, 430
-CAM, FOLLOWER = 1, 0  # the numbers of their colours
 _CAM_PX = 118.0  # the largest radius of the cam
 _AXIS = (150.0, 300.0)
 _CEILING, _HEADER = 78.0, 66.0
-_CHART_X, _CHART_PX, _LANE_PX = 310.0, 372.0, 112.0
+_CHART_X = 310.0
 _ROLLER, _PRESSURE_DEG = 0.35, 38  # of the travel; the cam is no larger than a picture needs
 _SEEN = 0.35  # of the travel: so wide is the widest gap to be drawn
 _STEP_DEG, _BURST_DEG = 1.0, 9.0
 _STEM_PX, _COILS = 46.0, 5
-STEEL: dict[str, Any] = {"fill": "#dcdcdc", "stroke": "#555555", "stroke_width": 1.5}
 
 
 @dataclass(frozen=True)
@@ -95,7 +93,14 @@ class FollowerAnimation(MovingPicture):
             said.append("It stays on the cam.")
         elif self.magnify > 1:
             said.append(f"The gap is drawn {self.magnify:g} times as large.")
+        if not self.is_repeated:
+            said.append("The turn before was another: the picture jumps where this one begins.")
         return "\n".join(said)
+
+    @property
+    def is_repeated(self) -> bool:
+        """Whether the turn that is shown is as the one before it, if there was one."""
+        return self.flights.turns < 2 or self.flights.period == 1  # noqa: PLR2004
 
     def angle_of(self, angle_deg: Any) -> Any:
         """Return angles of the dial as those of the last turn, counted on from the first."""
@@ -171,7 +176,7 @@ class _Picture:
         title = "A follower leaves its cam"
         drawing = svg.sheet(WIDTH_PX, HEIGHT_PX, title, svg.printable(self.of.description))
         drawing.extend([*self._header(), *self._machine(), *self._bursts()])
-        drawing.append(svg.placed(_CHART_X, _HEADER, *self._charts()))
+        drawing.append(svg.placed(_CHART_X, _HEADER, *draw_charts(self._curves, self.turn_s)))
         return str(drawing.as_svg(header=""))
 
     def _header(self) -> Iterable[Any]:
@@ -181,6 +186,8 @@ class _Picture:
         )
         if self.of.magnify > 1:
             yield svg.label(f"the gap is drawn {self.of.magnify:g} times as large", 12, 42)
+        if not self.of.is_repeated:
+            yield svg.label("the turn before was another", 12, 58)
         yield svg.placed(WIDTH_PX - 40, 27, draw_dial(self.turn_s))
 
     def _machine(self) -> Iterable[Any]:
@@ -257,44 +264,6 @@ class _Picture:
     def _air(self) -> list[Arc]:
         return arcs([flight[:2] for flight in self.of.seen])
 
-    def _charts(self) -> Iterable[Any]:
-        """Draw displacement and force over the cam angle, with a cursor through both."""
-        lift = Chart(
-            "displacement in mm" + self._said, [self._lift_lane()], _CHART_PX, "in the air"
-        )
-        force = Chart("force between cam and follower in N", [self._force_lane()], _CHART_PX)
-        top = lift.whole_height + 8
-        yield lift.draw(self._air)
-        yield svg.placed(0, top, force.draw())
-        way = CAMSHAFT.scaled(_CHART_PX / DEG_PER_TURN)
-        cursor = svg.moving(way, self.turn_s, "x", data={"part": "cursor"})
-        line = draw.Path(stroke=svg.INK, stroke_width=1.4, fill="none")
-        for chart, at in ((lift, 0.0), (force, top)):
-            line.M(0, svg.px(at + HEADING_PX)).v(svg.px(chart.height))
-            cursor.append(svg.placed(0, at, chart.draw_dots(self.turn_s)))
-        cursor.insert(0, line)
-        yield svg.placed(LEFT_PX, 0, cursor)
-        below = top + force.whole_height + 12
-        middle = LEFT_PX + _CHART_PX / 2
-        yield svg.label("cam angle", middle, below, size=svg.SMALL, text_anchor="middle")
-
     @property
-    def _said(self) -> str:
-        return f", gap {self.of.magnify:g} times" if self.of.magnify > 1 else ""
-
-    def _lift_lane(self) -> Lane:
-        curves = [
-            LabelledCurve(FOLLOWER, "follower", Trace(self.angles, self._drawn)),
-            LabelledCurve(CAM, "cam", Trace(self.angles, self.lift)),
-        ]
-        return _lane(curves, float(self._drawn.max()))
-
-    def _force_lane(self) -> Lane:
-        curve = LabelledCurve(FOLLOWER, "force", Trace(self.angles, self.force))
-        return _lane([curve], float(self.force.max()))
-
-
-def _lane(curves: list[LabelledCurve], high: float) -> Lane:
-    ticks = MaxNLocator(4, steps=[1, 2, 5, 10]).tick_values(0, high)
-    room = 0.06 * high
-    return Lane(curves, -room, high + room, [t for t in ticks if 0 <= t <= high], 0, _LANE_PX)
+    def _curves(self) -> Curves:
+        return Curves(self.angles, self.lift, self._drawn, self.force, self._air, self.of.magnify)
