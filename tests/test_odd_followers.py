@@ -1,5 +1,6 @@
 """What is odd to ask of a follower is refused in a sentence, and whole numbers are whole."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -58,3 +59,14 @@ def test_a_turn_that_is_not_as_the_one_before_is_said_to_be() -> None:
         picture = cm.animate_follower(flights)
         assert ("the turn before was another" in picture.svg) is not is_repeated
         assert ("The turn before was another" in picture.description) is not is_repeated
+
+
+def test_a_landing_that_throws_it_back_has_no_force_but_its_impact() -> None:
+    load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=1, preload_N=30)
+    flights = cm.follower_flights(cm.EXAMPLE.die, load, 3000, restitution=0.9)
+    pairs = pairwise(flights.flights)
+    thrown = [f.lands_at_deg for f, g in pairs if f.lands_at_deg == g.leaves_at_deg]
+    assert len(thrown) > 3
+    assert not np.any(flights.force_N(thrown))
+    stays = cm.follower_flights(cm.EXAMPLE.die, load, 3000)
+    assert np.min(stays.force_N([flight.lands_at_deg for flight in stays])) > 0

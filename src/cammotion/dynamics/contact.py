@@ -117,7 +117,8 @@ class Flights:
         angles = self._inside(angle_deg)
         force = np.asarray(self.load.force_N(self.motion, angles, self.rate_per_hour)).copy()
         for flight in self.flights:
-            force[(angles > flight.leaves_at_deg) & (angles < flight.lands_at_deg)] = 0.0
+            # from the very place on: a landing that throws it back presses for no time at all
+            force[(angles >= flight.leaves_at_deg) & (angles < flight.lands_at_deg)] = 0.0
         return plain(force)
 
     def __str__(self) -> str:

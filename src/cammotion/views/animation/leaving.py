@@ -187,7 +187,7 @@ class _Picture:
         if self.of.magnify > 1:
             yield svg.label(f"the gap is drawn {self.of.magnify:g} times as large", 12, 42)
         if not self.of.is_repeated:
-            yield svg.label("the turn before was another", 12, 58)
+            yield svg.label("the turn before was another", _CHART_X + 48, 42)
         yield svg.placed(WIDTH_PX - 40, 27, draw_dial(self.turn_s))
 
     def _machine(self) -> Iterable[Any]:

@@ -63,7 +63,7 @@ def _lifts(curves: Curves) -> Lane:
 
 def _force(curves: Curves) -> Lane:
     curve = LabelledCurve(FOLLOWER, "force", Trace(curves.angles, curves.force))
-    return _lane([curve], float(curves.force.max()))
+    return _lane([curve], float(curves.force.max()) or 1.0)  # always in the air: any scale
 
 
 def _lane(curves: list[LabelledCurve], high: float) -> Lane:
