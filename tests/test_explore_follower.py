@@ -38,8 +38,10 @@ def test_what_is_drawn_and_said(figure: LiveFigure, law: str) -> None:
     for settings in at_corners(figure, n):
         swings = settings[n]
         mass = cm.OneMass(law, swings)
-        cam, own = lines_of(figure, "acceleration")
-        assert drawn(figure, own["y"], X) == pytest.approx(mass(X, 2), abs=1e-9)
+        cam, *own = lines_of(figure, "acceleration")
+        assert own[0]["over"][0] == 0 and own[0]["over"][1] == own[1]["over"][0]  # one curve
+        for line in own:
+            assert drawn(figure, line["y"], X) == pytest.approx(mass(X, 2), abs=1e-9)
         inside = (X > 0.001) & (np.abs(X - 0.5) > 0.001) & (X < 0.999)
         assert drawn(figure, cam["y"], X[inside]) == pytest.approx(mass.law(X[inside], 2))
         assert not drawn(figure, cam["y"], X[X > 1]).any()

@@ -80,7 +80,7 @@ from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
 from .views.explorers.cam import explore_cam
-from .views.explorers.follower import explore_follower
+from .views.explorers.follower import explore_follower, explore_residual
 from .views.explorers.measured import explore_measured
 from .views.explorers.move import explore_move
 from .views.explorers.overlap import explore_overlap
@@ -186,6 +186,7 @@ __all__ = [
     "explore_measured",
     "explore_move",
     "explore_overlap",
+    "explore_residual",
     "explore_scca",
     "explore_shares",
     "explore_ways",

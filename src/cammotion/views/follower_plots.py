@@ -25,6 +25,7 @@ from cammotion.views.plots import COLOURS, LINE_STYLES, colour, style_axes, styl
 
 QUANTITIES = {
     "residual": "swing after the move / stroke",
+    "worst": "largest swing at this tm/Tn or above / stroke",
     "factor": "peak acceleration, mass / cam",
 }
 _MASS = Quantity("number of a mass", "", example=1)
@@ -32,6 +33,7 @@ _RATIOS = np.linspace(0.02, 8, 400)
 _FLOOR = 1e-4  # of the stroke, where the logarithmic axis begins
 _PLACES = 1441  # of a turn
 _AFTER = 1.5  # indexing times after a move
+_BEYOND = 4.0  # so much farther tm/Tn is looked at for what is worst
 _GAP = 0.052  # between two labels, as a share of the axis
 
 
@@ -47,8 +49,9 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     """Draw for each law how far a mass swings after its move, over tm/Tn, and return the Axes.
 
     `laws` are laws or their names, all of the catalogue whose velocity does not jump unless given;
-    `ratios` are tm/Tn, from 0.02 to 8. With the `quantity` "factor" it is the peak acceleration of
-    the mass during the move over the cam's. With a `motion` it is the machine that has run for
+    `ratios` are tm/Tn, from 0.02 to 8. With the `quantity` "worst" it is the largest swing at that
+    ratio or one up to 4 above it, so that no curve has a zero on which nobody can rely; with
+    "factor" it is the peak acceleration of the mass during the move over the cam's. With a `motion` it is the machine that has run for
     long, each law in turn being that of all its moves; else a single move. Raises InputError as
     `residual_vibration` and `running_residual` do.
 
@@ -57,7 +60,9 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     """
     drawn = as_laws([*LAWS] if laws is None else laws)
     at = _RATIOS if ratios is None else np.asarray(ratios, dtype=float)
-    is_residual = one_of("quantity", quantity, QUANTITIES) == "residual"
+    asked = one_of("quantity", quantity, QUANTITIES)
+    is_residual = asked != "factor"
+    looked = at if asked != "worst" else np.concatenate([at, at[-1] + _RATIOS * _BEYOND / 8])
     if ax is None:
         ax = blank_axes(8.6, 5.2, layout="constrained")
     style_axes(ax, "tm/Tn, swings of the mass during the move", QUANTITIES[quantity])
@@ -65,10 +70,12 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     for number, law in enumerate(drawn):
         if motion is None:
             single = residual_vibration if is_residual else dynamic_factor
-            values = np.asarray(single(law, at, damping_ratio))
+            values = np.asarray(single(law, looked, damping_ratio))
         else:
             running = running_residual if is_residual else running_factor
-            values = np.asarray(running(motion.with_law(law), at, damping_ratio))
+            values = np.asarray(running(motion.with_law(law), looked, damping_ratio))
+        if asked == "worst":
+            values = np.maximum.accumulate(values[::-1])[::-1][: len(at)]
         line = style_line(ax.plot(at, values, label=law.name)[0], number)
         shift = number // len(COLOURS)  # the seventh line has the first colour and other dashes
         line.set(linestyle=LINE_STYLES[(number + shift) % len(LINE_STYLES)], linewidth=1.6)

@@ -1,11 +1,11 @@
-"""The explorer of the follower: a mass on a spring, driven through one rise and left alone."""
+"""The explorers of the follower: a mass on a spring, driven through one rise and left alone."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy as sp
 
-from cammotion.dynamics.one_mass import OneMass
+from cammotion.dynamics.one_mass import OneMass, zeta
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
@@ -22,6 +22,8 @@ _END = 2.5  # of the time that is shown, in indexing times
 _STIFF = 60  # a deflection of 1 is drawn as this much acceleration, unless the spring is softer
 _MASS, _CAM = 0, 1  # colours: the mass, which swings, has the unbroken line
 _MOST = 20  # acceleration on the axis
+_RARE, _OFTEN = sp.Rational(1, 2), 10  # swings during the move, between which what stays is drawn
+_SOFT = 24  # the most that stays at so few swings
 
 
 def explore_follower(
@@ -47,18 +49,7 @@ def explore_follower(
     return explore(
         [
             _picture(*(each.xreplace({x: NOW}) for each in (s, z))),
-            Panel(
-                lines=[
-                    Line(y=a, name="cam", colour=_CAM),
-                    Line(y=of_mass, name="mass", colour=_MASS),
-                ],
-                y="acceleration A",
-                x="time x = t/tm",
-                x_ticks=0.25,
-                y_limits=(-_MOST, _MOST),
-                y_ticks=5,
-                height=190,
-            ),
+            _over_time(a, of_mass, height=190),
         ],
         (x, 0, _END),
         {n: Control(low=0.5, high=15, step=0.1, start=start, name="swings during the move")},
@@ -71,11 +62,86 @@ def explore_follower(
     )
 
 
+def explore_residual(
+    laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping: float = 0.02
+) -> LiveFigure:
+    """Return a live figure of a mass on a spring, and of the swing that is left after its move.
+
+    The controls are n, how often the mass swings during the move, from 0.5 to 10, and the damping
+    ratio, from 0.005 to 0.3; `start` and `damping` are where they stand at first. `laws`, names or
+    laws, are to choose from. Above is the acceleration of cam and mass over the time, below how
+    large that of the mass is just after the move, over n. All are factors like Ca, to be multiplied
+    by hm/tm². Raises InputError as `OneMass` does, and where there is no law.
+
+    >>> figure = explore_residual()
+    >>> figure.values = {n: 4}
+    >>> print(figure.text.splitlines()[1])
+    just after the move its swing has |A| = 0.842, 0.133 percent of the stroke
+    """
+    known = [as_law(law) for law in laws]
+    masses = [OneMass(law, n, zeta) for law in known]
+    curves = {
+        law.name: (_acceleration(law), mass.a, left_behind(mass), law.Ca)
+        for law, mass in zip(known, masses, strict=True)
+    }
+    a, of_mass, left, c_a = choice("motion law", curves)
+    law = next(iter(symbol for symbol in c_a.free_symbols), None)
+    swings = _RARE + (_OFTEN - _RARE) * x / _END
+    return explore(
+        [
+            _over_time(a, of_mass, height=180),
+            Panel(
+                lines=[Line(x=swings, y=left.xreplace({n: swings}), colour=_MASS)],
+                points=[Point(x=n, y=left, name="now", colour=_CAM)],
+                x="swings during the move, n = tm/Tn",
+                y="|A| after the move",
+                x_limits=(0, _OFTEN),
+                y_limits=(0, _SOFT),
+                y_ticks=8,
+                x_ticks=1,
+                height=140,
+            ),
+        ],
+        (x, 0, _END),
+        {
+            n: Control(low=0.5, high=_OFTEN, step=0.1, start=start, name="swings during the move"),
+            zeta: Control(low=0.005, high=0.3, step=0.005, start=damping, name="damping ratio"),
+        },
+        says=[
+            _peaks(law or known[0].name, c_a, of_mass),
+            Say(
+                "just after the move its swing has |A| = {left:.3g}, {share:.3g} percent of the "
+                "stroke",
+                {"left": left, "share": 100 * left / (2 * sp.pi * n) ** 2},
+            ),
+        ],
+        pin="Keep this one, dashed",
+        title="A mass on a spring, and what is left after its move",
+    )
+
+
+def left_behind(mass: OneMass) -> sp.Expr:
+    """Return the largest acceleration of the free swing as it is just after the move.
+
+    It is the envelope there, in hm/tm²; undamped, the mass swings with it for ever.
+    """
+    since = sp.Symbol("since", positive=True)
+    free = mass.a.subs(x, 1 + since)  # no zone is left in it
+    w, damping = 2 * sp.pi * n, zeta
+    at_once, rate = (free.diff(since, order).subs(since, 0) for order in range(2))
+    other = (rate + damping * w * at_once) / (w * sp.sqrt(1 - damping**2))
+    return sp.sqrt(at_once**2 + other**2)
+
+
 def _curves(law: MotionLaw, mass: OneMass) -> tuple[Any, ...]:
     """Return S and A of the cam, deflection and acceleration of the mass, and Ca."""
     s = sp.Piecewise((law.s, x <= 1), (1, True), evaluate=False)
-    a = sp.Piecewise((law.a, x <= 1), (0, True), evaluate=False)
-    return s, a, mass.z, mass.a, law.Ca
+    return s, _acceleration(law), mass.z, mass.a, law.Ca
+
+
+def _acceleration(law: MotionLaw) -> sp.Expr:
+    """Return A of the cam, which stands after the move."""
+    return sp.Piecewise((law.a, x <= 1), (0, True), evaluate=False)
 
 
 def _picture(s: sp.Expr, z: sp.Expr) -> Panel:
@@ -113,14 +179,41 @@ def _picture(s: sp.Expr, z: sp.Expr) -> Panel:
     )
 
 
+def _over_time(a: sp.Expr, of_mass: sp.Expr, height: float) -> Panel:
+    """Return the accelerations of cam and mass over the time."""
+    return Panel(
+        lines=[
+            Line(y=a, name="cam", colour=_CAM),
+            Line(y=of_mass, name="mass", colour=_MASS, over=(0, 1)),  # two lines: twice as fine
+            Line(y=of_mass, colour=_MASS, over=(1, _END)),
+        ],
+        y="acceleration A",
+        x="time x = t/tm",
+        x_ticks=0.25,
+        y_limits=(-_MOST, _MOST),
+        y_ticks=5,
+        height=height,
+    )
+
+
 def _sentences(law: Any, c_a: Any, of_mass: sp.Expr) -> Iterator[Say]:
-    size = sp.Abs(of_mass, evaluate=False)
-    after = largest(size, (x, 1, 1 + 1 / n))  # later it only dies away
-    peak = sp.Max(largest(size, (x, 0, 1)), after, evaluate=False)
+    yield _peaks(law, c_a, of_mass)
     yield Say(
+        "after the move the mass swings with |A| up to {after:.3g}", {"after": _after(of_mass)}
+    )
+    yield Say("(deflection of the spring drawn {shown:.3g} times as large)", {"shown": _SHOWN})
+
+
+def _peaks(law: Any, c_a: Any, of_mass: sp.Expr) -> Say:
+    size = sp.Abs(of_mass, evaluate=False)
+    peak = sp.Max(largest(size, (x, 0, 1)), _after(of_mass), evaluate=False)
+    return Say(
         "{law}: largest |A| of the cam {cam:.3g}, of the mass {peak:.3g}, "
         "which is {times:.3g} times as much",
         {"law": law, "cam": c_a, "peak": peak, "times": peak / c_a},
     )
-    yield Say("after the move the mass swings with |A| up to {after:.3g}", {"after": after})
-    yield Say("(deflection of the spring drawn {shown:.3g} times as large)", {"shown": _SHOWN})
+
+
+def _after(of_mass: sp.Expr) -> sp.Expr:
+    """Return the largest acceleration after the move; later it only dies away."""
+    return largest(sp.Abs(of_mass, evaluate=False), (x, 1, 1 + 1 / n))
