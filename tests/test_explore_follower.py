@@ -39,7 +39,8 @@ def test_what_is_drawn_and_said(figure: LiveFigure, law: str) -> None:
         swings = settings[n]
         mass = cm.OneMass(law, swings)
         cam, *own = lines_of(figure, "acceleration")
-        assert own[0]["over"][0] == 0 and own[0]["over"][1] == own[1]["over"][0]  # one curve
+        first, second = (line["over"] for line in own)  # which are one curve
+        assert (first[0], first[1]) == (0, second[0])
         for line in own:
             assert drawn(figure, line["y"], X) == pytest.approx(mass(X, 2), abs=1e-9)
         inside = (X > 0.001) & (np.abs(X - 0.5) > 0.001) & (X < 0.999)
