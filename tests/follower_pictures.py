@@ -104,8 +104,8 @@ viewBox="0 0 760 284" class="cm-drawing" role="img" \
 font-family="DejaVu Sans, Verdana, Arial, sans-serif" style="background: white">
 <title>Two masses behind a cam, joined and cut free</title>
 <desc>A cam moves the end of the spring k1 and the damper b1 by s. Behind them is the mass m1, \
-then the spring k2 with the damper b2, and the mass m2. Cut free, m1 is pushed by k1 (s − y1) from the \
-left and by k2 (y1 − y2) from the right, m2 by k2 (y1 − y2) from the left.</desc>
+then the spring k2 with the damper b2, and the mass m2. Cut free, m1 is pushed by k1 (s − y1) \
+from the left and by k2 (y1 − y2) from the right, m2 by k2 (y1 − y2) from the left.</desc>
 <rect width="760" height="284" fill="white"/>
 <path d="M {CAM} {MIDDLE - 40} v 80" stroke="#1b1b1b" stroke-width="4"/>
 <path d="M {CAM - 70} {MIDDLE} H {CAM}" {INK}/>

@@ -59,3 +59,20 @@ def test_a_response_as_it_is() -> None:
         cm.plot_response(run, masses=[3])
     with pytest.raises(cm.InputError, match="quantity 'jerk'"):
         cm.plot_residual("cycloidal", quantity="jerk")
+
+
+def test_the_worst_from_a_ratio_on() -> None:
+    ratios = np.linspace(0.5, 6, 12)
+    ax = cm.plot_residual(["cycloidal", "cubic"], ratios=ratios, quantity="worst")
+    for line in ax.lines[:2]:
+        law, drawn = str(line.get_label()), np.asarray(line.get_ydata())
+        for ratio, value in zip(ratios, drawn, strict=True):
+            found = cm.residual_vibration(law, np.linspace(ratio, 10, 19001))
+            assert value == pytest.approx(np.max(found), rel=0.02)
+        assert np.all(np.diff(drawn) <= 0)
+
+
+def test_the_worst_of_a_running_machine_is_not_drawn() -> None:
+    """It would be that of a resonance between two of its ratios, as high as they happen to be."""
+    with pytest.raises(cm.InputError, match="single move"):
+        cm.plot_residual("cycloidal", quantity="worst", motion=cm.EXAMPLE.die)

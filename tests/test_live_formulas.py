@@ -74,6 +74,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     "explore_overlap": lambda: cm.explore_overlap(
         cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20
     ),
+    "explore_residual": cm.explore_residual,
     "explore_ways": lambda: cm.explore_ways(cm.EXAMPLE.diagram, cm.EXAMPLE.rule),
     "all functions": lambda: own_figure(SEVERAL, says=[]),
     "a choice": lambda: own_figure(

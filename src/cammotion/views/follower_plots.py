@@ -18,7 +18,7 @@ from cammotion.dynamics.response import MoveResponse, Response
 from cammotion.laws.catalogue import LAWS
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, Quantity, one_of
+from cammotion.quantities import Floats, InputError, Quantity, one_of
 from cammotion.views.law_plots import as_laws
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, LINE_STYLES, colour, style_axes, style_line
@@ -33,7 +33,7 @@ _RATIOS = np.linspace(0.02, 8, 400)
 _FLOOR = 1e-4  # of the stroke, where the logarithmic axis begins
 _PLACES = 1441  # of a turn
 _AFTER = 1.5  # indexing times after a move
-_BEYOND = 4.0  # so much farther tm/Tn is looked at for what is worst
+_BEYOND, _FINE = 4.0, 0.01  # how far above tm/Tn is looked for what is worst, and how finely
 _GAP = 0.052  # between two labels, as a share of the axis
 
 
@@ -61,33 +61,43 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     drawn = as_laws([*LAWS] if laws is None else laws)
     at = _RATIOS if ratios is None else np.asarray(ratios, dtype=float)
     asked = one_of("quantity", quantity, QUANTITIES)
-    is_residual = asked != "factor"
-    looked = at if asked != "worst" else np.concatenate([at, at[-1] + _RATIOS * _BEYOND / 8])
+    if asked == "worst" and motion is not None:
+        raise InputError(
+            "The quantity 'worst' is that of a single move; in a running machine it would be that "
+            "of a resonance: leave the motion out, or ask for the 'residual'."
+        )
     if ax is None:
         ax = blank_axes(8.6, 5.2, layout="constrained")
     style_axes(ax, "tm/Tn, swings of the mass during the move", QUANTITIES[quantity])
     ends = []
     for number, law in enumerate(drawn):
-        if motion is None:
-            single = residual_vibration if is_residual else dynamic_factor
-            values = np.asarray(single(law, looked, damping_ratio))
-        else:
-            running = running_residual if is_residual else running_factor
-            values = np.asarray(running(motion.with_law(law), looked, damping_ratio))
-        if asked == "worst":
-            values = np.maximum.accumulate(values[::-1])[::-1][: len(at)]
+        values = _values(law, at, asked, damping_ratio, motion)
         line = style_line(ax.plot(at, values, label=law.name)[0], number)
         shift = number // len(COLOURS)  # the seventh line has the first colour and other dashes
         line.set(linestyle=LINE_STYLES[(number + shift) % len(LINE_STYLES)], linewidth=1.6)
         late = values[at >= at[0] + 0.85 * (at[-1] - at[0])]
         ends.append(float(late.max()))
-    if is_residual:
+    if asked != "factor":
         ax.set_yscale("log")
         ax.set_ylim(_FLOOR, 2 if motion is None else None)
         ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     ax.set_xlim(0, at[-1])
     _label_ends(ax, [law.name for law in drawn], ends)
     return ax
+
+
+def _values(
+    law: MotionLaw, at: Floats, asked: str, damping_ratio: float, motion: Motion | None
+) -> Floats:
+    if asked == "worst":
+        fine = np.arange(at.min(), at.max() + _BEYOND, _FINE)
+        swings = np.asarray(residual_vibration(law, fine, damping_ratio))
+        return np.interp(at, fine, np.maximum.accumulate(swings[::-1])[::-1])
+    if motion is None:
+        single = residual_vibration if asked == "residual" else dynamic_factor
+        return np.asarray(single(law, at, damping_ratio))
+    running = running_residual if asked == "residual" else running_factor
+    return np.asarray(running(motion.with_law(law), at, damping_ratio))
 
 
 def plot_response(
