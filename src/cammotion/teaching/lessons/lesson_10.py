@@ -4,7 +4,6 @@ import cmath
 import math
 
 from cammotion.dynamics.chain import two_masses
-from cammotion.dynamics.loads import FollowerLoad
 from cammotion.dynamics.springs import natural_frequency, springs_in_series
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import (
@@ -14,7 +13,6 @@ from cammotion.machine.kinematics import (
     cycle_time,
     indexing_time,
 )
-from cammotion.machine.parts import dwell, motion, return_, rise
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
@@ -65,23 +63,24 @@ def _sinc(angle: float) -> float:
     return abs(math.sin(angle)) / angle
 
 
-def _leaves(m: MillAndDie, pressed_mm: float | None = None, weight: float = 0) -> float:
-    """Return above how many turns a minute the follower leaves its cam."""
-    f = m.follower
-    cam = motion(
-        "cam",
-        rise(f.lift_mm, over_deg=f.lift_deg),
-        dwell(DEG_PER_TURN / 2 - f.lift_deg),
-        return_(f.lift_mm, over_deg=f.lift_deg),
-        dwell(DEG_PER_TURN / 2 - f.lift_deg),
-    )
-    load = FollowerLoad(
-        mass_kg=f.lifted_kg,
-        stiffness_N_per_mm=f.spring_N_per_mm,
-        preload_N=f.spring_N_per_mm * (f.pressed_mm if pressed_mm is None else pressed_mm),
-        weight_N=weight,
-    )
-    return load.lift_off_rate(cam) / _MINUTES_PER_HOUR
+def _leaves(m: MillAndDie, pressed_mm: float | None = None) -> float:
+    """Return above how many turns a minute the follower leaves its cam, by halving.
+
+    It is where the spring's force by the brake is least, between the middle and 3/4 of the time.
+    """
+    pressed = m.follower.pressed_mm if pressed_mm is None else pressed_mm
+    lift = m.follower.lift_mm
+    low, high = 1 / 2, 3 / 4
+    for _ in range(60):
+        place = (low + high) / 2
+        angle = 2 * math.pi * place
+        spring = pressed + lift * (place - math.sin(angle) / (2 * math.pi))
+        grows = lift * (math.cos(angle) - 1) * math.sin(angle)
+        if grows + 2 * math.pi * math.cos(angle) * spring > 0:
+            high = place
+        else:
+            low = place
+    return _speed(m, spring, -2 * math.pi * math.sin(angle))
 
 
 def _speed(m: MillAndDie, pressed_mm: float, factor: float = _CYCLOID.Ca) -> float:
@@ -90,6 +89,11 @@ def _speed(m: MillAndDie, pressed_mm: float, factor: float = _CYCLOID.Ca) -> flo
     pull = f.lifted_kg * factor * f.lift_mm / MM_PER_M  # over the square of the time, N s2
     time_s = math.sqrt(pull / (f.spring_N_per_mm * pressed_mm))
     return f.lift_deg / DEG_PER_TURN / time_s * _SECONDS_PER_MINUTE
+
+
+def _weight(m: MillAndDie) -> float:
+    """Return by how many mm the follower's weight would press its spring together."""
+    return STANDARD_GRAVITY * m.follower.lifted_kg / m.follower.spring_N_per_mm
 
 
 def _at(m: MillAndDie, place: float) -> float:
@@ -343,7 +347,7 @@ EXERCISES = (
                 "a factor before it.",
             ),
             Slip(
-                lambda m: _leaves(m, weight=STANDARD_GRAVITY * m.follower.lifted_kg),
+                lambda m: _leaves(m, m.follower.pressed_mm + _weight(m)),
                 "The weight was added to the spring's force. The follower is level: its weight "
                 "does not press it on the cam.",
             ),
@@ -375,8 +379,8 @@ EXERCISES = (
         hints=(
             "What does the follower's mass need to be braked like the cam, and what does the "
             "spring give, both at the place x?",
-            "For each x in the second half, both are equal if the rise takes some time. The longest "
-            "of these times is the one at which it leaves first.",
+            "For each x in the second half, both are equal if the rise takes a certain time. The "
+            "longest of these times is the one at which it leaves first.",
             "Let the computer try many x between 0.5 and 1. From the time follows that of a turn, "
             "and the turns a minute.",
         ),
