@@ -138,7 +138,7 @@ RIGHT: dict[str, Callable[[MillAndDie], float]] = {
 
 SOURCE = {
     "10.1": 1 / (1000 / (12 * (20 * math.pi / 0.624) ** 2) - 1 / 150),
-    "10.2": 16 / math.pi**2,
+    "10.2": 200 * (math.sin(4.895 * math.pi / 2) / (4.895 * math.pi)) ** 2,
     "10.3": 779.8,
     "10.4": 0.618034 * math.sqrt(1000) / (2 * math.pi),
     "10.5": 50 * (0.070557 + 7.3828 / (5 * math.pi) ** 2),

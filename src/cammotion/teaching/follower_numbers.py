@@ -40,7 +40,7 @@ class FollowerNumbers:
 
     rod: Rod = _LESSONS
     jump_mm: float = 50
-    ringing: tuple[float, float] = (0.125, 20)
+    ringing: tuple[float, float] = (0.275, 17.8)
     lift_mm: float = 10
     lift_deg: float = 120
     spring_N_per_mm: float = 15  # noqa: N815 (units)
