@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from known_slips import die, later, law, place, stroke, turn, widest
 from known_slips_08 import inertia, push
+from known_slips_10 import both
 from known_slips_laws import gentle, harsh
 from shown import NUMBER, SVG, curve, is_red, numbers, texts, wrong
 
@@ -198,6 +199,12 @@ def test_bars() -> None:
         made = 2 * step / 1e6 / between**2 / machine.measured.limit
         assert ("more than it may" in shown.line) == (made > 1)
         assert (" by less." in shown.line) == (made < 1)
+        assert_bars(shown, made)
+    for machine, rod, shown in wrong("10.1"):
+        give = 1 / machine.follower.rod.lever_N_per_mm + 1 / rod
+        made = math.sqrt(1 / give / both(machine))
+        assert ("more often" in shown.line) == (made > 1)
+        assert ("not often enough" in shown.line) == (made < 1)
         assert_bars(shown, made)
 
 

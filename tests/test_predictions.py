@@ -17,6 +17,14 @@ NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
 LAWS = cm.LAWS
 PEAK = cm.peak_acceleration(50, 55, 2000)
 AFTER = cm.widest_move(make_diagram(), "die", RULE).diagram
+SPRING = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=0.5, preload_N=40)
+
+
+def _stays(angle_deg: float) -> float:
+    """Return how far the die at 17.8 Hz swings in the second after a move over an angle."""
+    move = cm.Move(stroke_mm=50, angle_deg=angle_deg, rate_per_hour=2000)
+    swings = cm.MoveResponse(cm.tuned_mass(17.8, 0.02), move)
+    return swings.peak_deflection_mm(over=(move.time_s, move.time_s + 1)).value
 
 
 def cells_of(path: Path) -> list[str]:
@@ -62,6 +70,9 @@ def test_the_notebooks_ask_for_the_predictions_of_the_lessons_in_their_words() -
         ("08.geneva", 0.69976 * (135 / 180 * math.pi) ** 2 * 8 / (2 * math.pi) / 5.52796),
         ("09.error", 4 * 0.0005 / (4 / 36) ** 2),
         ("09.finer", 4 * 0.0005 / (4 / 360) ** 2),
+        ("10.stay", 50),
+        ("10.cure", _stays(55) / _stays(AFTER["die"].moves[0].angle_deg)),
+        ("10.jump", cm.follower_flights(make_diagram()["die"], SPRING, 3000)[0].gap_mm),
         ("11.play", 360 * 0.05 / (math.pi * 40)),
         ("11.errors", len({"E7", "E8", "f6", "f9", "H8", "K6", "p6", "R10"})),
     ],

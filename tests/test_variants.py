@@ -20,6 +20,7 @@ from cammotion.quantities import Floats
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
+from cammotion.teaching.follower_numbers import FOLLOWER_CHOICES
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.table_numbers import TABLE_CHOICES
@@ -136,6 +137,15 @@ def test_every_fit_is_drawn_and_never_the_lessons(machines: list[MillAndDie]) ->
         assert {getattr(machine.fits, name) for machine in machines} == {*choices}
         assert getattr(EXAMPLE.fits, name) not in choices
         assert getattr(NAMELESS.fits, name) in choices
+
+
+def test_every_number_of_a_follower_is_drawn_and_never_the_lessons(
+    machines: list[MillAndDie],
+) -> None:
+    for name, choices in FOLLOWER_CHOICES.items():
+        assert {getattr(machine.follower, name) for machine in machines} == {*choices}
+        assert getattr(EXAMPLE.follower, name) not in choices
+    assert all(len({*spared}) == len(spared) for spared in FOLLOWER_CHOICES.values())
 
 
 def test_the_die_always_has_room(machines: list[MillAndDie]) -> None:

@@ -10,6 +10,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
 from cammotion.teaching.fit_numbers import FitNumbers
+from cammotion.teaching.follower_numbers import FollowerNumbers
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.measured_numbers import MeasuredNumbers
 from cammotion.teaching.table_numbers import TableNumbers
@@ -44,6 +45,7 @@ class MillAndDie:
     laws: LawNumbers = field(default_factory=LawNumbers)
     table: TableNumbers = field(default_factory=TableNumbers)
     measured: MeasuredNumbers = field(default_factory=MeasuredNumbers)
+    follower: FollowerNumbers = field(default_factory=FollowerNumbers)
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""

@@ -17,6 +17,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
+from cammotion.teaching.follower_numbers import FOLLOWER_CHOICES, FollowerNumbers, Rod
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.measured_numbers import MEASURED_CHOICES, MeasuredNumbers
 from cammotion.teaching.table_numbers import TABLE_CHOICES, TableNumbers
@@ -66,6 +67,23 @@ NAMELESS = MillAndDie(
         left=(20, 8, 13),
         stroke_mm=34,
         rank=7,
+    ),
+    follower=FollowerNumbers(
+        rod=Rod(5, 85, 2300, 6, 82),
+        jump_mm=42,
+        ringing=(0.18, 18.5),
+        lift_mm=12,
+        lift_deg=100,
+        spring_N_per_mm=8,
+        pressed_mm=3.5,
+        lifted_kg=2.6,
+        m1_kg=8,
+        m2_kg=7,
+        k1_N_per_mm=240,
+        k2_N_per_mm=140,
+        wanted_mm=45,
+        wanted_swings=1.75,
+        wanted_x=0.35,
     ),
 )
 """The machine of who gives no name; no number of a lesson is taken for one of its answers."""
@@ -147,6 +165,7 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
     laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
     tables = _choices(f"{seed}|table", TABLE_CHOICES)
     measured = _choices(f"{seed}|measured", MEASURED_CHOICES)
+    followers = _choices(f"{seed}|follower", FOLLOWER_CHOICES)
     for chosen in _choices(seed, _CHOICES):
         machine = MillAndDie(who=who, **chosen)
         if _is_sensible(machine):
@@ -155,6 +174,7 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
                 laws=LawNumbers(**next(laws)),
                 table=TableNumbers(**next(tables)),
                 measured=MeasuredNumbers(**next(measured)),
+                follower=FollowerNumbers(**next(followers)),
                 fits=FitNumbers(**next(fits)),
             )
 

@@ -110,6 +110,27 @@ def error_of_reading(limit: Measure, made: Callable[[MillAndDie, float], float])
     return show
 
 
+def swings_of_rod(asked: Measure, made: Callable[[MillAndDie, float], float]) -> Shows:
+    """Show an answer in N/mm, a rod, by how often a slide behind it swings, beside what it has to.
+
+    `made` is how often it swings during its move with a rod of a stiffness.
+    """
+
+    def show(machine: MillAndDie, rod: float) -> Shown | None:
+        if rod <= 0:
+            return None
+        wanted, swings = asked(machine), made(machine, rod)
+        said = _compare(
+            swings, wanted, "more often than it has to.", "just often enough.", "not often enough."
+        )
+        names = (f"asked for: {wanted:g} swings during the rise", "with lever and your rod")
+        return _draw_bars(
+            names, (wanted, swings), f"With this rod the slide swings during its rise {said}"
+        )
+
+    return show
+
+
 def step_of_torque(step_deg: Measure, needed: Measure, drag: Measure) -> Shows:
     """Show an answer in N m by how far a table gets with it in its time, beside its step.
 

@@ -1,0 +1,614 @@
+"""Exercises of notebook 10, the follower's vibration."""
+
+import cmath
+import math
+
+from cammotion.dynamics.chain import two_masses
+from cammotion.dynamics.springs import natural_frequency, springs_in_series
+from cammotion.laws.catalogue import LAWS
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    MM_PER_M,
+    STANDARD_GRAVITY,
+    cycle_time,
+    indexing_time,
+)
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.shown.bars import swings_of_rod
+
+_SECONDS_PER_MINUTE = 60
+_MINUTES_PER_HOUR = 60
+_CYCLOID, _SMOOTH = LAWS["cycloidal"], LAWS["4-5-6-7 polynomial"]
+_JUMPS = (4, -8, 4)  # of the constant acceleration, in hm/tm2: where it sets in, turns and ends
+
+
+def _rise_s(m: MillAndDie) -> float:
+    """Return the time of the rise of 10.1 in s."""
+    return float(indexing_time(m.follower.rod.rise_deg, m.follower.rod.per_hour))
+
+
+def _together(m: MillAndDie, time_s: float | None = None, omega: float = 2 * math.pi) -> float:
+    """Return what lever and rod have to have together, in N/mm."""
+    rate = omega * m.follower.rod.swings / (time_s or _rise_s(m))
+    return m.follower.rod.slide_kg * rate**2 / MM_PER_M
+
+
+def _rod(m: MillAndDie, together: float | None = None) -> float:
+    """Return the stiffness of the rod in N/mm that makes with the lever so much together."""
+    return 1 / (1 / (together or _together(m)) - 1 / m.follower.rod.lever_N_per_mm)
+
+
+def _swings(m: MillAndDie, rod: float) -> float:
+    """Return how often the slide swings in its rise on the lever and a rod."""
+    both = springs_in_series([m.follower.rod.lever_N_per_mm, rod])
+    return natural_frequency(both, m.follower.rod.slide_kg) * _rise_s(m)
+
+
+def _ratio(m: MillAndDie) -> float:
+    """Return how often the slide of 10.2 swings during its move."""
+    time_s, frequency = m.follower.ringing
+    return time_s * frequency
+
+
+def _ringing(m: MillAndDie, *jumps: float, omega: float = 2 * math.pi) -> float:
+    """Return how far in mm it swings after jumps at the start, the middle and the end."""
+    w = omega * _ratio(m)
+    total = sum(jump * cmath.exp(-0.5j * w * at) for at, jump in enumerate(jumps or _JUMPS))
+    return m.follower.jump_mm * abs(total) / w**2
+
+
+def _sinc(angle: float) -> float:
+    return abs(math.sin(angle)) / angle
+
+
+def _leaves(m: MillAndDie, pressed_mm: float | None = None) -> float:
+    """Return above how many turns a minute the follower leaves its cam, by halving.
+
+    It is where the spring's force by the brake is least, between the middle and 3/4 of the time.
+    """
+    pressed = m.follower.pressed_mm if pressed_mm is None else pressed_mm
+    lift = m.follower.lift_mm
+    low, high = 1 / 2, 3 / 4
+    for _ in range(60):
+        place = (low + high) / 2
+        angle = 2 * math.pi * place
+        spring = pressed + lift * (place - math.sin(angle) / (2 * math.pi))
+        grows = lift * (math.cos(angle) - 1) * math.sin(angle)
+        if grows + 2 * math.pi * math.cos(angle) * spring > 0:
+            high = place
+        else:
+            low = place
+    return _speed(m, spring, -2 * math.pi * math.sin(angle))
+
+
+def _speed(m: MillAndDie, pressed_mm: float, factor: float = _CYCLOID.Ca) -> float:
+    """Return at how many turns a minute a spring so pressed can just brake so hard."""
+    f = m.follower
+    pull = f.lifted_kg * factor * f.lift_mm / MM_PER_M  # over the square of the time, N s2
+    time_s = math.sqrt(pull / (f.spring_N_per_mm * pressed_mm))
+    return f.lift_deg / DEG_PER_TURN / time_s * _SECONDS_PER_MINUTE
+
+
+def _weight(m: MillAndDie) -> float:
+    """Return by how many mm the follower's weight would press its spring together."""
+    return STANDARD_GRAVITY * m.follower.lifted_kg / m.follower.spring_N_per_mm
+
+
+def _at(m: MillAndDie, place: float) -> float:
+    """Return how far in mm its spring is pressed together at a place of the rise."""
+    return m.follower.pressed_mm + m.follower.lift_mm * float(_CYCLOID(place))
+
+
+def _hertz(stiffness: float, mass: float) -> float:
+    return natural_frequency(stiffness, mass)
+
+
+def _modes(m: MillAndDie, *, swap_m: bool = False, swap_k: bool = False) -> tuple[float, float]:
+    """Return both natural frequencies of 10.4 in Hz."""
+    f = m.follower
+    m1, m2 = (f.m2_kg, f.m1_kg) if swap_m else (f.m1_kg, f.m2_kg)
+    k1, k2 = (f.k2_N_per_mm, f.k1_N_per_mm) if swap_k else (f.k1_N_per_mm, f.k2_N_per_mm)
+    lower, higher = two_masses(m1, m2, k1_N_per_mm=k1, k2_N_per_mm=k2).natural_Hz
+    return float(lower), float(higher)
+
+
+def _row(m: MillAndDie) -> float:
+    """Return the stiffness of both springs of 10.4 in a row."""
+    return springs_in_series([m.follower.k1_N_per_mm, m.follower.k2_N_per_mm])
+
+
+def _law(m: MillAndDie, derivative: int = 0) -> float:
+    return m.follower.wanted_mm * float(_SMOOTH(m.follower.wanted_x, derivative))
+
+
+def _turns(m: MillAndDie) -> float:
+    """Return 2 pi tm/Tn of 10.5."""
+    return 2 * math.pi * m.follower.wanted_swings
+
+
+def _cam(m: MillAndDie, law: str = _SMOOTH.name, omega: float | None = None) -> float:
+    """Return how high in mm the cam's end of the spring is."""
+    x, wanted = m.follower.wanted_x, LAWS[law]
+    bend = float(wanted(x, 2)) / (omega or _turns(m)) ** 2
+    return m.follower.wanted_mm * (float(wanted(x)) + bend)
+
+
+EXERCISES = (
+    NumberExercise(
+        number="10.1",
+        question=lambda m: (
+            "A slide of {0:g} kg rises over {1:g} degrees of its cam, at {2:g} pieces per hour. "
+            "Between cam and slide are a lever of {4:g} N/mm and a rod, one behind the other. How "
+            "stiff does the rod have to be at least, so that the slide, left alone, would swing "
+            "{3:g} times during the rise?"
+        ).format(*m.follower.rod),
+        unit="N/mm",
+        answer=_rod,
+        shows=swings_of_rod(asked=lambda m: m.follower.rod.swings, made=_swings),
+        right="Two stiff parts make a softer one: the lever alone would have swung it faster. And "
+        "however stiff the rod, it never swings faster than that.",
+        slips=(
+            Slip(
+                _together,
+                "This is what lever and rod need together. The lever gives way too, so that the "
+                "rod has to be stiffer.",
+            ),
+            Slip(
+                lambda m: m.follower.rod.lever_N_per_mm - _together(m),
+                "The stiffnesses were subtracted, as of parts side by side. One behind the other, "
+                "which of stiffness and give adds up?",
+            ),
+            Slip(
+                lambda m: springs_in_series([_together(m), m.follower.rod.lever_N_per_mm]),
+                "The give of the lever was added to that of both. It is a part of it: what is left "
+                "for the rod?",
+            ),
+            Slip(
+                lambda m: 1 / _rod(m),
+                "This is by how many mm the rod gives way for each newton. Its stiffness is one "
+                "over that.",
+            ),
+            Slip(
+                lambda m: 2 * _together(m),
+                "This is for two parts that are alike. The lever has a stiffness of its own.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m, omega=1)),
+                "The 2 pi is missing: the root of stiffness by mass is an angular frequency, in "
+                "rad a second.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m, float(cycle_time(m.follower.rod.per_hour)))),
+                "This is for as many swings in a whole turn. How long does the rise take?",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m) * MM_PER_M),
+                "What both need is in N/m here, and the lever's stiffness in N/mm. No rod can have "
+                "a stiffness below 0.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m) / STANDARD_GRAVITY),
+                "The mass was divided by g. Kilograms are a mass already.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m) * STANDARD_GRAVITY),
+                "The weight was taken for the mass. Then the lever alone would be too soft, and no "
+                "rod could help.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m) * _MINUTES_PER_HOUR**2),
+                "The time of the rise was taken 60 times too short: the pieces are by the hour, "
+                "and an hour has 3600 seconds.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m) / 4),
+                "This is for half as many swings. A swing is to and fro.",
+            ),
+        ),
+        hints=(
+            "How long does the rise take, in s, and how many times a second does the slide have "
+            "to swing?",
+            "The angular frequency is 2 pi times that. Its square times the mass is the stiffness "
+            "of lever and rod together, in N/m.",
+            "One behind the other the ways add up: one over this stiffness is the sum of one over "
+            "the lever's and one over the rod's.",
+        ),
+    ),
+    NumberExercise(
+        number="10.2",
+        question=lambda m: (
+            f"A cam lifts a slide by {m.follower.jump_mm:g} mm, by the constant acceleration, in "
+            f"{m.follower.ringing[0]:g} s. Left alone the slide swings {m.follower.ringing[1]:g} "
+            "times a second, and nothing damps it. How far to each side does it swing after the "
+            "move?"
+        ),
+        unit="mm",
+        answer=_ringing,
+        right="The law with the lowest peak jumps three times, and each jump leaves a swing. Only "
+        "how they meet can make it small.",
+        slips=(
+            Slip(
+                lambda m: _ringing(m, 4),
+                "This is what a single jump of the start's height leaves. How many jumps does the "
+                "move have, and how high is the one in the middle?",
+            ),
+            Slip(
+                lambda m: 16 * m.follower.jump_mm / (2 * math.pi * _ratio(m)) ** 2,
+                "The swings of the jumps were added by their sizes, as if all came in step. When "
+                "does each begin?",
+            ),
+            Slip(
+                lambda m: _ringing(m, 4, -4, 4),
+                "The jump in the middle was taken as high as that at the start. There it goes from "
+                "the full push to the full brake.",
+            ),
+            Slip(
+                lambda m: _ringing(m, 4, 0, 4),
+                "The jump in the middle is missing, from push to brake.",
+            ),
+            Slip(
+                lambda m: _ringing(m, 0, -8),
+                "This is the jump in the middle alone. The acceleration also jumps where the move "
+                "begins and where it ends.",
+            ),
+            Slip(
+                lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m) / 2),
+                "The square is missing: a jump in the acceleration counts by the square of the "
+                "frequency.",
+            ),
+            Slip(
+                lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m)) ** 2,
+                "The jumps are half a move apart, not a whole one.",
+            ),
+            Slip(
+                lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m)) / abs(1 - _ratio(m) ** 2),
+                "This is the cycloid of the lesson. Take the law that jumps.",
+            ),
+            Slip(
+                lambda m: _ringing(m, omega=1),
+                "The 2 pi is missing: swings were taken for radians.",
+            ),
+            Slip(
+                lambda m: _ringing(m, 2, -4, 2),
+                "An acceleration of 2 strokes by the square of the time would push all the way. "
+                "Here half of the stroke is done in half of the time.",
+            ),
+            Slip(
+                lambda m: 2 * _ringing(m),
+                "This is from one end of the swing to the other. How far to each side is asked "
+                "for.",
+            ),
+            Slip(
+                lambda m: _ringing(m) / m.follower.jump_mm,
+                "This is a part of the stroke. It is asked for in mm.",
+            ),
+            Slip(
+                lambda m: (
+                    m.follower.jump_mm
+                    * (math.sin(math.radians(math.pi * _ratio(m) / 2)) / (math.pi * _ratio(m) / 2))
+                    ** 2
+                ),
+                "The sine was taken of degrees. The angle is in radians.",
+            ),
+        ),
+        hints=(
+            "How often does the slide swing during the move? And where does its acceleration jump, "
+            "and by how much, in strokes by the square of the time?",
+            "Each jump leaves a swing of its own, in mm: its height over the square of the angular "
+            "frequency.",
+            "Add them as arrows, each turned back by how far the swing goes until it begins. The "
+            "length of the sum is asked for.",
+        ),
+    ),
+    NumberExercise(
+        number="10.3",
+        question=lambda m: (
+            f"A cam lifts a level follower by {m.follower.lift_mm:g} mm over "
+            f"{m.follower.lift_deg:g} degrees, by the cycloid. It has {m.follower.lifted_kg:g} kg, "
+            f"and a spring of {m.follower.spring_N_per_mm:g} N/mm, pressed together by "
+            f"{m.follower.pressed_mm:g} mm at the lowest position, holds it on the cam. Above "
+            "which speed does it leave the cam during the rise?"
+        ),
+        unit="turns a minute",
+        answer=_leaves,
+        right="It leaves a little before the cam brakes hardest, where the spring is still weaker.",
+        slips=(
+            Slip(
+                lambda m: _speed(m, _at(m, 3 / 4)),
+                "This is where the cam brakes hardest, at 3/4 of the time. But a little before, "
+                "the spring is weaker. Which place is the worst?",
+            ),
+            Slip(
+                lambda m: _speed(m, m.follower.pressed_mm),
+                "The spring is taken as at the lowest position. How high is the follower when the "
+                "cam brakes?",
+            ),
+            Slip(
+                lambda m: _speed(m, m.follower.pressed_mm + m.follower.lift_mm),
+                "The spring is taken as at the top. There the cam does not brake any more.",
+            ),
+            Slip(
+                lambda m: _speed(m, m.follower.pressed_mm + m.follower.lift_mm / 2),
+                "The spring is taken as half-way up. There the cam just goes from push to brake.",
+            ),
+            Slip(
+                lambda m: _leaves(m, 0),
+                "The spring is pressed together at the lowest position already. That is missing.",
+            ),
+            Slip(
+                lambda m: _speed(m, _at(m, 3 / 4), 4),
+                "This is with the peak of the constant acceleration. The cycloid's is higher.",
+            ),
+            Slip(
+                lambda m: _speed(m, _at(m, 3 / 4), 1),
+                "This is with the stroke over the square of the time as the peak. The cycloid has "
+                "a factor before it.",
+            ),
+            Slip(
+                lambda m: _leaves(m, m.follower.pressed_mm + _weight(m)),
+                "The weight was added to the spring's force. The follower is level: its weight "
+                "does not press it on the cam.",
+            ),
+            Slip(
+                lambda m: _leaves(m) * DEG_PER_TURN / m.follower.lift_deg,
+                "The time of the rise was taken for that of a turn.",
+            ),
+            Slip(
+                lambda m: _leaves(m) * m.follower.lift_deg / DEG_PER_TURN,
+                "The part of the turn was counted twice.",
+            ),
+            Slip(
+                lambda m: _leaves(m) * 2 * math.pi / _SECONDS_PER_MINUTE,
+                "This is in rad a second. Turns a minute are asked for.",
+            ),
+            Slip(
+                lambda m: _leaves(m) / _SECONDS_PER_MINUTE,
+                "This is in turns a second. Turns a minute are asked for.",
+            ),
+            Slip(
+                lambda m: _leaves(m) * _MINUTES_PER_HOUR,
+                "This is in turns an hour, as pieces are counted. Turns a minute are asked for.",
+            ),
+            Slip(
+                lambda m: _leaves(m) / math.sqrt(MM_PER_M),
+                "The stroke is in mm here. With kg and N it has to be in m.",
+            ),
+        ),
+        hints=(
+            "What does the follower's mass need to be braked like the cam, and what does the "
+            "spring give, both at the place x?",
+            "For each x in the second half, both are equal if the rise takes a certain time. The "
+            "longest of these times is the one at which it leaves first.",
+            "Let the computer try many x between 0.5 and 1. From the time follows that of a turn, "
+            "and the turns a minute.",
+        ),
+    ),
+    NumberExercise(
+        number="10.4",
+        question=lambda m: (
+            f"Outwards from a cam follow a push rod of {m.follower.k1_N_per_mm:g} N/mm, a slide of "
+            f"{m.follower.m1_kg:g} kg, a spindle of {m.follower.k2_N_per_mm:g} N/mm and a head of "
+            f"{m.follower.m2_kg:g} kg, one behind the other. The cam stands, and nothing damps. "
+            "What is the lower one of the two natural frequencies?"
+        ),
+        unit="Hz",
+        answer=lambda m: _modes(m)[0],
+        right="Each mass alone on its spring would swing faster. Together they have a slower swing "
+        "than either.",
+        slips=(
+            Slip(
+                lambda m: _modes(m)[1],
+                "This is the higher one, in which slide and head go against each other.",
+            ),
+            Slip(
+                lambda m: _hertz(_row(m), m.follower.m2_kg),
+                "This is the head on both springs, with a slide that has no mass.",
+            ),
+            Slip(
+                lambda m: _hertz(_row(m), m.follower.m1_kg + m.follower.m2_kg),
+                "This is one mass on both springs. The slide is on the push rod alone.",
+            ),
+            Slip(
+                lambda m: _hertz(m.follower.k1_N_per_mm, m.follower.m1_kg + m.follower.m2_kg),
+                "This is both masses on the push rod, as if the spindle were rigid.",
+            ),
+            Slip(
+                lambda m: _hertz(m.follower.k2_N_per_mm, m.follower.m2_kg),
+                "This is the head on its spindle, with the slide held still.",
+            ),
+            Slip(
+                lambda m: _hertz(m.follower.k1_N_per_mm, m.follower.m1_kg),
+                "This is the slide on the push rod, without the head.",
+            ),
+            Slip(
+                lambda m: _hertz(m.follower.k1_N_per_mm + m.follower.k2_N_per_mm, m.follower.m1_kg),
+                "This is the slide between both springs, with the head held still.",
+            ),
+            Slip(
+                lambda m: _hertz(
+                    m.follower.k1_N_per_mm + m.follower.k2_N_per_mm,
+                    m.follower.m1_kg + m.follower.m2_kg,
+                ),
+                "This is one mass on two springs side by side. They are one behind the other.",
+            ),
+            Slip(
+                lambda m: _hertz(
+                    m.follower.k2_N_per_mm,
+                    1 / (1 / m.follower.m1_kg + 1 / m.follower.m2_kg),
+                ),
+                "This is how slide and head swing against each other without the push rod, free of "
+                "the cam.",
+            ),
+            Slip(
+                lambda m: _modes(m, swap_m=True)[0],
+                "The two masses are exchanged. Which one is next to the cam?",
+            ),
+            Slip(
+                lambda m: _modes(m, swap_k=True)[0],
+                "The two springs are exchanged. Which one is next to the cam?",
+            ),
+            Slip(
+                lambda m: _modes(m)[0] * 2 * math.pi,
+                "This is in rad a second. A swing is 2 pi of it.",
+            ),
+            Slip(
+                lambda m: _modes(m)[0] / math.sqrt(MM_PER_M),
+                "The stiffnesses are in N/mm here. With kg and s they have to be in N/m.",
+            ),
+            Slip(
+                lambda m: (_modes(m)[0] * 2 * math.pi) ** 2,
+                "This is the square of the angular frequency. Take the root, and swings for rad.",
+            ),
+            Slip(
+                lambda m: (_modes(m)[0] * 2 * math.pi) ** 2 / (2 * math.pi),
+                "The root is missing: the matrices give the square of the angular frequency.",
+            ),
+        ),
+        hints=(
+            "Which forces act on the slide, and which on the head, if both are off their places?",
+            "Write them as two matrices: the masses on a diagonal, and the stiffnesses, in N/m, "
+            "with the second spring in all four places.",
+            "The eigenvalues of the stiffnesses by the masses are squares of angular frequencies. "
+            "Take the smaller one.",
+        ),
+    ),
+    NumberExercise(
+        number="10.5",
+        question=lambda m: (
+            f"A mass on a spring, undamped, shall rise by {m.follower.wanted_mm:g} mm, by the "
+            "4-5-6-7 polynomial. Left alone it swings "
+            f"{m.follower.wanted_swings:g} times during the move. How high is the cam's end of the "
+            f"spring when the share {m.follower.wanted_x:g} of the time is over?"
+        ),
+        unit="mm",
+        answer=_cam,
+        right="The cam leads where it has to push, and lags where it has to brake. It does so for "
+        "this one rate alone.",
+        slips=(
+            Slip(
+                _law,
+                "This is how high the mass is. The spring pushes it only if its other end is "
+                "somewhere else.",
+            ),
+            Slip(
+                lambda m: _law(m) - _law(m, 2) / _turns(m) ** 2,
+                "The sign is wrong: to push the mass up, the spring has to be pressed together.",
+            ),
+            Slip(
+                lambda m: _law(m, 2) / _turns(m) ** 2,
+                "This is by how much the spring is pressed together. Where is its end?",
+            ),
+            Slip(
+                lambda m: _cam(m, omega=m.follower.wanted_swings),
+                "The 2 pi is missing: swings were taken for radians.",
+            ),
+            Slip(
+                lambda m: _law(m) + _law(m, 2) / _turns(m),
+                "The second derivative is divided by the square of the angular frequency.",
+            ),
+            Slip(
+                lambda m: _law(m) + _law(m, 1) / _turns(m),
+                "This is with the velocity. A force on a mass makes an acceleration.",
+            ),
+            Slip(
+                lambda m: _cam(m, "cycloidal"),
+                "This is with the cycloid. Its third derivative jumps at the ends, and the cam "
+                "would have to jump in its velocity.",
+            ),
+            Slip(
+                lambda m: _cam(m, "3-4-5 polynomial"),
+                "This is with the 3-4-5 polynomial. Its third derivative jumps at the ends, and "
+                "the cam would have to jump in its velocity.",
+            ),
+            Slip(
+                lambda m: _cam(m) / m.follower.wanted_mm,
+                "This is a part of the stroke. It is asked for in mm.",
+            ),
+            Slip(
+                lambda m: m.follower.wanted_mm - _cam(m),
+                "This is how far it is from the top. How high it is above the lowest position is "
+                "asked for.",
+            ),
+            Slip(
+                lambda m: _law(m) + _law(m, 2) / m.follower.wanted_mm / _turns(m) ** 2,
+                "Only one of the two terms was multiplied by the stroke.",
+            ),
+            Slip(
+                lambda m: _cam(m, omega=2 * _turns(m)),
+                "This is for twice as many swings in the move.",
+            ),
+            Slip(
+                lambda m: _cam(m, omega=_turns(m) / 2),
+                "The 2 of the 2 pi is missing: a swing is a whole turn of the angle.",
+            ),
+        ),
+        hints=(
+            "Which acceleration does the mass have there, and which force does that take?",
+            "The spring gives it if it is pressed together by the acceleration over the square of "
+            "the angular frequency.",
+            "With x as the time the angular frequency is 2 pi times the swings of the move. The "
+            "end of the spring is so much above the mass.",
+        ),
+    ),
+    ChoiceExercise(
+        number="10.6",
+        question=lambda m: (
+            "A cam moves a slide by the constant acceleration. It is found to leave hardly any "
+            "swing behind: left alone the slide swings exactly 4 times during the move, and hardly "
+            'anything damps it. "Then this law is the best for it", somebody says. What is true?'
+        ),
+        options={
+            "a": "He is right: it leaves no swing, and no other law has so low a peak.",
+            "b": "A stiffer spring can only help: the slide will follow the cam more closely.",
+            "c": "Nothing swings on at this rate, but during the move the slide has twice the peak "
+            "of the cam, and at a rate a fifth lower it does swing on.",
+            "d": "The cycloid would let it swing on here, for it has the higher peak.",
+        },
+        answer="c",
+        reasons={
+            "a": "That is the peak of the cam. What has the slide during the move, after a jump in "
+            "the acceleration?",
+            "b": "How do the swings of the three jumps meet if the slide swings five times?",
+            "d": "The peak does not decide that. What does the cycloid leave where the swings of a "
+            "move are a whole number?",
+        },
+        right="The peak of the slide is 8 strokes by the square of the time, and with the cycloid it "
+        "is 7.97. Jumps take away what the lowest peak of all has won.",
+        hints=(
+            "Draw the three jumps as arrows. How do they stand to each other with 4 swings, and "
+            "how with 5?",
+            "What does a slide at rest do when the acceleration of its cam jumps: how far does it "
+            "overshoot?",
+            "Ask cm.residual_vibration and cm.dynamic_factor, for both laws and some swings.",
+        ),
+    ),
+)
+
+PREDICTIONS = (
+    Prediction(
+        "10.stay",
+        "percent of the stroke",
+        50,
+        "The cycloid is the smooth law, so one expects next to nothing. But it is smooth only "
+        "against a swing that is much shorter than the move. In a single swing the mass cannot "
+        "tell it from a jerk.",
+    ),
+    Prediction(
+        "10.cure",
+        "times",
+        9.93,
+        "One expects 5 times, as for the peak, which falls with the square of the time. But what "
+        "stays comes from the ends of the move, where the jerk jumps, and falls with the third "
+        "power: the move is 2.27 times as long.",
+    ),
+    Prediction(
+        "10.jump",
+        "mm",
+        7.91,
+        "A third more speed sounds like a hop of some tenths of a millimetre. But the pull grows "
+        "with the square of the speed, and once the follower is off, it goes on nearly as fast as "
+        "it was, while the cam brakes beneath it.",
+    ),
+)

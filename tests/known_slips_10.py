@@ -1,0 +1,335 @@
+"""Lesson 10 by hand: right answers, and wrong ones that a student could give.
+
+Nothing here knows of the package's springs, laws or followers, or of the slips that it recognises.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from known_slips import G, KnownSlip, law
+from scipy.integrate import solve_ivp
+from scipy.optimize import minimize_scalar
+
+from cammotion.teaching.example import MillAndDie
+
+
+def rise_s(m: MillAndDie) -> float:
+    """Return the time of the rise of 10.1."""
+    return m.follower.rod.rise_deg / 360 * 3600 / m.follower.rod.per_hour
+
+
+def both(m: MillAndDie) -> float:
+    """Return what lever and rod need together, in N/mm."""
+    per_second = m.follower.rod.swings / rise_s(m)
+    return m.follower.rod.slide_kg * (2 * math.pi * per_second) ** 2 / 1000
+
+
+def rod(m: MillAndDie, together: float | None = None) -> float:
+    """Return the rod in N/mm whose give is what the lever leaves of the give of both."""
+    give = 1 / (together or both(m)) - 1 / m.follower.rod.lever_N_per_mm
+    return 1 / give
+
+
+def swings(m: MillAndDie) -> float:
+    return math.prod(m.follower.ringing)
+
+
+def pushed(m: MillAndDie) -> float:
+    """Return how far the mass swings after the move, by integration over the time in moves."""
+    w = 2 * math.pi * swings(m)
+
+    def run(start: list[float], way: Callable[[float], float], low: float) -> list[float]:
+        def rates(t: float, y: list[float]) -> list[float]:
+            return [y[1], w**2 * (way(t) - y[0])]
+
+        ends = solve_ivp(rates, (low, low + 0.5), start, method="DOP853", rtol=1e-11, atol=1e-13).y[
+            :, -1
+        ]
+        return [*map(float, ends)]
+
+    middle = run([0, 0], lambda t: 2 * t**2, 0)
+    place, velocity = run(middle, lambda t: 1 - 2 * (1 - t) ** 2, 0.5)
+    return m.follower.jump_mm * math.hypot(place - 1, velocity / w)
+
+
+def arrows(m: MillAndDie, jumps: tuple[float, ...], w: float | None = None) -> float:
+    """Return the length of the sum of the arrows of jumps, in mm."""
+    w = w or 2 * math.pi * swings(m)
+    across = sum(jump * math.cos(n * w / 2) for n, jump in enumerate(jumps))
+    along = sum(jump * math.sin(n * w / 2) for n, jump in enumerate(jumps))
+    return m.follower.jump_mm * math.hypot(across, along) / w**2
+
+
+def turns(m: MillAndDie, time_s: float) -> float:
+    """Return the turns a minute at which the rise of 10.3 takes a time."""
+    return 60 / (time_s * 360 / m.follower.lift_deg)
+
+
+def time_s(m: MillAndDie, pressed_mm: float, factor: float = 2 * math.pi) -> float:
+    """Return the time of the rise with which a spring so pressed just brakes by a factor."""
+    force = m.follower.spring_N_per_mm * pressed_mm
+    return math.sqrt(m.follower.lifted_kg * m.follower.lift_mm / 1000 * factor / force)
+
+
+def leaves(m: MillAndDie, pressed: float | None = None, more: float = 0) -> float:
+    """Return the turns a minute above which it leaves: the least over the rise."""
+    pressed = m.follower.pressed_mm if pressed is None else pressed
+
+    def speed(x: float) -> float:
+        spring = pressed + m.follower.lift_mm * law(x) + more / m.follower.spring_N_per_mm
+        return turns(m, time_s(m, spring, -2 * math.pi * math.sin(2 * math.pi * x)))
+
+    found = minimize_scalar(speed, (0.6, 0.7, 0.8), options={"xtol": 1e-10})
+    return float(found.fun)
+
+
+def at_the_hardest(m: MillAndDie) -> float:
+    """Return how far the spring is pressed together at three quarters of the rise."""
+    return m.follower.pressed_mm + m.follower.lift_mm * (0.75 + 1 / (2 * math.pi))
+
+
+def hertz(stiffness: float, mass: float) -> float:
+    return math.sqrt(1000 * stiffness / mass) / (2 * math.pi)
+
+
+def modes(m: MillAndDie, m1: float, m2: float, *, swap: bool = False) -> list[float]:
+    """Return both frequencies: w^4 m1 m2 - w^2 (m1 k2 + m2 (k1 + k2)) + k1 k2 = 0."""
+    k1, k2 = m.follower.k1_N_per_mm, m.follower.k2_N_per_mm
+    k1, k2 = (k2, k1) if swap else (k1, k2)
+    squares = np.roots([m1 * m2, -(m1 * k2 + m2 * (k1 + k2)), k1 * k2])
+    return sorted(hertz(float(square), 1) for square in squares)
+
+
+def lower(m: MillAndDie) -> float:
+    return modes(m, m.follower.m1_kg, m.follower.m2_kg)[0]
+
+
+def in_a_row(m: MillAndDie) -> float:
+    k1, k2 = m.follower.k1_N_per_mm, m.follower.k2_N_per_mm
+    return k1 * k2 / (k1 + k2)
+
+
+POLYNOMIAL = np.polynomial.Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
+
+
+def wanted(m: MillAndDie, derivative: int = 0) -> float:
+    """Return the mass's place in mm, or a derivative of it by the share of the time."""
+    curve = POLYNOMIAL.deriv(derivative) if derivative else POLYNOMIAL
+    return float(m.follower.wanted_mm * curve(m.follower.wanted_x))
+
+
+def w_of(m: MillAndDie) -> float:
+    return 2 * math.pi * m.follower.wanted_swings
+
+
+def end(m: MillAndDie) -> float:
+    """Return the height of the cam's end of the spring in mm."""
+    return wanted(m) + wanted(m, 2) / w_of(m) ** 2
+
+
+RIGHT: dict[str, Callable[[MillAndDie], float]] = {
+    "10.1": rod,
+    "10.2": pushed,
+    "10.3": leaves,
+    "10.4": lower,
+    "10.5": end,
+}
+
+SOURCE = {
+    "10.1": 1 / (1000 / (12 * (20 * math.pi / 0.624) ** 2) - 1 / 150),
+    "10.2": 200 * (math.sin(4.895 * math.pi / 2) / (4.895 * math.pi)) ** 2,
+    "10.3": 779.8,
+    "10.4": 0.618034 * math.sqrt(1000) / (2 * math.pi),
+    "10.5": 50 * (0.070557 + 7.3828 / (5 * math.pi) ** 2),
+}
+
+SLIPS = [
+    # The rod.
+    KnownSlip("10.1", "both together", both, "together"),
+    KnownSlip(
+        "10.1", "subtracted", lambda m: m.follower.rod.lever_N_per_mm - both(m), "side by side"
+    ),
+    KnownSlip(
+        "10.1",
+        "gives added",
+        lambda m: 1 / (1 / both(m) + 1 / m.follower.rod.lever_N_per_mm),
+        "give of the lever",
+    ),
+    KnownSlip("10.1", "the give", lambda m: 1 / rod(m), "one over"),
+    KnownSlip("10.1", "two alike", lambda m: 2 * both(m), "alike"),
+    KnownSlip("10.1", "no 2 pi", lambda m: rod(m, both(m) / (2 * math.pi) ** 2), "2 pi"),
+    KnownSlip(
+        "10.1",
+        "a whole turn",
+        lambda m: rod(m, both(m) * (m.follower.rod.rise_deg / 360) ** 2),
+        "whole turn",
+    ),
+    KnownSlip("10.1", "in N/m", lambda m: rod(m, 1000 * both(m)), "N/m"),
+    KnownSlip("10.1", "by g", lambda m: rod(m, both(m) / G), r"\bg\b"),
+    KnownSlip("10.1", "the weight", lambda m: rod(m, both(m) * G), "weight"),
+    KnownSlip("10.1", "per minute", lambda m: rod(m, 3600 * both(m)), "hour"),
+    KnownSlip("10.1", "half swings", lambda m: rod(m, both(m) / 4), "half as many"),
+    # What the constant acceleration leaves.
+    KnownSlip("10.2", "one jump", lambda m: arrows(m, (4,)), "single jump"),
+    KnownSlip(
+        "10.2",
+        "in step",
+        lambda m: 16 * m.follower.jump_mm / (2 * math.pi * swings(m)) ** 2,
+        "sizes|in step",
+    ),
+    KnownSlip("10.2", "middle too low", lambda m: arrows(m, (4, -4, 4)), "middle"),
+    KnownSlip("10.2", "no middle", lambda m: arrows(m, (4, 0, 4)), "missing"),
+    KnownSlip("10.2", "the middle", lambda m: arrows(m, (0, 8)), "middle alone"),
+    KnownSlip(
+        "10.2",
+        "no square",
+        lambda m: (
+            m.follower.jump_mm * abs(math.sin(math.pi * swings(m) / 2)) / (math.pi * swings(m) / 2)
+        ),
+        "square",
+    ),
+    KnownSlip(
+        "10.2",
+        "a move apart",
+        lambda m: m.follower.jump_mm * (math.sin(math.pi * swings(m)) / (math.pi * swings(m))) ** 2,
+        "half a move",
+    ),
+    KnownSlip(
+        "10.2",
+        "the cycloid",
+        lambda m: (
+            m.follower.jump_mm
+            * abs(math.sin(math.pi * swings(m)) / (math.pi * swings(m) * (1 - swings(m) ** 2)))
+        ),
+        "cycloid",
+    ),
+    KnownSlip("10.2", "no 2 pi", lambda m: arrows(m, (4, -8, 4), swings(m)), "2 pi"),
+    KnownSlip("10.2", "one push", lambda m: arrows(m, (2, -4, 2)), "half of the stroke"),
+    KnownSlip("10.2", "end to end", lambda m: 2 * pushed(m), "each side"),
+    KnownSlip("10.2", "a share", lambda m: pushed(m) / m.follower.jump_mm, "part of the stroke"),
+    KnownSlip("10.2", "in m", lambda m: pushed(m) / 1000, "metres"),
+    # Where the follower leaves.
+    KnownSlip(
+        "10.3", "the hardest", lambda m: turns(m, time_s(m, at_the_hardest(m))), "brakes hardest"
+    ),
+    KnownSlip(
+        "10.3",
+        "lowest",
+        lambda m: turns(m, time_s(m, m.follower.pressed_mm)),
+        "lowest position",
+    ),
+    KnownSlip(
+        "10.3",
+        "at the top",
+        lambda m: turns(m, time_s(m, m.follower.pressed_mm + m.follower.lift_mm)),
+        "top",
+    ),
+    KnownSlip(
+        "10.3",
+        "half-way",
+        lambda m: turns(m, time_s(m, m.follower.pressed_mm + m.follower.lift_mm / 2)),
+        "half-way",
+    ),
+    KnownSlip("10.3", "not pressed", lambda m: leaves(m, 0), "already"),
+    KnownSlip(
+        "10.3",
+        "Ca of 4",
+        lambda m: turns(m, time_s(m, at_the_hardest(m), 4)),
+        "constant acceleration",
+    ),
+    KnownSlip("10.3", "weight", lambda m: leaves(m, None, G * m.follower.lifted_kg), "level"),
+    KnownSlip("10.3", "a turn", lambda m: leaves(m) * 360 / m.follower.lift_deg, "of a turn"),
+    KnownSlip("10.3", "rad/s", lambda m: leaves(m) * 2 * math.pi / 60, "rad"),
+    KnownSlip("10.3", "a second", lambda m: leaves(m) / 60, "turns a second"),
+    KnownSlip("10.3", "an hour", lambda m: 60 * leaves(m), "hour"),
+    KnownSlip("10.3", "in mm", lambda m: leaves(m) / math.sqrt(1000), "mm"),
+    # Two masses.
+    KnownSlip(
+        "10.4", "higher", lambda m: modes(m, m.follower.m1_kg, m.follower.m2_kg)[1], "higher"
+    ),
+    KnownSlip("10.4", "no m1", lambda m: hertz(in_a_row(m), m.follower.m2_kg), "no mass"),
+    KnownSlip(
+        "10.4",
+        "one mass",
+        lambda m: hertz(in_a_row(m), m.follower.m1_kg + m.follower.m2_kg),
+        "one mass on both",
+    ),
+    KnownSlip(
+        "10.4",
+        "rigid spindle",
+        lambda m: hertz(m.follower.k1_N_per_mm, m.follower.m1_kg + m.follower.m2_kg),
+        "rigid",
+    ),
+    KnownSlip(
+        "10.4",
+        "head alone",
+        lambda m: hertz(m.follower.k2_N_per_mm, m.follower.m2_kg),
+        "slide held still",
+    ),
+    KnownSlip(
+        "10.4",
+        "slide alone",
+        lambda m: hertz(m.follower.k1_N_per_mm, m.follower.m1_kg),
+        "without the head",
+    ),
+    KnownSlip(
+        "10.4",
+        "head still",
+        lambda m: hertz(m.follower.k1_N_per_mm + m.follower.k2_N_per_mm, m.follower.m1_kg),
+        "head held still",
+    ),
+    KnownSlip(
+        "10.4",
+        "masses exchanged",
+        lambda m: modes(m, m.follower.m2_kg, m.follower.m1_kg)[0],
+        "masses",
+    ),
+    KnownSlip(
+        "10.4",
+        "springs exchanged",
+        lambda m: modes(m, m.follower.m1_kg, m.follower.m2_kg, swap=True)[0],
+        "springs",
+    ),
+    KnownSlip("10.4", "rad/s", lambda m: 2 * math.pi * lower(m), "rad"),
+    KnownSlip("10.4", "N/mm", lambda m: lower(m) / math.sqrt(1000), "N/m"),
+    KnownSlip("10.4", "squared", lambda m: (2 * math.pi * lower(m)) ** 2, "square"),
+    # The cam that is designed backwards.
+    KnownSlip("10.5", "the mass", wanted, "how high the mass"),
+    KnownSlip("10.5", "sign", lambda m: 2 * wanted(m) - end(m), "sign"),
+    KnownSlip("10.5", "the spring", lambda m: end(m) - wanted(m), "pressed together"),
+    KnownSlip(
+        "10.5",
+        "no 2 pi",
+        lambda m: wanted(m) + wanted(m, 2) / m.follower.wanted_swings**2,
+        "2 pi",
+    ),
+    KnownSlip("10.5", "no square", lambda m: wanted(m) + wanted(m, 2) / w_of(m), "square"),
+    KnownSlip("10.5", "velocity", lambda m: wanted(m) + wanted(m, 1) / w_of(m), "velocity"),
+    KnownSlip(
+        "10.5",
+        "cycloid",
+        lambda m: (
+            m.follower.wanted_mm
+            * (
+                law(m.follower.wanted_x)
+                + 2 * math.pi * math.sin(2 * math.pi * m.follower.wanted_x) / w_of(m) ** 2
+            )
+        ),
+        "cycloid",
+    ),
+    KnownSlip("10.5", "a share", lambda m: end(m) / m.follower.wanted_mm, "part of the stroke"),
+    KnownSlip("10.5", "from the top", lambda m: m.follower.wanted_mm - end(m), "from the top"),
+    KnownSlip(
+        "10.5",
+        "stroke once",
+        lambda m: wanted(m) + (end(m) - wanted(m)) / m.follower.wanted_mm,
+        "multiplied by the stroke",
+    ),
+    KnownSlip("10.5", "only pi", lambda m: wanted(m) + 4 * (end(m) - wanted(m)), "2 of the 2 pi"),
+    KnownSlip("10.5", "in m", lambda m: end(m) / 1000, "metres"),
+    # The choice, each wrong option.
+    KnownSlip("10.6", "a: the best", lambda _: "a", "peak of the cam"),
+    KnownSlip("10.6", "b: stiffer", lambda _: "b", "five times"),
+    KnownSlip("10.6", "d: the cycloid", lambda _: "d", "whole number"),
+]
