@@ -574,8 +574,8 @@ EXERCISES = (
             "d": "The peak does not decide that. What does the cycloid leave where the swings of a "
             "move are a whole number?",
         },
-        right="The peak of the slide is 8 strokes by the square of the time, and with the cycloid it "
-        "is 7.97. Jumps take away what the lowest peak of all has won.",
+        right="The slide has a peak of 8 strokes by the square of the time, and with the cycloid "
+        "one of 7.97. The jumps take away what the lowest peak of all has won.",
         hints=(
             "Draw the three jumps as arrows. How do they stand to each other with 4 swings, and "
             "how with 5?",
