@@ -305,7 +305,7 @@ EXERCISES = (
     NumberExercise(
         number="10.3",
         question=lambda m: (
-            f"A cam lifts a level follower by {m.follower.lift_mm:g} mm over "
+            f"A cam moves a follower {m.follower.lift_mm:g} mm out, on the level, over "
             f"{m.follower.lift_deg:g} degrees, by the cycloid. It has {m.follower.lifted_kg:g} kg, "
             f"and a spring of {m.follower.spring_N_per_mm:g} N/mm, pressed together by "
             f"{m.follower.pressed_mm:g} mm at the lowest position, holds it on the cam. Above "
@@ -477,7 +477,7 @@ EXERCISES = (
     NumberExercise(
         number="10.5",
         question=lambda m: (
-            f"A mass on a spring, undamped, shall rise by {m.follower.wanted_mm:g} mm, by the "
+            f"A mass on a spring, undamped, is to rise by {m.follower.wanted_mm:g} mm, by the "
             "4-5-6-7 polynomial. Left alone it swings "
             f"{m.follower.wanted_swings:g} times during the move. How high is the cam's end of the "
             f"spring when the share {m.follower.wanted_x:g} of the time is over?"
@@ -592,13 +592,13 @@ PREDICTIONS = (
         "percent of the stroke",
         50,
         "The cycloid is the smooth law, so one expects next to nothing. But it is smooth only "
-        "against a swing that is much shorter than the move. In a single swing the mass cannot "
-        "tell it from a jerk.",
+        "against a swing that is much shorter than the move. Over a single swing it is still half "
+        "as bad as a sudden step, which would leave the whole stroke.",
     ),
     Prediction(
         "10.cure",
         "times",
-        9.93,
+        10.1,
         "One expects 5 times, as for the peak, which falls with the square of the time. But what "
         "stays comes from the ends of the move, where the jerk jumps, and falls with the third "
         "power: the move is 2.27 times as long.",
@@ -606,9 +606,9 @@ PREDICTIONS = (
     Prediction(
         "10.jump",
         "mm",
-        7.91,
-        "A third more speed sounds like a hop of some tenths of a millimetre. But the pull grows "
-        "with the square of the speed, and once the follower is off, it goes on nearly as fast as "
-        "it was, while the cam brakes beneath it.",
+        1.495,
+        "In proportion to the speed beyond the limit it would be 2.7 mm. But both the force that "
+        "is lacking and the time for which it is lacking grow from nothing there, so just beyond "
+        "the limit the gap grows nearly with the square of the excess.",
     ),
 )
