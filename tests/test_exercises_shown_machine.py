@@ -204,7 +204,7 @@ def test_bars() -> None:
         give = 1 / machine.follower.rod.lever_N_per_mm + 1 / rod
         made = math.sqrt(1 / give / both(machine))
         assert ("more often" in shown.line) == (made > 1)
-        assert ("not often enough" in shown.line) == (made < 1)
+        assert ("does not swing often" in shown.line) == (made < 1)
         assert_bars(shown, made)
 
 

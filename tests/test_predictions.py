@@ -71,7 +71,7 @@ def test_the_notebooks_ask_for_the_predictions_of_the_lessons_in_their_words() -
         ("09.error", 4 * 0.0005 / (4 / 36) ** 2),
         ("09.finer", 4 * 0.0005 / (4 / 360) ** 2),
         ("10.stay", 50),
-        ("10.cure", _stays(55) / _stays(AFTER["die"].moves[0].angle_deg)),
+        ("10.cure", _stays(55) / _stays(cm.EXAMPLE.widest_deg)),
         ("10.jump", cm.follower_flights(make_diagram()["die"], SPRING, 3000)[0].gap_mm),
         ("11.play", 360 * 0.05 / (math.pi * 40)),
         ("11.errors", len({"E7", "E8", "f6", "f9", "H8", "K6", "p6", "R10"})),

@@ -86,6 +86,44 @@ FITS_NEVER_CHANGED: dict[str | int, FitNumbers] = {
     ),
 }
 
+FOLLOWERS_NEVER_CHANGED: dict[str | int, tuple[Any, ...]] = {
+    "Anna": (
+        (13, 85, 1400, 7, 78),
+        36,
+        (0.22, 12),
+        8,
+        130,
+        12,
+        3,
+        0.9,
+        8,
+        5,
+        320,
+        140,
+        16,
+        1.75,
+        0.3,
+    ),
+    7: ((6, 105, 2800, 6, 76), 42, (0.14, 10), 9, 130, 6, 2, 3.1, 4, 5, 450, 210, 16, 2.75, 0.3),
+    "Jörg Müller": (
+        (16, 100, 2700, 5, 190),
+        18,
+        (0.22, 12),
+        16,
+        130,
+        8,
+        1.5,
+        1.5,
+        6,
+        2,
+        450,
+        260,
+        28,
+        3,
+        0.2,
+    ),
+}
+
 
 @pytest.fixture(scope="module")
 def machines() -> list[MillAndDie]:
@@ -215,6 +253,7 @@ def test_a_name_leads_to_the_same_numbers_for_ever(who: str | int) -> None:
     assert machine_for(who).laws == LAWS_NEVER_CHANGED[who]
     assert (*asdict(machine_for(who).table).values(),) == TABLES_NEVER_CHANGED[who]
     assert machine_for(who).fits == FITS_NEVER_CHANGED[who]
+    assert (*asdict(machine_for(who).follower).values(),) == FOLLOWERS_NEVER_CHANGED[who]
 
 
 def test_the_numbers_do_not_depend_on_the_hash_of_a_run() -> None:

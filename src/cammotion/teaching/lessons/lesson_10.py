@@ -147,8 +147,8 @@ EXERCISES = (
         unit="N/mm",
         answer=_rod,
         shows=swings_of_rod(asked=lambda m: m.follower.rod.swings, made=_swings),
-        right="Two stiff parts make a softer one: the lever alone would have swung it faster. And "
-        "however stiff the rod, it never swings faster than that.",
+        right="One behind the other, two parts are softer than either. However stiff the rod, the "
+        "slide never swings faster than on the lever alone.",
         slips=(
             Slip(
                 _together,
@@ -294,8 +294,8 @@ EXERCISES = (
             ),
         ),
         hints=(
-            "How often does the slide swing during the move? And where does its acceleration jump, "
-            "and by how much, in strokes by the square of the time?",
+            "How often does the slide swing during the move? And where does the cam's "
+            "acceleration jump, and by how much, in strokes by the square of the time?",
             "Each jump leaves a swing of its own, in mm: its height over the square of the angular "
             "frequency.",
             "Add them as arrows, each turned back by how far the swing goes until it begins. The "

@@ -121,11 +121,15 @@ def swings_of_rod(asked: Measure, made: Callable[[MillAndDie, float], float]) ->
             return None
         wanted, swings = asked(machine), made(machine, rod)
         said = _compare(
-            swings, wanted, "more often than it has to.", "just often enough.", "not often enough."
+            swings,
+            wanted,
+            "swings more often than it has to",
+            "swings just often enough",
+            "does not swing often enough",
         )
         names = (f"asked for: {wanted:g} swings during the rise", "with lever and your rod")
         return _draw_bars(
-            names, (wanted, swings), f"With this rod the slide swings during its rise {said}"
+            names, (wanted, swings), f"With this rod the slide {said} during its rise."
         )
 
     return show
