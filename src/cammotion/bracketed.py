@@ -105,10 +105,15 @@ def _positive(function: Function, piece: Piece, places: Floats) -> Iterator[Arc]
 
 
 def _summits(function: Function, piece: Piece, values: Floats, least: float) -> Iterator[Extreme]:
-    """Yield what is largest beside each sample of at least this height that is a local summit."""
+    """Yield what is largest beside each sample of at least this height that is a local summit.
+
+    Of a level stretch the ends are enough.
+    """
     places = samples(piece)
     wider = np.concatenate([[-np.inf], values, [-np.inf]])
-    is_summit = (values >= wider[:-2]) & (values >= wider[2:]) & (values >= least)
+    before, after = wider[:-2], wider[2:]
+    is_level = (values == before) & (values == after)
+    is_summit = (values >= before) & (values >= after) & (values >= least) & ~is_level
     for number in np.flatnonzero(is_summit):
         sampled = Extreme(float(values[number]), float(places[number]))
         low, high = places[max(int(number) - 1, 0)], places[min(int(number) + 1, len(places) - 1)]
