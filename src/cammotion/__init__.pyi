@@ -42,6 +42,7 @@ from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
+from .limits.least_peak import LeastPeak, least_peak
 from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.clearance import (
     ClearanceRule,
@@ -133,6 +134,7 @@ __all__ = [
     "Indexer",
     "InputError",
     "LeastAcceleration",
+    "LeastPeak",
     "Limits",
     "Line",
     "MillAndDie",
@@ -205,6 +207,7 @@ __all__ = [
     "law_from_points",
     "law_from_table",
     "least_acceleration",
+    "least_peak",
     "lift_from_profile",
     "limits_of",
     "mean_diameter_mm",

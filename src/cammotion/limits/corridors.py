@@ -121,9 +121,9 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
     moved = diagram[motion]
     duties = list(_duties(diagram, motion, rules))
     arcs = still_arcs(moved, still)
-    _check_stands(moved, arcs)
+    check_stands(moved, arcs)
     ends = [end for arc in (*arcs, *(arc for _, arc in duties)) for end in arc]
-    nodes = _nodes(moved.start_deg, ends, cells)
+    nodes = even_nodes(moved.start_deg, ends, cells)
     places = np.asarray(moved.position_mm(nodes))
     is_still = np.any([_is_in(nodes, arc) for arc in arcs], axis=0)
     low, high = (np.full(len(nodes), limit) for limit in travel_ends(travel_mm))
@@ -201,7 +201,8 @@ def still_arcs(motion: Motion, still: Any) -> list[Arc]:
     return arcs
 
 
-def _check_stands(motion: Motion, still: list[Arc]) -> None:
+def check_stands(motion: Motion, still: list[Arc]) -> None:
+    """Raise InputError for a still arc over which the motion moves."""
     moves = as_set((move.from_deg, move.to_deg) for move in motion.moves)
     for start, end in still:
         for first, last in unwrap(intersect(as_set([(start, end)]), moves)):
@@ -237,7 +238,7 @@ def travel_ends(travel_mm: Any) -> tuple[float, float]:
     return low, high
 
 
-def _nodes(start: float, ends: Sequence[float], cells: int) -> Floats:
+def even_nodes(start: float, ends: Sequence[float], cells: int) -> Floats:
     """Return an even grid over the turn with all `ends` in it, and nothing too near to them."""
     turn, step = DEG_PER_TURN, DEG_PER_TURN / cells
     fixed = np.sort(np.mod(np.asarray(ends, dtype=np.float64) - start + _SLACK_DEG, turn))

@@ -1,0 +1,136 @@
+"""What is asked of the motions of several parts, read from what a user gives."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from cammotion.limits.corridors import check_stands, even_nodes, still_arcs, travel_ends
+from cammotion.limits.parts import Part
+from cammotion.limits.sides import Side
+from cammotion.machine.clearance import ClearanceRule, as_rules
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
+
+_WEIGHT = Quantity("weight", "", example=1, low_included=True)
+_LIMIT = Quantity("limit of a peak", "m/s²", example=1)
+_ABOVE = 1e-6  # of a limit, that may be rounding
+
+
+@dataclass(frozen=True)
+class Task:
+    """The free parts of a diagram and the rules that they have a share in."""
+
+    diagram: TimingDiagram
+    parts: tuple[Part, ...]
+    rules: tuple[ClearanceRule, ...]
+
+    @property
+    def weights(self) -> dict[str, float]:
+        """The weight of each part by its name."""
+        return {part.motion.name: part.weight for part in self.parts}
+
+    @property
+    def conditions(self) -> str:
+        """Of which motions the bound is true."""
+        said = []
+        for part in self.parts:
+            name = part.motion.name
+            arcs = " and ".join(f"from {start:g} to {end:g}" for start, end in part.still)
+            low, high = part.travel_mm
+            within = f" and stays within {low:g} to {high:g} mm" if np.isfinite(low) else ""
+            cap = self.in_metres(part.cap)
+            capped = f", its peak at most {cap:g} m/s²" if np.isfinite(cap) else ""
+            said.append(f"the {name} stands {arcs} deg{within}{capped}")
+        rules = f"{len(self.rules)} rule{'s' * (len(self.rules) != 1)} kept"
+        rate = f"{self.diagram.rate_per_hour:g} pieces/h, rigid parts"
+        return f"Conditions: {'; '.join([*said, rules, rate])}."
+
+    @property
+    def scale(self) -> float:
+        """A weighted peak in mm/deg2 of the size that may be met."""
+        ways = [abs(part.motion.pitch_mm) for part in self.parts]
+        ways += [float(np.ptp(part.motion.range_mm)) for part in self.parts]
+        least = min(part.weight for part in self.parts if part.weight)
+        return least * max([*ways, 1e-3]) / DEG_PER_TURN**2
+
+    def grid(self, sides: Sequence[tuple[Side, Side]], cells: int) -> Floats:
+        """Return a grid with the ends of all arcs in it that are known beforehand."""
+        ends = [end for part in self.parts for arc in part.still for end in arc]
+        ends += [end for both in sides for side in both for arc in side.closed for end in arc]
+        return even_nodes(min(ends), ends, cells)
+
+    def in_metres(self, push: float) -> float:
+        """Return an acceleration, given in mm/deg2, in m/s2."""
+        return push / MM_PER_M * (DEG_PER_TURN / self.diagram.cycle_time_s) ** 2
+
+    def in_degrees(self, push: float) -> float:
+        """Return an acceleration, given in m/s2, in mm/deg2."""
+        return push * MM_PER_M * (self.diagram.cycle_time_s / DEG_PER_TURN) ** 2
+
+    def too_hard(self, part: Part, design: TimingDiagram) -> bool:
+        """Whether the peak of a part is above its own limit."""
+        peak = self.in_degrees(design.peak_acceleration(part.motion.name))
+        return bool(peak > part.cap * (1 + _ABOVE))
+
+
+def read_task(  # noqa: PLR0913 - all but two are given by name
+    diagram: TimingDiagram,
+    rules: ClearanceRule | Iterable[ClearanceRule],
+    *,
+    still: Any,
+    travel_mm: Any,
+    weights: Any,
+    at_most: Any,
+) -> Task:
+    """Return what is asked of the parts; raises InputError for what makes no sense."""
+    given = as_rules(diagram, rules)
+    arcs = _by_name(diagram, "still arcs", still, "{'die': [(205, 305)]}")
+    if not arcs:
+        raise InputError(
+            "No part is free: give still arcs of at least one, for example "
+            "still={'die': [(205, 305)]}."
+        )
+    names = tuple(arcs)
+    travels = _by_name(diagram, "travels", travel_mm, "{'die': (0, 50)}", names)
+    weight = _by_name(diagram, "weights", weights, "{'die': 12}", names)
+    limits = _by_name(diagram, "limits", at_most, "{'mill': 1.1}", names)
+    task = Task(diagram, (), ())
+    parts = []
+    for name in names:
+        motion, found = diagram[name], tuple(still_arcs(diagram[name], arcs[name]))
+        check_stands(motion, list(found))
+        if motion.is_indexing and travels.get(name) is not None:
+            raise InputError(
+                f"The {name} is an indexing motion, which goes on for ever: leave out its travel."
+            )
+        cap = task.in_degrees(_LIMIT.number(limits[name])) if name in limits else np.inf
+        share = _WEIGHT.number(weight.get(name, 1.0))
+        if share == 0 and name not in limits:
+            raise InputError(
+                f"The {name} has the weight 0 and no limit, so that its peak may be anything: give "
+                f"it a limit, for example at_most={{{name!r}: 1.1}}, or a weight above 0."
+            )
+        parts.append(Part(motion, found, travel_ends(travels.get(name)), share, cap))
+    if not any(part.weight for part in parts):
+        raise InputError("All weights are 0: give at least one part a weight above 0.")
+    own = [r for r in given if {r.when.motion, r.only_while.motion} & set(names)]
+    return Task(diagram, tuple(parts), tuple(own))
+
+
+def _by_name(
+    diagram: TimingDiagram, what: str, given: Any, example: str, free: Sequence[str] | None = None
+) -> dict[str, Any]:
+    """Return what is given for parts by their names."""
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping):
+        raise InputError(
+            f"The {what} are {shorten(given)}: give them by the names of the parts, for example "
+            f"{example}."
+        )
+    for name in given:
+        diagram[name] if free is None else one_of("free part", name, free)
+    return dict(given)

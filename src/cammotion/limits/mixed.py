@@ -1,0 +1,98 @@
+"""Mixed-integer linear programs, solved by HiGHS, that can be stopped at any moment."""
+
+import threading
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cammotion.quantities import Floats
+
+_INFEASIBLE = 2
+_TICK_S = 0.05
+_WITHIN = 1e-4  # of the objective: so near to the best is found
+
+
+class Mixed(NamedTuple):
+    """What came out: the unknowns if some were found, and what the objective is not below.
+
+    `bound` is None where the time was too short to say anything, infinite where there is nothing
+    to be found.
+    """
+
+    unknowns: Floats | None
+    bound: float | None
+
+
+class Rows:
+    """Unknowns with their ends, and rows that bind them, gathered one after the other."""
+
+    def __init__(self) -> None:
+        self.low: list[float] = []
+        self.high: list[float] = []
+        self.cost: list[float] = []
+        self.whole: list[int] = []
+        self._rows: list[tuple[float, float]] = []
+        self._entries: tuple[list[int], list[int], list[float]] = ([], [], [])
+
+    def unknowns(self, low: Any, high: Any, *, whole: bool = False, cost: float = 0.0) -> list[int]:
+        """Add unknowns between two ends, arrays of one length; return their numbers."""
+        first, count = len(self.low), len(low)
+        self.low += map(float, low)
+        self.high += map(float, high)
+        self.cost += [cost] * count
+        self.whole += [int(whole)] * count
+        return list(range(first, first + count))
+
+    def unknown(self, low: float, high: float, *, cost: float = 0.0) -> int:
+        """Add one unknown; return its number."""
+        return self.unknowns([low], [high], cost=cost)[0]
+
+    def row(self, terms: Sequence[tuple[int, float]], low: float, high: float) -> None:
+        """Bind a sum of factors times unknowns to a range."""
+        rows, columns, factors = self._entries
+        for column, factor in terms:
+            rows.append(len(self._rows))
+            columns.append(column)
+            factors.append(factor)
+        self._rows.append((low, high))
+
+    def within(self, terms: Sequence[tuple[int, float]], by: int, times: float) -> None:
+        """Bind the magnitude of a sum to another unknown times a factor."""
+        self.row([*terms, (by, -times)], -np.inf, 0.0)
+        self.row([*terms, (by, times)], 0.0, np.inf)
+
+    def solve(self, seconds: float = np.inf) -> Mixed:
+        """Return the unknowns with the least cost, and a proved bound of it.
+
+        Runs in a thread of its own, so that an interrupt of the keyboard is heard.
+        """
+        found: list[Mixed] = []
+        worker = threading.Thread(target=lambda: found.append(self._solve(seconds)), daemon=True)
+        worker.start()
+        while worker.is_alive():
+            worker.join(_TICK_S)
+        return found[0]
+
+    def _solve(self, seconds: float) -> Mixed:
+        from scipy import sparse
+        from scipy.optimize import Bounds, LinearConstraint, milp
+
+        rows, columns, factors = self._entries
+        shape = len(self._rows), len(self.low)
+        matrix = sparse.csr_matrix((factors, (rows, columns)), shape=shape)
+        low, high = np.array(self._rows).T
+        options: dict[str, float] = {"mip_rel_gap": _WITHIN}
+        if np.isfinite(seconds):
+            options["time_limit"] = max(seconds, _TICK_S)
+        result = milp(
+            np.array(self.cost),
+            constraints=LinearConstraint(matrix, low, high),
+            bounds=Bounds(np.array(self.low), np.array(self.high)),
+            integrality=np.array(self.whole),
+            options=options,
+        )
+        if result.status == _INFEASIBLE:
+            return Mixed(None, np.inf)
+        bound = result.mip_dual_bound if any(self.whole) else result.fun
+        return Mixed(result.x, None if bound is None else float(bound))

@@ -1,0 +1,169 @@
+"""Which side of a clearance rule gives way: the choice at a node of a grid, and over a cell.
+
+Wherever a rule is kept, one of its halves gives way: the die is no deeper than 19 mm, or the mill
+is within 0.65 mm of a stop, of one of its stops. Each such interval of one part is an option.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cammotion.limits.parts import Interval, Part, intervals
+from cammotion.machine.arcs import Arc, unwrap
+from cammotion.machine.clearance import ClearanceRule, Condition
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.quantities import Floats
+
+_SLACK_DEG = 3e-8
+_ROUNDING_MM = 1e-6  # the solver's
+
+
+class Option(NamedTuple):
+    """The part of a number has to be in an interval; with no part, nothing has to be."""
+
+    part: int | None
+    interval: Interval
+
+    def moved(self, way_mm: float) -> "Option":
+        """Return the option with its interval further by so much."""
+        low, high = self.interval
+        return Option(self.part, Interval(low + way_mm, high + way_mm))
+
+    def holds(self, places_mm: Sequence[float]) -> bool:
+        """Whether the part is in the interval, of the positions of all."""
+        low, high = self.interval
+        return self.part is None or (
+            low - _ROUNDING_MM <= places_mm[self.part] <= high + _ROUNDING_MM
+        )
+
+
+Places = Sequence[Sequence[float]]
+"""Positions in mm of each part, at one end of a cell and at the other."""
+
+_NOTHING = Option(None, Interval(-np.inf, np.inf))
+
+
+@dataclass(frozen=True)
+class Side:
+    """What a half of a rule asks if it has to give way.
+
+    `part` is the number of the part that it is about. If that is not free, `part` is None and the
+    half gives way where the motion in the diagram lets it: not over the arcs `closed`.
+    """
+
+    condition: Condition
+    part: int | None
+    closed: tuple[Arc, ...] = ()
+
+    def is_closed(self, angle_deg: Floats, *, edges: bool) -> NDArray[np.bool_]:
+        """Whether a half that is not free cannot give way at each angle.
+
+        At the edges of an arc it cannot, if just beside them it cannot: motions do not jump.
+        """
+        slack = _SLACK_DEG if edges else -_SLACK_DEG
+        found = np.zeros(len(angle_deg), dtype=bool)
+        for start, end in self.closed:
+            since = np.mod(angle_deg - start + slack, DEG_PER_TURN) - slack
+            found |= since <= end - start + slack
+        return found
+
+
+@dataclass(frozen=True)
+class Choices:
+    """The options of each rule at each node, and the room of each part after what is settled.
+
+    Where a rule has but one option its part has to take it: `low` and `high` know of it. `refused`
+    is the rule that has none at some node, and the node.
+    """
+
+    options: list[list[tuple[Option, ...]]]
+    low: list[Floats]
+    high: list[Floats]
+    refused: tuple[int, int] | None = None
+
+
+def sides_of(
+    diagram: TimingDiagram, parts: Sequence[Part], rules: Sequence[ClearanceRule]
+) -> list[tuple[Side, Side]]:
+    """Return both sides of each rule: its halves that may give way."""
+    names = [part.motion.name for part in parts]
+
+    def side(condition: Condition) -> Side:
+        if condition.motion in names:
+            return Side(condition, names.index(condition.motion))
+        return Side(condition, None, tuple(unwrap(condition.opposite.arcs(diagram))))
+
+    return [(side(rule.when.opposite), side(rule.only_while)) for rule in rules]
+
+
+def choices(
+    parts: Sequence[Part],
+    sides: Sequence[tuple[Side, Side]],
+    angle_deg: Floats,
+    peak: float,
+) -> Choices:
+    """Return what each rule leaves to choose at each node if no weighted peak is above `peak`."""
+    reaches = [part.reach(angle_deg, part.most(peak)) for part in parts]
+    room = Choices([], [low for low, _ in reaches], [high for _, high in reaches])
+    for _ in range(2):  # what one rule settles, leaves another one less
+        room = replace(room, options=[])
+        for number, both in enumerate(sides):
+            closed = [side.is_closed(angle_deg, edges=True) for side in both]
+            of_rule = []
+            for node in range(len(angle_deg)):
+                found = _options(parts, both, [bool(c[node]) for c in closed], room, node)
+                if not found:
+                    return replace(room, refused=(number, node))
+                of_rule.append(found)
+            room.options.append(of_rule)
+    return room
+
+
+def _options(
+    parts: Sequence[Part],
+    both: tuple[Side, Side],
+    closed: Sequence[bool],
+    room: Choices,
+    node: int,
+) -> tuple[Option, ...]:
+    """Return the options of a rule at a node; of one that always holds, only that."""
+    found = []
+    for side, is_closed in zip(both, closed, strict=True):
+        if side.part is None:
+            if not is_closed:
+                return (_NOTHING,)
+            continue
+        low, high = room.low[side.part][node], room.high[side.part][node]
+        motion = parts[side.part].motion
+        for interval in intervals(motion, side.condition, low - _ROUNDING_MM, high + _ROUNDING_MM):
+            option = Option(side.part, interval)
+            if interval.low_mm <= low and interval.high_mm >= high:
+                return (option,)
+            found.append(option)
+    if len(found) == 1:
+        [(part, (low, high))] = found
+        if part is not None:
+            room.low[part][node] = max(room.low[part][node], low)
+            room.high[part][node] = min(room.high[part][node], high)
+    return tuple(found)
+
+
+def cell_options(
+    both: tuple[Side, Side], middle_deg: float, ends: tuple[Option, Option], places: Places
+) -> tuple[Option, ...]:
+    """Return the options with which a rule can be kept over a whole cell: one if it is settled.
+
+    `ends` are those chosen at its ends, `places` the positions of the parts there. An option
+    settles the cell if it holds at both; if none does, the rule passes from the one to the other.
+    """
+    middle = np.array([middle_deg])
+    for side in both:
+        if side.part is None and not side.is_closed(middle, edges=False)[0]:
+            return (_NOTHING,)
+    free = tuple(option for option in ends if option.part is not None)
+    settled = [option for option in free if all(option.holds(place) for place in places)]
+    return tuple(settled[:1]) or free

@@ -1,0 +1,222 @@
+"""Machines at random whose parts pay for each other, and designs of them that keep the rules."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+import numpy as np
+from machines import Array
+from scipy.optimize import linprog
+
+import cammotion as cm
+from cammotion.machine.clearance import ClearanceRule, find_violations
+
+Rng = np.random.Generator
+LAWS = ["cycloidal", "constant acceleration", "modified trapezoid", "3-4-5 polynomial", "MCV50"]
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """A machine with what its parts have to keep, all by their names."""
+
+    diagram: cm.TimingDiagram
+    rules: list[ClearanceRule]
+    still: dict[str, list[tuple[float, float]]]
+    travel_mm: dict[str, tuple[float, float]]
+
+
+def draw(rng: Rng, count: int) -> Crowd:
+    """Return a turret and so many slides less one, which go down one after the other.
+
+    No two of them move at once, so that the rules are kept whatever their limits are.
+    """
+    cuts = np.sort(rng.uniform(0.5, 1.5, 3 * count))
+    slots = np.cumsum(cuts / cuts.sum() * 360)
+    begin = float(rng.uniform(-400, 400))
+    pitch = float(rng.choice([-1, 1]) * rng.uniform(20, 150))
+    first, last = begin, begin + float(slots[2])
+    move = cm.rise if pitch > 0 else cm.return_
+    turret = cm.indexing_motion(
+        "turret",
+        move(abs(pitch), over_deg=last - first, law=_law(rng)),
+        cm.dwell(360 - last + first),
+        stops=int(rng.integers(3, 30)),
+        start_deg=first,
+    )
+    motions, rules = [turret], []
+    rest = first + 360 - last
+    still = {"turret": [(last + 0.3 * rest, last + float(rng.uniform(0.4, 0.6)) * rest)]}
+    travel: dict[str, tuple[float, float]] = {}
+    for number in range(1, count):
+        name, stroke = f"slide {number}", float(rng.uniform(10, 80))
+        down, work, up = (begin + float(slots[3 * number + n - 1]) for n in range(3))
+        end = begin + float(slots[3 * number + 2])
+        slide = cm.motion(
+            name,
+            cm.rise(stroke, over_deg=work - down, law=_law(rng)),
+            cm.dwell(up - work),
+            cm.return_(stroke, over_deg=end - up, law=_law(rng)),
+            cm.dwell(360 - end + down),
+            start_deg=down,
+        )
+        motions.append(slide)
+        still[name] = [(work, up)]
+        if rng.random() < 0.5:
+            still[name].append((end + 0.8 * (360 - end + down), end + 0.9 * (360 - end + down)))
+        if rng.random() < 0.6:
+            travel[name] = (0.0, stroke)
+        limit = float(rng.uniform(0.05, 0.7)) * stroke
+        near = float(rng.choice([0.005, 0.05, 0.3])) * abs(pitch)
+        rules.append(ClearanceRule(cm.beyond(name, limit), only_while=cm.within("turret", near)))
+        if number > 1:
+            other = f"slide {number - 1}"
+            half = float(np.ptp(motions[-2].range_mm)) * float(rng.uniform(0.2, 0.8))
+            rules.append(ClearanceRule(cm.beyond(name, limit), only_while=cm.within(other, half)))
+    rate = float(rng.choice([2000, rng.uniform(300, 9000)]))
+    return Crowd(cm.TimingDiagram(motions, rate), rules, still, travel)
+
+
+def _law(rng: Rng) -> Any:
+    return str(rng.choice(LAWS))
+
+
+def designs(crowd: Crowd, rng: Rng) -> Iterator[cm.TimingDiagram]:
+    """Yield designs that keep everything: as drawn, and with the widest moves in some orders."""
+    yield crowd.diagram
+    for _ in range(3):
+        design = crowd.diagram
+        for name in rng.permutation(np.array(design.names, dtype=object)):
+            law, each_way = _law(rng), name != "turret" and bool(rng.random() < 0.5)
+            design = design.with_motion(design[name].with_law(law))
+            try:
+                wide = cm.widest_move(design, name, crowd.rules, each_way=each_way).diagram
+            except cm.InputError:
+                continue
+            share = float(rng.choice([1, 1, rng.uniform(0.8, 1)]))
+            angle = min(move.angle_deg for move in wide[name].moves) * share
+            narrower = wide.with_motion(cm.with_angle(wide[name], angle))
+            for better in (wide, narrower):
+                if keeps(crowd, better):
+                    design = better
+            yield design
+
+
+def keeps(crowd: Crowd, design: cm.TimingDiagram) -> bool:
+    """Whether the rules are kept, and each part stands where it has to and stays in its travel."""
+    if find_violations(design, crowd.rules):
+        return False
+    for name, arcs in crowd.still.items():
+        for start, end in arcs:
+            angles = np.linspace(start, end, 50)
+            off = design[name].offset_mm(angles) - crowd.diagram[name].offset_mm(angles)
+            if np.abs(off).max() > 1e-9:
+                return False
+    return all(
+        low - 1e-9 <= design[name].range_mm[0] and design[name].range_mm[1] <= high + 1e-9
+        for name, (low, high) in crowd.travel_mm.items()
+    )
+
+
+@dataclass(frozen=True)
+class Small:
+    """Two parts on an even grid over a turn, the second one with a pitch, and one rule.
+
+    The first may be above `limit` only while the second is within `near` of a stop.
+    """
+
+    nodes: int
+    still: tuple[tuple[int, int], tuple[int, int]]
+    places: tuple[float, float]
+    pitch: float
+    limit: float
+    near: float
+
+
+def least_by_trying(given: Small) -> float:
+    """Return the least peak of the second differences, in mm/deg2, of all choices at the nodes."""
+    free = [n for n in range(given.nodes)]
+    stops = [k * given.pitch for k in (-1, 0, 1, 2)]
+    best = math.inf
+    choices = [[None, *stops] for _ in free]
+    (a, b), (c, d) = given.still
+    for node in free:
+        if c <= node <= d:
+            choices[node] = [None, 0.0]
+        if a <= node <= b:
+            choices[node] = [s for s in choices[node] if s is not None]
+    program = _Program(given)
+    for pattern in _patterns(choices):
+        best = min(best, program.least(pattern, best))
+    return best
+
+
+def _patterns(choices: list[list[Any]]) -> Iterator[tuple[Any, ...]]:
+    yield from product(*choices)
+
+
+class _Program:
+    def __init__(self, given: Small) -> None:
+        n, self.given = given.nodes, given
+        self.h = 360 / n
+        rows, further = [], []
+        for part, pitch in enumerate((0.0, given.pitch)):
+            first, last = given.still[part]
+            for node in range(n):
+                row, add = np.zeros(2 * n + 1), 0.0
+                inside = first < node < last
+                if inside:
+                    continue
+                if node in (first, last):
+                    step = -1 if node == first else 1
+                    if first == last:
+                        raise ValueError
+                    sides = [(step, 2.0), (0, -2.0)]
+                else:
+                    sides = [(-1, 1.0), (0, -2.0), (1, 1.0)]
+                for side, factor in sides:
+                    turn, at = divmod(node + side, n)
+                    row[part * n + at] += factor
+                    add += factor * turn * pitch
+                rows.append(row)
+                further.append(add)
+        self.rows, self.further = np.array(rows), np.array(further)
+
+    def least(self, pattern: tuple[Any, ...], most: float) -> float:
+        n, given = self.given.nodes, self.given
+        low, high = np.full(2 * n, -1000.0), np.full(2 * n, 1000.0)
+        for part in (0, 1):
+            first, last = given.still[part]
+            here = slice(part * n + first, part * n + last + 1)
+            low[here] = high[here] = given.places[part]
+        for node, stop in enumerate(pattern):
+            if stop is None:
+                high[node] = min(high[node], given.limit)
+            else:
+                low[n + node] = max(low[n + node], stop - given.near)
+                high[n + node] = min(high[n + node], stop + given.near)
+        if np.any(low > high):
+            return math.inf
+        peak = np.zeros(2 * n + 1)
+        peak[-1] = self.h**2
+        found = linprog(
+            np.eye(1, 2 * n + 1, 2 * n)[0],
+            A_ub=np.vstack([self.rows - peak, -self.rows - peak]),
+            b_ub=np.concatenate([-self.further, self.further]),
+            bounds=[*zip(low, high, strict=True), (0, most if math.isfinite(most) else None)],
+            method="highs",
+        )
+        return float(found.fun) if found.status == 0 else math.inf
+
+
+def sampled_peak(design: cm.TimingDiagram, name: str, count: int = 20001) -> float:
+    """Return the largest acceleration in m/s2 of sampled positions, by second differences."""
+    angles = np.linspace(0, 360, count)
+    step = design.cycle_time_s / (count - 1)
+    places: Array = np.asarray(design[name].position_mm(angles)) / 1000
+    turret = design[name].pitch_mm * (design[name].stops or 0) / 1000
+    ways = np.diff(places)
+    if turret:
+        ways -= turret * np.round(ways / turret)
+    return float(np.abs(np.diff(ways)).max() / step**2)
