@@ -136,7 +136,7 @@ class Small:
 
 def least_by_trying(given: Small) -> float:
     """Return the least peak of the second differences, in mm/deg2, of all choices at the nodes."""
-    free = [n for n in range(given.nodes)]
+    free = list(range(given.nodes))
     stops = [k * given.pitch for k in (-1, 0, 1, 2)]
     best = math.inf
     choices = [[None, *stops] for _ in free]

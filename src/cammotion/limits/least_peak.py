@@ -29,7 +29,8 @@ _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
 _FIRST_CELLS = 60
 _SMALLEST_DEG = 0.03
-_DOUBLINGS = 40
+_GROWTH = 1.25  # of a peak that is too small to be had
+_MOST_GROWTH = 1e12
 _TRUST = 1e-5  # of the bound, that the solver may have rounded away
 _ROUNDING = 1e-6
 _DIGITS = 4
@@ -169,10 +170,10 @@ class _Search:
     def rounds(self, end: float) -> Iterator[LeastPeak]:
         """Yield the best so far after each round, until the grid is as fine as it gets.
 
-        A peak that is too small to be had is doubled; else the best that was built is one that
+        A peak that is too small to be had is made larger; else the best that was built is one that
         all others have to stay below.
         """
-        peak, top = self.task.scale, self.task.scale * 2.0**_DOUBLINGS
+        peak, top = self.task.scale, self.task.scale * _MOST_GROWTH
         while peak <= top:
             peak = min(peak, self.task.in_degrees(self.best.reached))
             left = end - monotonic()
@@ -181,7 +182,7 @@ class _Search:
             bound = min(max(self.best.bound, self.task.in_metres(peak * share)), self.best.reached)
             self.best = replace(self.best, bound=bound)
             if np.isinf(found.bound) and peak < self.task.in_degrees(self.best.reached):
-                peak *= 2
+                peak *= _GROWTH
                 continue
             if found.places is not None:
                 self._build(found, peak, max(end - monotonic(), 1.0))
