@@ -7,7 +7,6 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-from machines import Array
 from scipy.optimize import linprog
 
 import cammotion as cm
@@ -135,28 +134,24 @@ class Small:
 
 
 def least_by_trying(given: Small) -> float:
-    """Return the least peak of the second differences, in mm/deg2, of all choices at the nodes."""
-    free = list(range(given.nodes))
-    stops = [k * given.pitch for k in (-1, 0, 1, 2)]
-    best = math.inf
-    choices = [[None, *stops] for _ in free]
+    """Return the least peak of the second differences, in mm/deg2, of all choices at the nodes.
+
+    At each node the first part is low, or the second is near to the stop before or after it.
+    """
     (a, b), (c, d) = given.still
-    for node in free:
-        if c <= node <= d:
-            choices[node] = [None, 0.0]
-        if a <= node <= b:
-            choices[node] = [s for s in choices[node] if s is not None]
-    program = _Program(given)
-    for pattern in _patterns(choices):
+    choices: list[list[float | None]] = []
+    for node in range(given.nodes):
+        near = [0.0] if c <= node <= d else [0.0, -given.pitch if node < c else given.pitch]
+        choices.append([*near] if a <= node <= b else [None, *near])
+    program, best = _Program(given), math.inf
+    for pattern in product(*choices):
         best = min(best, program.least(pattern, best))
     return best
 
 
-def _patterns(choices: list[list[Any]]) -> Iterator[tuple[Any, ...]]:
-    yield from product(*choices)
-
-
 class _Program:
+    """The linear program of one choice, by dense rows of its own."""
+
     def __init__(self, given: Small) -> None:
         n, self.given = given.nodes, given
         self.h = 360 / n
@@ -165,13 +160,10 @@ class _Program:
             first, last = given.still[part]
             for node in range(n):
                 row, add = np.zeros(2 * n + 1), 0.0
-                inside = first < node < last
-                if inside:
+                if first < node < last:
                     continue
                 if node in (first, last):
                     step = -1 if node == first else 1
-                    if first == last:
-                        raise ValueError
                     sides = [(step, 2.0), (0, -2.0)]
                 else:
                     sides = [(-1, 1.0), (0, -2.0), (1, 1.0)]
@@ -184,6 +176,7 @@ class _Program:
         self.rows, self.further = np.array(rows), np.array(further)
 
     def least(self, pattern: tuple[Any, ...], most: float) -> float:
+        """Return the least peak with a stop, or None, for each node, if it is below `most`."""
         n, given = self.given.nodes, self.given
         low, high = np.full(2 * n, -1000.0), np.full(2 * n, 1000.0)
         for part in (0, 1):
@@ -208,15 +201,3 @@ class _Program:
             method="highs",
         )
         return float(found.fun) if found.status == 0 else math.inf
-
-
-def sampled_peak(design: cm.TimingDiagram, name: str, count: int = 20001) -> float:
-    """Return the largest acceleration in m/s2 of sampled positions, by second differences."""
-    angles = np.linspace(0, 360, count)
-    step = design.cycle_time_s / (count - 1)
-    places: Array = np.asarray(design[name].position_mm(angles)) / 1000
-    turret = design[name].pitch_mm * (design[name].stops or 0) / 1000
-    ways = np.diff(places)
-    if turret:
-        ways -= turret * np.round(ways / turret)
-    return float(np.abs(np.diff(ways)).max() / step**2)

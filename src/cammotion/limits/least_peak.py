@@ -29,7 +29,7 @@ _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
 _FIRST_CELLS = 60
 _SMALLEST_DEG = 0.03
-_GROWTH = 1.25  # of a peak that is too small to be had
+_GROWTH = 1.1  # of a peak that is too small to be had
 _MOST_GROWTH = 1e12
 _TRUST = 1e-5  # of the bound, that the solver may have rounded away
 _ROUNDING = 1e-6
@@ -170,22 +170,24 @@ class _Search:
     def rounds(self, end: float) -> Iterator[LeastPeak]:
         """Yield the best so far after each round, until the grid is as fine as it gets.
 
-        A peak that is too small to be had is made larger; else the best that was built is one that
-        all others have to stay below.
+        Only motions a little above the bound are of interest: the smaller their peak, the less far
+        they get, and the quicker the program is solved. If there are none, the bound is as much
+        higher.
         """
         peak, top = self.task.scale, self.task.scale * _MOST_GROWTH
         while peak <= top:
-            peak = min(peak, self.task.in_degrees(self.best.reached))
+            reached = self.task.in_degrees(self.best.reached)
+            peak = min(max(peak, self.task.in_degrees(self.best.bound) * _GROWTH), reached)
             left = end - monotonic()
             found = outline(self.task.parts, self.sides, self.angle_deg, peak, left)
             share = min(found.bound, 1.0) * (1 - _TRUST)
             bound = min(max(self.best.bound, self.task.in_metres(peak * share)), self.best.reached)
             self.best = replace(self.best, bound=bound)
-            if np.isinf(found.bound) and peak < self.task.in_degrees(self.best.reached):
+            if np.isinf(found.bound) and peak < reached:
                 peak *= _GROWTH
                 continue
             if found.places is not None:
-                self._build(found, peak, max(end - monotonic(), 1.0))
+                self._build(found, min(2 * peak, reached), max(end - monotonic(), 1.0))
             yield self.best
             if np.isinf(found.bound) or not self._refine(found):
                 return

@@ -1,7 +1,10 @@
 """Mixed-integer linear programs, solved by HiGHS, that can be stopped at any moment."""
 
+import os
+import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -70,8 +73,9 @@ class Rows:
         found: list[Mixed] = []
         worker = threading.Thread(target=lambda: found.append(self._solve(seconds)), daemon=True)
         worker.start()
-        while worker.is_alive():
-            worker.join(_TICK_S)
+        with _silent():
+            while worker.is_alive():
+                worker.join(_TICK_S)
         return found[0]
 
     def _solve(self, seconds: float) -> Mixed:
@@ -96,3 +100,22 @@ class Rows:
             return Mixed(None, np.inf)
         bound = result.mip_dual_bound if any(self.whole) else result.fun
         return Mixed(result.x, None if bound is None else float(bound))
+
+
+@contextmanager
+def _silent() -> Iterator[None]:
+    """Keep what the solver prints, whatever it is told, from the terminal."""
+    sys.stdout.flush()
+    try:
+        kept = os.dup(1)
+    except OSError:  # there is no terminal, as on a server without one
+        yield
+        return
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 1)
+        yield
+    finally:
+        os.dup2(kept, 1)
+        os.close(nowhere)
+        os.close(kept)
