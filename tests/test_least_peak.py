@@ -150,7 +150,7 @@ def test_all_choices_of_a_small_grid(given: Small) -> None:
         Part(motion, tuple(still), (-math.inf, math.inf), 1.0, math.inf)
         for motion, still in zip(diagram.motions, arcs, strict=True)
     ]
-    angles = step * np.arange(given.nodes)
+    angles = np.linspace(0, 360, given.nodes, endpoint=False, dtype=np.float64)
     exact = least_by_trying(given)
     assert np.isfinite(exact)
     for share in (1.02, 1.5, 4):

@@ -43,6 +43,7 @@ from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
 from .limits.least_peak import LeastPeak, least_peak
+from .limits.optimise import Optimised, optimise
 from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.clearance import (
     ClearanceRule,
@@ -144,6 +145,7 @@ __all__ = [
     "MoveResponse",
     "NumberControl",
     "OneMass",
+    "Optimised",
     "OwnInertia",
     "Panel",
     "Point",
@@ -213,6 +215,7 @@ __all__ = [
     "mean_diameter_mm",
     "motion",
     "natural_frequency",
+    "optimise",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",

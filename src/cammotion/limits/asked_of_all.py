@@ -81,9 +81,9 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
     rules: ClearanceRule | Iterable[ClearanceRule],
     *,
     still: Any,
-    travel_mm: Any,
     weights: Any,
     at_most: Any,
+    travel_mm: Any = None,
 ) -> Task:
     """Return what is asked of the parts; raises InputError for what makes no sense."""
     given = as_rules(diagram, rules)

@@ -170,7 +170,7 @@ class _Frame:
             for (move, anchor, share), bm in zip(self.anchors, angles, strict=True)
         ]
         ends = [*(move.from_deg for move in moves[1:]), moves[0].from_deg + DEG_PER_TURN]
-        return replace(self.motion, segments=tuple(_with_dwells(moves, ends)))
+        return replace(self.motion, segments=tuple(with_dwells(moves, ends)))
 
     def angles_at(self, limit_mm: float, angle_deg: float) -> Iterator[tuple[int, float]]:
         """Yield every Bm with which a move meets a limit at a cam angle, and the move's number."""
@@ -273,7 +273,7 @@ def _tight(diagram: TimingDiagram, meetings: Iterable[_Event]) -> Clearance | No
     return None
 
 
-def _with_dwells(moves: Iterable[Segment], ends: Iterable[float]) -> Iterator[Segment]:
+def with_dwells(moves: Iterable[Segment], ends: Iterable[float]) -> Iterator[Segment]:
     """Yield the moves, each with the dwell that follows it until the next one begins."""
     for move, end in zip(moves, ends, strict=True):
         yield move

@@ -1,0 +1,207 @@
+"""The best starts, angles and laws of all moves at once, as a mixed-integer linear program.
+
+A peak acceleration goes with the inverse square of the indexing angle Bm. So the largest peak is
+smallest where the least of all Bm / sqrt(what the peak is at 1 deg) is largest: linear in Bm. An
+arc over which one half of a rule holds, and one over which the other does not, have to lie apart
+in the turn: the one between the end of the other and its next beginning. How many turns that is
+off, is a whole number.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.limits.crossings import End, Span
+from cammotion.limits.mixed import Rows
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.quantities import Floats
+
+_NARROWEST_DEG = 1e-3
+_APART_DEG = 2e-6  # so far arcs are kept apart, for what the solver rounds
+_TURNS = 4  # at most so many is one part ahead of another
+_HELD = 1e-8  # of what is held
+_SAME = 1e-6  # what differs by less of it, is one
+
+
+@dataclass(frozen=True)
+class Mover:
+    """A part whose moves are free in these ranges, from the least to the largest, in deg.
+
+    Each move has `laws` to choose from, and for each of them what its peak is, weighted, if it
+    takes 1 deg (`costs`, all 0 if it does not count), and the least angle that its limit allows.
+    `ends` are the angles by which it has to have ended.
+    """
+
+    laws: tuple[tuple[MotionLaw, ...], ...]
+    costs: tuple[tuple[float, ...], ...]
+    narrowest: tuple[tuple[float, ...], ...]
+    starts: tuple[tuple[float, float], ...]
+    angles: tuple[tuple[float, float], ...]
+    ends: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A move that was found: where it begins, its indexing angle, and which law it has."""
+
+    start_deg: float
+    angle_deg: float
+    law: MotionLaw
+
+
+@dataclass(frozen=True)
+class Apart:
+    """Two spans, each of a part or of one that stays as it is (None), that may not overlap."""
+
+    parts: tuple[int | None, int | None]
+    spans: tuple[Span, Span]
+
+
+def place(
+    movers: Sequence[Mover], apart: Sequence[Apart], seconds: float
+) -> tuple[list[list[Placed]], float] | None:
+    """Return the moves of all parts, and the share that no others can be below; None if none are.
+
+    The largest peak is as small as can be; with it held the next one, and so on.
+    """
+    program = _Program(movers, apart)
+    program.rows.cost[program.least] = -1.0
+    found = program.rows.solve(seconds)
+    if found.unknowns is None or found.bound is None:
+        return None
+    x, most = found.unknowns, -found.bound
+    program.settle(x)
+    free = [own for own in program.own if own is not None]
+    while free:
+        least, x = program.raised(free, x)
+        held = [own for own in free if program.raised([own], x)[0] <= least * (1 + _SAME)]
+        for own in held or free:
+            program.rows.low[own] = least * (1 - _HELD)
+        free = [own for own in free if own not in held] if held else []
+    return program.moves(x), most
+
+
+class _Program:
+    """The unknowns: of each move its start and, for each law, its angle; of each part, how wide."""
+
+    def __init__(self, movers: Sequence[Mover], apart: Sequence[Apart]) -> None:
+        self.movers, self.rows = movers, Rows()
+        self.least = self.rows.unknown(0.0, np.inf)
+        self.own: list[int | None] = []
+        self.starts: list[list[int]] = []
+        self.widths: list[list[list[int]]] = []
+        self.whole: list[int] = []
+        for mover in movers:
+            self._add(mover)
+        for pair in apart:
+            self._keep_apart(pair)
+
+    def _add(self, mover: Mover) -> None:
+        rows = self.rows
+        starts = rows.unknowns(*np.array(mover.starts).T)
+        widths = []
+        counts = any(any(costs) for costs in mover.costs)
+        own = rows.unknown(0.0, np.inf) if counts else None
+        if own is not None:
+            rows.row([(own, 1.0), (self.least, -1.0)], 0.0, np.inf)
+        for laws, costs, narrowest, (low, high) in zip(
+            mover.laws, mover.costs, mover.narrowest, mover.angles, strict=True
+        ):
+            width = rows.unknowns([0.0] * len(laws), [high] * len(laws))
+            rows.row([(one, 1.0) for one in width], max(low, _NARROWEST_DEG), high)
+            if len(laws) > 1:
+                taken = rows.unknowns([0.0] * len(laws), [1.0] * len(laws), whole=True)
+                self.whole += taken
+                rows.row([(one, 1.0) for one in taken], 1.0, 1.0)
+                for one, it in zip(width, taken, strict=True):
+                    rows.row([(one, 1.0), (it, -high)], -np.inf, 0.0)
+            if own is not None:
+                shares = [
+                    (one, 1 / math.sqrt(cost)) for one, cost in zip(width, costs, strict=True)
+                ]
+                rows.row([*shares, (own, -1.0)], 0.0, np.inf)
+            if any(narrowest):
+                rows.row(
+                    [(one, 1 / angle) for one, angle in zip(width, narrowest, strict=True)],
+                    1.0,
+                    np.inf,
+                )
+            widths.append(width)
+        for number, end in enumerate(mover.ends):
+            ending = [(starts[number], 1.0), *((one, 1.0) for one in widths[number])]
+            rows.row(ending, -np.inf, end)
+            on = (number + 1) % len(starts)
+            turn = 0.0 if on else DEG_PER_TURN
+            rows.row([*ending, (starts[on], -1.0)], -np.inf, turn)
+        self.own.append(own)
+        self.starts.append(starts)
+        self.widths.append(widths)
+
+    def _keep_apart(self, pair: Apart) -> None:
+        """Let the second span lie between the end of the first and its next beginning."""
+        turns = self.rows.unknowns([-_TURNS], [_TURNS], whole=True)
+        self.whole += turns
+        (a, b), (c, d) = (
+            tuple(self._angle(part, end) for end in span)
+            for part, span in zip(pair.parts, pair.spans, strict=True)
+        )
+        shift = [(turns[0], float(DEG_PER_TURN))]
+        for later, earlier, turned in ((c, b, shift), (a, d, [(turns[0], -float(DEG_PER_TURN))])):
+            known = earlier[1] - later[1] + _APART_DEG
+            if earlier is d:
+                known -= DEG_PER_TURN
+            minus = [(column, -factor) for column, factor in earlier[0]]
+            self.rows.row(_summed([*later[0], *minus, *turned]), known, np.inf)
+
+    def _angle(self, part: int | None, end: End) -> tuple[list[tuple[int, float]], float]:
+        """Return an end of a span as unknowns with factors, and what is known of it."""
+        if part is None or end.move is None:
+            return [], end.fixed_deg
+        width = self.widths[part][end.move]
+        shares = [end.shares[min(n, len(end.shares) - 1)] for n in range(len(width))]
+        terms = [(self.starts[part][end.move], 1.0), *zip(width, shares, strict=True)]
+        return terms, end.turns * DEG_PER_TURN
+
+    def settle(self, x: Floats) -> None:
+        """Keep the whole numbers that were found."""
+        for column in self.whole:
+            self.rows.low[column] = self.rows.high[column] = float(np.round(x[column]))
+            self.rows.whole[column] = 0
+
+    def raised(self, owns: Sequence[int], before: Floats) -> tuple[float, Floats]:
+        """Return how wide the moves of some parts can be together, and the unknowns then."""
+        self.rows.cost = [0.0] * len(self.rows.cost)
+        together = self.rows.unknown(0.0, np.inf, cost=-1.0)
+        for own in owns:
+            self.rows.row([(own, 1.0), (together, -1.0)], 0.0, np.inf)
+        found = self.rows.solve()
+        x = before if found.unknowns is None else found.unknowns
+        best = 0.0 if found.unknowns is None else float(x[together])
+        self.rows.high[together] = 0.0  # it asks for nothing any more
+        return best, x
+
+    def moves(self, x: Floats) -> list[list[Placed]]:
+        """Return the moves of each part."""
+        found = []
+        for mover, starts, widths in zip(self.movers, self.starts, self.widths, strict=True):
+            chosen = [int(np.argmax(x[width])) for width in widths]
+            found.append(
+                [
+                    Placed(float(x[start]), float(x[width].sum()), laws[law])
+                    for start, width, laws, law in zip(
+                        starts, widths, mover.laws, chosen, strict=True
+                    )
+                ]
+            )
+        return found
+
+
+def _summed(terms: Sequence[tuple[int, float]]) -> list[tuple[int, float]]:
+    """Return a sum in which each unknown is once."""
+    factors: dict[int, float] = {}
+    for column, factor in terms:
+        factors[column] = factors.get(column, 0.0) + factor
+    return list(factors.items())
