@@ -76,6 +76,13 @@ class Task:
         return bool(peak > part.cap * (1 + _ABOVE))
 
 
+def weighted_peak(diagram: TimingDiagram, weights: Mapping[str, float]) -> float:
+    """Return the largest of the peak accelerations, in m/s2, each times its weight."""
+    return max(
+        weight * diagram.peak_acceleration(name) for name, weight in weights.items() if weight
+    )
+
+
 def read_task(  # noqa: PLR0913 - all but two are given by name
     diagram: TimingDiagram,
     rules: ClearanceRule | Iterable[ClearanceRule],

@@ -15,10 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from cammotion.limits.asked_of_all import Task, read_task
+from cammotion.limits.asked_of_all import Task, read_task, weighted_peak
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.joint_bound import Outline, outline
 from cammotion.limits.joint_motion import motions, unsettled
+from cammotion.limits.optimise import best_moves
 from cammotion.limits.sides import Side, sides_of
 from cammotion.machine.arcs import Arc
 from cammotion.machine.clearance import ClearanceRule, find_violations
@@ -28,6 +29,8 @@ from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
 _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
 _FIRST_CELLS = 60
+_FIRST_LAW = "constant acceleration"  # with which single moves have the least peak
+_FIRST_SECONDS = 5.0
 _SMALLEST_DEG = 0.03
 _GROWTH = 1.1  # of a peak that is too small to be had
 _MOST_GROWTH = 1e12
@@ -82,13 +85,6 @@ class LeastPeak:
             f"{reached}; no motions of {names} can have less than {low:.{_DIGITS}f} {unit}. "
             f"{self.conditions}"
         )
-
-
-def weighted_peak(diagram: TimingDiagram, weights: Mapping[str, float]) -> float:
-    """Return the largest of the peak accelerations, in m/s2, each times its weight."""
-    return max(
-        weight * diagram.peak_acceleration(name) for name, weight in weights.items() if weight
-    )
 
 
 def least_peak(  # noqa: PLR0913 - all but two are given by name
@@ -163,9 +159,10 @@ class _Search:
     def __post_init__(self) -> None:
         self.sides = sides_of(self.task.diagram, self.task.parts, self.task.rules)
         self.angle_deg = self.task.grid(self.sides, _FIRST_CELLS)
-        start = self.task.diagram
-        if not list(self._faults(start)):
-            self.best = replace(self.best, design=start)
+        for start in (self.task.diagram, best_moves(self.task, [_FIRST_LAW], _FIRST_SECONDS)):
+            if start and not list(self._faults(start)):
+                better = replace(self.best, design=start)
+                self.best = min(self.best, better, key=lambda found: found.reached)
 
     def rounds(self, end: float) -> Iterator[LeastPeak]:
         """Yield the best so far after each round, until the grid is as fine as it gets.
@@ -176,25 +173,31 @@ class _Search:
         """
         peak, top = self.task.scale, self.task.scale * _MOST_GROWTH
         while peak <= top:
-            reached = self.task.in_degrees(self.best.reached)
-            peak = min(max(peak, self.task.in_degrees(self.best.bound) * _GROWTH), reached)
+            best = self.task.in_degrees(self.best.reached) * (1 + _TRUST)  # it is among them itself
+            peak = min(max(peak, self.task.in_degrees(self.best.bound) * _GROWTH), best)
             left = end - monotonic()
             found = outline(self.task.parts, self.sides, self.angle_deg, peak, left)
-            share = min(found.bound, 1.0) * (1 - _TRUST)
-            bound = min(max(self.best.bound, self.task.in_metres(peak * share)), self.best.reached)
-            self.best = replace(self.best, bound=bound)
-            if np.isinf(found.bound) and peak < reached:
+            if np.isinf(found.bound) and peak == best:
+                raise WrongAnswerError("least_peak", f"the bound is above {self.best.reached:g}")
+            self._raise_bound(peak * min(found.bound, 1.0))
+            if np.isinf(found.bound):
                 peak *= _GROWTH
                 continue
             if found.places is not None:
-                self._build(found, min(2 * peak, reached), max(end - monotonic(), 1.0))
+                self._build(found, min(2 * peak, best), max(end - monotonic(), 1.0))
             yield self.best
-            if np.isinf(found.bound) or not self._refine(found):
+            if not self._refine(found):
                 return
         raise InputError(
             "No motions keep all of this, however hard they are pushed: allow more travel or a "
             "larger peak, give shorter still arcs, or weaker rules."
         )
+
+    def _raise_bound(self, push: float) -> None:
+        """Keep a bound, in mm/deg2, if it is the highest so far."""
+        bound = self.task.in_metres(push) * (1 - _TRUST)
+        highest = min(max(self.best.bound, bound), self.best.reached)
+        self.best = replace(self.best, bound=highest)
 
     def _build(self, found: Outline, peak: float, seconds: float) -> None:
         """Build motions in an outline, and keep them if they are the best."""

@@ -15,10 +15,9 @@ import numpy as np
 
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.limits.asked_of_all import Task, read_task
+from cammotion.limits.asked_of_all import Task, read_task, weighted_peak
 from cammotion.limits.crossings import Span, fixed_spans, spans
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.least_peak import weighted_peak
 from cammotion.limits.move_program import Apart, Mover, Placed, place
 from cammotion.limits.parts import Part
 from cammotion.limits.widest import with_dwells
@@ -122,27 +121,48 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
       return over 115.454 deg from 305.000 deg, cycloidal
     """
     task = read_task(diagram, rules, still=still, weights=weights, at_most=at_most)
-    chosen = _laws(task, laws)
-    starts = _ranges(task, "start", starts_deg)
-    angles = _ranges(task, "indexing angle", angles_deg)
-    movers = [
-        _mover(part, own, starts[part.motion.name], angles[part.motion.name])
-        for part, own in zip(task.parts, chosen, strict=True)
-    ]
-    found = place(movers, list(_apart(task, chosen)), _SECONDS.number(seconds))
+    found = _best(task, laws, (starts_deg, angles_deg), _SECONDS.number(seconds))
     if found is None:
         raise InputError(
             "No starts and angles of these moves keep all of this: allow larger ranges or peaks, "
             "give shorter still arcs, or weaker rules."
         )
-    design = diagram
-    for part, moves in zip(task.parts, found[0], strict=True):
-        if moves:
-            design = design.with_motion(_built(part, moves))
-    bound = task.in_metres(1 / found[1] ** 2) if found[1] else 0.0
+    design, bound = found
     answer = Optimised(diagram, design, bound, task.weights, unit)
     _check(task, answer)
     return answer
+
+
+def best_moves(task: Task, laws: Laws, seconds: float) -> TimingDiagram | None:
+    """Return the diagram with the best moves by these laws; None if none keep the rules."""
+    try:
+        found = _best(task, laws, (None, None), seconds)
+    except InputError:  # for a part that cannot be placed at will
+        return None
+    return found[0] if found else None
+
+
+def _best(
+    task: Task, laws: Any, ranges: tuple[Any, Any], seconds: float
+) -> tuple[TimingDiagram, float] | None:
+    """Return the best diagram and its bound, which nothing has checked yet."""
+    chosen = _laws(task, laws)
+    starts, angles = (
+        _ranges(task, what, given)
+        for what, given in zip(("start", "indexing angle"), ranges, strict=True)
+    )
+    movers = [
+        _mover(part, own, starts[part.motion.name], angles[part.motion.name])
+        for part, own in zip(task.parts, chosen, strict=True)
+    ]
+    found = place(movers, list(_apart(task, chosen)), seconds)
+    if found is None:
+        return None
+    design = task.diagram
+    for part, moves in zip(task.parts, found[0], strict=True):
+        if moves:
+            design = design.with_motion(_built(part, moves))
+    return design, task.in_metres(1 / found[1] ** 2) if found[1] else 0.0
 
 
 def _laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
