@@ -52,12 +52,11 @@ def spans(motion: Motion, laws: Sequence[Sequence[MotionLaw]], condition: Condit
     for number in range(max(map(len, laws))):
         chosen = [own[min(number, len(own) - 1)] for own in laws]
         one = _with_laws(motion, chosen)
-        tried.append(
-            [
-                (_end(one, start, is_start=True), _end(one, end, is_start=False))
-                for start, end in _arcs(one, condition)
-            ]
-        )
+        ends = [
+            (_end(one, start, is_start=True), _end(one, end, is_start=False))
+            for start, end in _arcs(one, condition)
+        ]
+        tried.append(sorted(map(_first_turn, ends), key=lambda span: span[0].move or 0))
     shapes = {tuple((e.move, e.turns) for span in found for e in span) for found in tried}
     if len(shapes) > 1:
         raise InputError(
@@ -92,6 +91,12 @@ def _end(motion: Motion, angle_deg: float, *, is_start: bool) -> End:
         if inside and not at_wrong_end:
             return End(number, (share,), int(turns))
     return End(None, fixed_deg=angle_deg)
+
+
+def _first_turn(span: Span) -> Span:
+    """Return a span that begins in the first turn: a turn more or less is the same."""
+    start, end = span
+    return start._replace(turns=0), end._replace(turns=end.turns - start.turns)
 
 
 def _joined(ends: Sequence[End]) -> End:

@@ -65,7 +65,7 @@ def place(
 ) -> tuple[list[list[Placed]], float] | None:
     """Return the moves of all parts, and the share that no others can be below; None if none are.
 
-    The largest peak is as small as can be; with it held the next one, and so on.
+    The largest peak is as small as can be; with its move held that of the next, and so on.
     """
     program = _Program(movers, apart)
     program.rows.cost[program.least] = -1.0
@@ -74,23 +74,24 @@ def place(
         return None
     x, most = found.unknowns, -found.bound
     program.settle(x)
-    free = [own for own in program.own if own is not None]
+    free = program.own
     while free:
         least, x = program.raised(free, x)
-        held = [own for own in free if program.raised([own], x)[0] <= least * (1 + _SAME)]
-        for own in held or free:
+        for own in free:
             program.rows.low[own] = least * (1 - _HELD)
-        free = [own for own in free if own not in held] if held else []
+        tight = [own for own in free if x[own] <= least * (1 + _SAME)]
+        held = [own for own in tight if program.raised([own], x)[0] <= least * (1 + _SAME)]
+        free = [own for own in free if own not in (held or free)]
     return program.moves(x), most
 
 
 class _Program:
-    """The unknowns: of each move its start and, for each law, its angle; of each part, how wide."""
+    """The unknowns: of each move its start, for each law its angle, and how wide it is."""
 
     def __init__(self, movers: Sequence[Mover], apart: Sequence[Apart]) -> None:
         self.movers, self.rows = movers, Rows()
         self.least = self.rows.unknown(0.0, np.inf)
-        self.own: list[int | None] = []
+        self.own: list[int] = []
         self.starts: list[list[int]] = []
         self.widths: list[list[list[int]]] = []
         self.whole: list[int] = []
@@ -103,10 +104,6 @@ class _Program:
         rows = self.rows
         starts = rows.unknowns(*np.array(mover.starts).T)
         widths = []
-        counts = any(any(costs) for costs in mover.costs)
-        own = rows.unknown(0.0, np.inf) if counts else None
-        if own is not None:
-            rows.row([(own, 1.0), (self.least, -1.0)], 0.0, np.inf)
         for laws, costs, narrowest, (low, high) in zip(
             mover.laws, mover.costs, mover.narrowest, mover.angles, strict=True
         ):
@@ -118,11 +115,14 @@ class _Program:
                 rows.row([(one, 1.0) for one in taken], 1.0, 1.0)
                 for one, it in zip(width, taken, strict=True):
                     rows.row([(one, 1.0), (it, -high)], -np.inf, 0.0)
-            if own is not None:
+            if all(costs):
+                own = rows.unknown(0.0, np.inf)
                 shares = [
                     (one, 1 / math.sqrt(cost)) for one, cost in zip(width, costs, strict=True)
                 ]
                 rows.row([*shares, (own, -1.0)], 0.0, np.inf)
+                rows.row([(own, 1.0), (self.least, -1.0)], 0.0, np.inf)
+                self.own.append(own)
             if any(narrowest):
                 rows.row(
                     [(one, 1 / angle) for one, angle in zip(width, narrowest, strict=True)],
@@ -136,7 +136,6 @@ class _Program:
             on = (number + 1) % len(starts)
             turn = 0.0 if on else DEG_PER_TURN
             rows.row([*ending, (starts[on], -1.0)], -np.inf, turn)
-        self.own.append(own)
         self.starts.append(starts)
         self.widths.append(widths)
 

@@ -117,8 +117,8 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     mill: 0.9429 m/s²
       rise over 163.267 deg from 353.366 deg, cycloidal
     die: 0.9429 m/s²
-      rise over 115.454 deg from 89.546 deg, cycloidal
-      return over 115.454 deg from 305.000 deg, cycloidal
+      rise over 115.447 deg from 89.553 deg, cycloidal
+      return over 115.447 deg from 305.000 deg, cycloidal
     """
     task = read_task(diagram, rules, still=still, weights=weights, at_most=at_most)
     found = _best(task, laws, (starts_deg, angles_deg), _SECONDS.number(seconds))

@@ -1,0 +1,178 @@
+"""The best starts, angles and laws of all moves: against orders, balances and an evolution."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from crowds import LAWS, designs, draw, keeps
+from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
+from scipy.optimize import differential_evolution
+
+import cammotion as cm
+from cammotion.limits.optimise import Optimised, optimise
+from cammotion.quantities import InputError, WrongAnswerError
+
+STILL = {"mill": [DOWN_DEG], "die": [DOWN_DEG]}
+BALANCE_DEG, BALANCED = 163.267, 0.94285  # deg and m/s2, both with cycloids
+
+
+def peak(design: cm.TimingDiagram) -> float:
+    return max(design.peak_acceleration(name) for name in design.names)
+
+
+# Mill and die
+
+
+def test_the_balance_is_found() -> None:
+    found = optimise(make_diagram(), RULE, still=STILL)
+    assert found.design["mill"].moves[0].angle_deg == pytest.approx(BALANCE_DEG, abs=5e-4)
+    assert found.peaks == pytest.approx({"mill": BALANCED, "die": BALANCED}, abs=5e-6)
+    assert found.reached == pytest.approx(found.bound, rel=1e-6)
+    assert cm.find_violations(found.design, RULE) == ()
+
+
+def test_the_die_alone_is_as_wide_as_its_widest_move() -> None:
+    widest = cm.widest_move(make_diagram(), "die", RULE)
+    found = optimise(make_diagram(), RULE, still={"die": [DOWN_DEG]})
+    assert found.reached == pytest.approx(widest.peak_acceleration, rel=1e-6)
+    assert found.design["mill"] == make_mill()
+
+
+def test_a_kept_middle_of_the_mill_leaves_the_die_less() -> None:
+    """Nothing asks the mill to move about 75 deg but the rule and the die themselves."""
+    held = optimise(make_diagram(), RULE, still=STILL, starts_deg={"mill": [(0, 0)]})
+    assert held.design["mill"].start_deg == pytest.approx(0, abs=1e-6)
+    assert held.reached > BALANCED + 1e-3
+    narrow = optimise(make_diagram(), RULE, still=STILL, angles_deg={"die": [(55, 60), None]})
+    down, up = narrow.design["die"].moves
+    assert 55 - 1e-6 <= down.angle_deg <= 60 + 1e-6
+    assert up.angle_deg > 60
+    assert narrow.reached > BALANCED
+
+
+def test_of_a_list_each_move_gets_the_best_law() -> None:
+    one = {name: optimise(make_diagram(), RULE, still=STILL, laws=[name]).reached for name in LAWS}
+    found = optimise(make_diagram(), RULE, still=STILL, laws=LAWS)
+    assert found.reached <= min(one.values()) * (1 + 1e-4)
+    assert one["cycloidal"] == pytest.approx(BALANCED, abs=5e-6)
+    only_mill = optimise(make_diagram(), RULE, still=STILL, laws={"mill": ["modified sine"]})
+    assert only_mill.design["mill"].moves[0].law == cm.LAWS["modified sine"]
+    assert only_mill.design["die"].moves[0].law == cm.LAWS["cycloidal"]
+
+
+def test_a_force_is_balanced_by_masses() -> None:
+    mass = {"mill": 40, "die": 12}
+    found = optimise(make_diagram(), RULE, still=STILL, weights=mass, unit="N")
+    forces = [mass[name] * one for name, one in found.peaks.items()]
+    assert forces[0] == pytest.approx(forces[1], rel=1e-5)
+    assert found.reached == max(forces)
+    assert repr(found).startswith(f"{found.reached:.4f} N (before: ")
+
+
+def test_a_limit_for_one_part_is_kept() -> None:
+    found = optimise(make_diagram(), RULE, still=STILL, weights={"mill": 0}, at_most={"mill": 1.0})
+    assert found.peaks["mill"] <= 1.0 + 1e-6
+    assert found.reached == found.peaks["die"] < BALANCED
+
+
+def test_with_the_largest_held_the_next_is_made_small() -> None:
+    """A part that has nothing to do with the hardest one gets all of its turn."""
+    slow = cm.motion(
+        "slow", cm.rise(5, over_deg=20), cm.dwell(100), cm.return_(5, over_deg=30), cm.dwell(210)
+    )
+    machine = cm.TimingDiagram([make_mill(), make_die(), slow], 2000)
+    found = optimise(machine, RULE, still=STILL | {"slow": [(20, 120)]})
+    assert sum(move.angle_deg for move in found.design["slow"].moves) == pytest.approx(260)
+    assert found.reached == pytest.approx(BALANCED, abs=5e-6)
+
+
+def test_it_says_where_each_move_is() -> None:
+    text = repr(optimise(make_diagram(), RULE, still=STILL))
+    assert "0.9429 m/s² (before: 4.1542)" in text
+    assert "  rise over 163.267 deg from 353.366 deg, cycloidal" in text
+    assert "  return over 115.447 deg from 305.000 deg, cycloidal" in text
+
+
+# By other ways
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_never_worse_than_one_after_the_other_and_never_below_the_bound(seed: int) -> None:
+    rng = np.random.default_rng(seed + 500)
+    crowd = draw(rng, 2 + seed % 5)
+    found = optimise(crowd.diagram, crowd.rules, still=crowd.still, laws=LAWS)
+    assert cm.find_violations(found.design, crowd.rules) == ()
+    others = [peak(design) for design in designs(crowd, rng) if keeps(crowd, design)]
+    assert found.reached <= min(others) * (1 + 1e-4)
+    least = cm.least_peak(
+        crowd.diagram, crowd.rules, still=crowd.still, travel_mm=crowd.travel_mm, gap=0.3, seconds=3
+    )
+    assert least.bound <= found.reached
+
+
+def test_an_evolution_finds_nothing_better() -> None:
+    """Every start and angle within 2 deg and more of the best, each design checked by the rules."""
+    best = optimise(make_diagram(), RULE, still=STILL).reached
+
+    def cost(x: Any) -> float:
+        start, width, down, up = x
+        mill = make_mill(width, middle_deg=start + width / 2)
+        die = cm.motion(
+            "die",
+            cm.rise(50, over_deg=down),
+            cm.dwell(100),
+            cm.return_(50, over_deg=up),
+            cm.dwell(260 - down - up),
+            start_deg=205 - down,
+        )
+        design = make_diagram(mill, die)
+        excess = sum(one.end_deg - one.start_deg for one in cm.find_violations(design, RULE))
+        return peak(design) + excess
+
+    ranges = [(-20, 5), (140, 190), (80, 125), (80, 125)]
+    found = differential_evolution(cost, ranges, seed=1, maxiter=30, popsize=8, tol=1e-9)
+    assert found.fun >= best * (1 - 1e-6)
+    assert found.fun <= best * 1.05
+
+
+# Nonsense
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"still": {}}, "No part is free"),
+        ({"still": {"wheel": [DOWN_DEG]}}, "no motion 'wheel'"),
+        ({"laws": "cycloidal"}, "give a list"),
+        ({"laws": []}, "is empty"),
+        ({"laws": ["no law"]}, "no motion law 'no law'"),
+        ({"laws": {"wheel": ["cubic"]}}, "no free part 'wheel'"),
+        ({"laws": [cm.CONSTANT_VELOCITY]}, "does not rest at both its ends"),
+        ({"starts_deg": [(0, 1)]}, "by the names of the parts"),
+        ({"starts_deg": {"wheel": [None]}}, "no free part 'wheel'"),
+        ({"starts_deg": {"mill": [(2, 1)]}}, "the smaller one first"),
+        ({"starts_deg": {"mill": [None, None]}}, "it has 1 moves"),
+        ({"starts_deg": {"mill": [(210, 300)]}}, "would lie in a still arc"),
+        ({"angles_deg": {"die": [(131, 140), (131, 140)]}}, "No starts and angles"),
+        ({"at_most": {"mill": 0.3}}, "No starts and angles"),
+        ({"seconds": -1}, "time is -1 s"),
+    ],
+)
+def test_what_makes_no_sense_is_said(changed: dict[str, Any], words: str) -> None:
+    asked: dict[str, Any] = {"still": STILL} | changed
+    with pytest.raises(InputError, match=words):
+        optimise(make_diagram(), RULE, **asked)
+
+
+def test_a_wrong_answer_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    from cammotion.limits import optimise as module
+
+    monkeypatch.setattr(module, "_apart", lambda *_: iter(()))  # as if there were no rules
+    with pytest.raises(WrongAnswerError, match="too deep"):
+        optimise(make_diagram(), RULE, still=STILL)
+
+
+def test_the_answer_is_what_it_is_called() -> None:
+    found = optimise(make_diagram(), [RULE], still=STILL)
+    assert isinstance(found, Optimised)
+    assert found.diagram == make_diagram()
