@@ -11,7 +11,7 @@ from crowds import Small, designs, draw, keeps, least_by_trying
 from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
-from cammotion.limits import least_peak as module
+from cammotion.limits import joint_search as search_module
 from cammotion.limits.joint_bound import Outline, outline
 from cammotion.limits.least_peak import LeastPeak, least_peak
 from cammotion.limits.parts import Part
@@ -248,6 +248,6 @@ def test_a_wrong_bound_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> No
         found = outline(parts, sides, angles, 0.7 * per_m, seconds)
         return replace(found, bound=1.0)
 
-    monkeypatch.setattr(module, "outline", too_high)
+    monkeypatch.setattr(search_module, "outline", too_high)
     with pytest.raises(WrongAnswerError, match="less than the bound"):
         least_peak(make_diagram(), RULE, still=STILL, travel_mm=TRAVEL)

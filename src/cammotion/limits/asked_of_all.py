@@ -56,6 +56,18 @@ class Task:
         least = min(part.weight for part in self.parts if part.weight)
         return least * max([*ways, 1e-3]) / DEG_PER_TURN**2
 
+    def of(self, names: Sequence[str]) -> "Task":
+        """Return what is asked of some parts by themselves."""
+        parts = tuple(part for part in self.parts if part.motion.name in names)
+        others = {part.motion.name for part in self.parts} - set(names)
+        rules = [r for r in self.rules if not {r.when.motion, r.only_while.motion} & others]
+        return Task(self.diagram, parts, _of_interest(rules, names))
+
+    def beside(self, others: "Task", design: TimingDiagram) -> "Task":
+        """Return what is asked of the parts that another task leaves, its own being as designed."""
+        left = tuple(part for part in self.parts if part not in others.parts)
+        return Task(design, left, _of_interest(self.rules, [part.motion.name for part in left]))
+
     def grid(self, sides: Sequence[tuple[Side, Side]], cells: int) -> Floats:
         """Return a grid with the ends of all arcs in it that are known beforehand."""
         ends = [end for part in self.parts for arc in part.still for end in arc]
@@ -123,8 +135,13 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
         parts.append(Part(motion, found, travel_ends(travels.get(name)), share, cap))
     if not any(part.weight for part in parts):
         raise InputError("All weights are 0: give at least one part a weight above 0.")
-    own = [r for r in given if {r.when.motion, r.only_while.motion} & set(names)]
-    return Task(diagram, tuple(parts), tuple(own))
+    return Task(diagram, tuple(parts), _of_interest(given, names))
+
+
+def _of_interest(rules: Iterable[ClearanceRule], names: Iterable[str]) -> tuple[ClearanceRule, ...]:
+    """Return the rules in which some of these parts have a share."""
+    own = set(names)
+    return tuple(rule for rule in rules if {rule.when.motion, rule.only_while.motion} & own)
 
 
 def _by_name(

@@ -3,39 +3,25 @@
 The parts pay for each other: a quicker mill leaves the die more of the turn. So all their motions
 are sought at once, from both sides, as `least_acceleration` does it for one. From below a
 mixed-integer program asks less than motions are asked, and no motions are below what comes out.
-From above motions are built and checked. The grid is made finer where in the solution from below
-a rule passes from one part to another, for there the node knows least; each round gives a bound
-that is true, and the highest of all is kept.
+From above motions are built and checked. How the search goes on, says `limits.joint_search`.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from time import monotonic
 from typing import Any
 
 import numpy as np
 
-from cammotion.limits.asked_of_all import Task, read_task, weighted_peak
-from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.joint_bound import Outline, outline
-from cammotion.limits.joint_motion import motions, unsettled
-from cammotion.limits.optimise import best_moves
-from cammotion.limits.sides import Side, sides_of
+from cammotion.limits.asked_of_all import read_task, weighted_peak
+from cammotion.limits.joint_search import Search
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule, find_violations
+from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
+from cammotion.quantities import Quantity
 
 _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
-_FIRST_CELLS = 60
-_FIRST_LAW = "constant acceleration"  # with which single moves have the least peak
-_FIRST_SECONDS = 5.0
-_SMALLEST_DEG = 0.03
-_GROWTH = 1.1  # of a peak that is too small to be had
-_MOST_GROWTH = 1e12
-_TRUST = 1e-5  # of the bound, that the solver may have rounded away
-_ROUNDING = 1e-6
 _DIGITS = 4
 
 
@@ -134,113 +120,19 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     task = read_task(
         diagram, rules, still=still, travel_mm=travel_mm, weights=weights, at_most=at_most
     )
-    search = _Search(task, LeastPeak(diagram, 0.0, None, task.weights, unit, task.conditions))
+    search = Search(task)
     wanted, end = _GAP.number(gap), monotonic() + _SECONDS.number(seconds)
+
+    def told() -> LeastPeak:
+        bound, design = search.best
+        return LeastPeak(diagram, bound, design, task.weights, unit, task.conditions)
+
     try:
-        for found in search.rounds(end):
+        for _ in search.rounds(end):
             if progress:
-                progress(found)
-            if found.gap <= wanted or monotonic() >= end:
+                progress(told())
+            if told().gap <= wanted or monotonic() >= end:
                 break
     except KeyboardInterrupt:  # the best so far is wanted
         pass
-    return search.best
-
-
-@dataclass
-class _Search:
-    """The search from both sides on a grid that is made finer; `best` is the best so far."""
-
-    task: Task
-    best: LeastPeak
-    sides: list[tuple[Side, Side]] = field(init=False)
-    angle_deg: Floats = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.sides = sides_of(self.task.diagram, self.task.parts, self.task.rules)
-        self.angle_deg = self.task.grid(self.sides, _FIRST_CELLS)
-        for start in (self.task.diagram, best_moves(self.task, [_FIRST_LAW], _FIRST_SECONDS)):
-            if start and not list(self._faults(start)):
-                better = replace(self.best, design=start)
-                self.best = min(self.best, better, key=lambda found: found.reached)
-
-    def rounds(self, end: float) -> Iterator[LeastPeak]:
-        """Yield the best so far after each round, until the grid is as fine as it gets.
-
-        Only motions a little above the bound are of interest: the smaller their peak, the less far
-        they get, and the quicker the program is solved. If there are none, the bound is as much
-        higher.
-        """
-        peak, top = self.task.scale, self.task.scale * _MOST_GROWTH
-        while peak <= top:
-            best = self.task.in_degrees(self.best.reached) * (1 + _TRUST)  # it is among them itself
-            peak = min(max(peak, self.task.in_degrees(self.best.bound) * _GROWTH), best)
-            left = end - monotonic()
-            found = outline(self.task.parts, self.sides, self.angle_deg, peak, left)
-            if np.isinf(found.bound) and peak == best:
-                raise WrongAnswerError("least_peak", f"the bound is above {self.best.reached:g}")
-            self._raise_bound(peak * min(found.bound, 1.0))
-            if np.isinf(found.bound):
-                peak *= _GROWTH
-                continue
-            if found.places is not None:
-                self._build(found, min(2 * peak, best), max(end - monotonic(), 1.0))
-            yield self.best
-            if not self._refine(found):
-                return
-        raise InputError(
-            "No motions keep all of this, however hard they are pushed: allow more travel or a "
-            "larger peak, give shorter still arcs, or weaker rules."
-        )
-
-    def _raise_bound(self, push: float) -> None:
-        """Keep a bound, in mm/deg2, if it is the highest so far."""
-        bound = self.task.in_metres(push) * (1 - _TRUST)
-        highest = min(max(self.best.bound, bound), self.best.reached)
-        self.best = replace(self.best, bound=highest)
-
-    def _build(self, found: Outline, peak: float, seconds: float) -> None:
-        """Build motions in an outline, and keep them if they are the best."""
-        built = motions(self.task.parts, self.sides, found, peak, seconds)
-        if built is None:
-            return
-        design = self.task.diagram
-        for motion in built:
-            design = design.with_motion(motion)
-        faults = list(self._faults(design))
-        if faults:
-            raise WrongAnswerError("least_peak", "; ".join(faults))
-        better = replace(self.best, design=design)
-        if better.reached < self.best.bound * (1 - _ROUNDING) - _ROUNDING:
-            raise WrongAnswerError(
-                "least_peak",
-                f"motions reach {better.reached:g}, less than the bound {self.best.bound:g}",
-            )
-        if better.reached < self.best.reached:
-            self.best = replace(better, bound=min(self.best.bound, better.reached))
-
-    def _faults(self, design: TimingDiagram) -> Iterator[str]:
-        """Yield in words what a design does not keep."""
-        if self.task.rules:
-            yield from map(str, find_violations(design, self.task.rules))
-        for part in self.task.parts:
-            asked = Asked((), part.still, part.travel_mm, np.inf)
-            before = design.with_motion(part.motion)
-            new = design[part.motion.name]
-            if not np.isfinite(design.peak_acceleration(new.name)):
-                yield f"the velocity of the {new.name} jumps"
-                continue
-            yield from find_faults(before, new, asked)
-            if self.task.too_hard(part, design):
-                yield f"the peak of the {new.name} is above its limit"
-
-    def _refine(self, found: Outline) -> bool:
-        """Halve the cells in which a rule passes on, or the widest; return whether any is left."""
-        width = np.diff(found.angle_deg)
-        there = [cell for cell in unsettled(self.sides, found) if width[cell] > _SMALLEST_DEG]
-        if not there:
-            free = [cell for cell in range(len(width)) if width[cell] > width.max() / 1.5]
-            there = free if width.max() > 10 * _SMALLEST_DEG else []
-        middles = [found.angle_deg[cell] + width[cell] / 2 for cell in there]
-        self.angle_deg = np.sort(np.concatenate([self.angle_deg, middles]))
-        return bool(there)
+    return told()

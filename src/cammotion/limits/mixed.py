@@ -3,6 +3,7 @@
 import os
 import sys
 import threading
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
@@ -13,6 +14,7 @@ from cammotion.quantities import Floats
 
 _INFEASIBLE = 2
 _TICK_S = 0.05
+_GRACE_S = 2.0
 _WITHIN = 1e-4  # of the objective: so near to the best is found
 
 
@@ -68,15 +70,17 @@ class Rows:
     def solve(self, seconds: float = np.inf) -> Mixed:
         """Return the unknowns with the least cost, and a proved bound of it.
 
-        Runs in a thread of its own, so that an interrupt of the keyboard is heard.
+        Runs in a thread of its own, so that an interrupt of the keyboard is heard. A solver that
+        does not look at the clock for some seconds is left alone to end by itself.
         """
         found: list[Mixed] = []
         worker = threading.Thread(target=lambda: found.append(self._solve(seconds)), daemon=True)
         worker.start()
         with _silent():
-            while worker.is_alive():
+            until = time.monotonic() + seconds + _GRACE_S
+            while worker.is_alive() and time.monotonic() < until:
                 worker.join(_TICK_S)
-        return found[0]
+        return found[0] if found else Mixed(None, None)
 
     def _solve(self, seconds: float) -> Mixed:
         from scipy import sparse

@@ -99,6 +99,8 @@ class _Program:
             self._add(mover)
         for pair in apart:
             self._keep_apart(pair)
+        if not self.own:  # no peak counts
+            self.rows.high[self.least] = 0.0
 
     def _add(self, mover: Mover) -> None:
         rows = self.rows

@@ -1,0 +1,194 @@
+"""The search for the least peak of all parts from both sides, on grids that are made finer.
+
+A grid is made finer where in the solution from below a rule passes from one part to another, for
+there its nodes know least. Each round gives a bound that is true, and the highest of all is kept.
+
+First come the parts alone that are driven hardest in the best diagram of single moves: what they
+cannot do by themselves, they cannot do with others beside them, so their bound is one of all. Then
+come all parts at once.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from time import monotonic
+from typing import NamedTuple
+
+import numpy as np
+
+from cammotion.limits.asked_of_all import Task, weighted_peak
+from cammotion.limits.faults import Asked, find_faults
+from cammotion.limits.joint_bound import Outline, outline
+from cammotion.limits.joint_motion import motions, unsettled
+from cammotion.limits.optimise import best_moves
+from cammotion.limits.sides import sides_of
+from cammotion.machine.clearance import find_violations
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.quantities import InputError, WrongAnswerError
+
+_FIRST_CELLS = 60
+_FIRST_LAW = "constant acceleration"  # with which single moves have the least peak
+_FIRST_SECONDS = 5.0
+_SMALLEST_DEG = 0.03
+_GROWTH = 1.1  # of a peak that is too small to be had
+_MOST_GROWTH = 1e12
+_TRUST = 1e-5  # of the bound, that the solver may have rounded away
+_ROUNDING = 1e-6
+_HARDEST = 0.999  # of the largest peak: so hard driven a part is one of the hardest
+_IDLE = 4  # rounds with the hardest alone that have brought nothing
+_HALF = 0.5  # of the time at most is theirs
+
+
+class Best(NamedTuple):
+    """The highest bound so far, in m/s2 times the weight, and the best design, if there is one."""
+
+    bound: float
+    design: TimingDiagram | None
+
+
+class Search:
+    """The search for what is asked; `best` is the best so far."""
+
+    def __init__(self, task: Task) -> None:
+        self.task, self.best = task, Best(0.0, None)
+        for design in (task.diagram, best_moves(task, [_FIRST_LAW], _FIRST_SECONDS)):
+            if design and not list(_faults(task, design)):
+                self._keep(design)
+
+    @property
+    def reached(self) -> float:
+        """The largest weighted peak of the best design; infinite if there is none."""
+        design = self.best.design
+        return weighted_peak(design, self.task.weights) if design else np.inf
+
+    def rounds(self, end: float) -> Iterator[Best]:
+        """Yield the best so far after each round, until the grid is as fine as it gets."""
+        hardest = self._hardest()
+        if hardest:
+            idle, now = 0, monotonic()
+            until, bound = now + _HALF * (end - now), self.best.bound
+            for best in _Grid(self, hardest).rounds(until):
+                yield best
+                idle, bound = 0 if best.bound > bound * (1 + _TRUST) else idle + 1, best.bound
+                if idle >= _IDLE or monotonic() >= until or best.bound >= self.reached * _HARDEST:
+                    break
+        yield from _Grid(self, self.task).rounds(end)
+
+    def _hardest(self) -> Task | None:
+        """Return the task of the parts that are driven hardest; None if that are all, or none."""
+        design, names = self.best.design, []
+        if design is None:
+            return None
+        for part in self.task.parts:
+            name = part.motion.name
+            peak = design.peak_acceleration(name)
+            if (
+                part.weight * peak >= _HARDEST * self.reached
+                or self.task.in_degrees(peak) >= _HARDEST * part.cap
+            ):
+                names.append(name)
+        return self.task.of(names) if len(names) < len(self.task.parts) else None
+
+    def raise_bound(self, push: float) -> None:
+        """Keep a bound, in mm/deg2, if it is the highest so far."""
+        bound = self.task.in_metres(push) * (1 - _TRUST)
+        highest = min(max(self.best.bound, bound), self.reached)
+        self.best = self.best._replace(bound=highest)
+
+    def offer(self, design: TimingDiagram, part_of_it: Task) -> None:
+        """Keep a design if it is the best, in which the motions of a task are new.
+
+        If these are not all parts, the others get the best single moves beside them.
+        """
+        if part_of_it is not self.task:
+            rest = self.task.beside(part_of_it, design)
+            found = best_moves(rest, [_FIRST_LAW], _FIRST_SECONDS)
+            if found is None or list(_faults(self.task, found)):
+                return
+            design = found
+        faults = list(_faults(self.task, design))
+        peak = weighted_peak(design, self.task.weights)
+        if peak < self.best.bound * (1 - _ROUNDING) - _ROUNDING:
+            faults.append(f"motions reach {peak:g}, less than the bound {self.best.bound:g}")
+        if faults:
+            raise WrongAnswerError("least_peak", "; ".join(faults))
+        self._keep(design)
+
+    def _keep(self, design: TimingDiagram) -> None:
+        peak = weighted_peak(design, self.task.weights)
+        if peak < self.reached:
+            self.best = Best(min(self.best.bound, peak), design)
+
+
+@dataclass
+class _Grid:
+    """The rounds of a search for some parts or for all."""
+
+    search: Search
+    task: Task
+
+    def __post_init__(self) -> None:
+        self.sides = sides_of(self.task.diagram, self.task.parts, self.task.rules)
+        self.angle_deg = self.task.grid(self.sides, _FIRST_CELLS)
+
+    def rounds(self, end: float) -> Iterator[Best]:
+        """Yield the best so far after each round.
+
+        Only motions a little above the bound are of interest: the smaller their peak, the less far
+        they get, and the quicker the program is solved. If there are none, the bound is as much
+        higher.
+        """
+        task, search = self.task, self.search
+        peak, top = task.scale, task.scale * _MOST_GROWTH
+        while peak <= top:
+            best = task.in_degrees(search.reached) * (1 + _TRUST)  # it is among them itself
+            peak = min(max(peak, task.in_degrees(search.best.bound) * _GROWTH), best)
+            found = outline(task.parts, self.sides, self.angle_deg, peak, end - monotonic())
+            if np.isinf(found.bound) and peak == best:
+                raise WrongAnswerError("least_peak", f"the bound is above {search.reached:g}")
+            search.raise_bound(peak * min(found.bound, 1.0))
+            if np.isinf(found.bound):
+                peak *= _GROWTH
+                continue
+            if found.places is not None:
+                self._build(found, min(2 * peak, best), max(end - monotonic(), 1.0))
+            yield search.best
+            if not self._refine(found):
+                return
+        raise InputError(
+            "No motions keep all of this, however hard they are pushed: allow more travel or a "
+            "larger peak, give shorter still arcs, or weaker rules."
+        )
+
+    def _build(self, found: Outline, peak: float, seconds: float) -> None:
+        """Build motions in an outline, and offer them."""
+        design = self.task.diagram
+        for motion in motions(self.task.parts, self.sides, found, peak, seconds) or ():
+            design = design.with_motion(motion)
+        if design is not self.task.diagram:
+            self.search.offer(design, self.task)
+
+    def _refine(self, found: Outline) -> bool:
+        """Halve the cells in which a rule passes on, or the widest; return whether any is left."""
+        width = np.diff(found.angle_deg)
+        there = [cell for cell in unsettled(self.sides, found) if width[cell] > _SMALLEST_DEG]
+        if not there:
+            free = [cell for cell in range(len(width)) if width[cell] > width.max() / 1.5]
+            there = free if width.max() > 10 * _SMALLEST_DEG else []
+        middles = [found.angle_deg[cell] + width[cell] / 2 for cell in there]
+        self.angle_deg = np.sort(np.concatenate([self.angle_deg, middles]))
+        return bool(there)
+
+
+def _faults(task: Task, design: TimingDiagram) -> Iterator[str]:
+    """Yield in words what a design does not keep."""
+    if task.rules:
+        yield from map(str, find_violations(design, task.rules))
+    for part in task.parts:
+        new = design[part.motion.name]
+        if not np.isfinite(design.peak_acceleration(new.name)):
+            yield f"the velocity of the {new.name} jumps"
+            continue
+        asked = Asked((), part.still, part.travel_mm, np.inf)
+        yield from find_faults(design.with_motion(part.motion), new, asked)
+        if task.too_hard(part, design):
+            yield f"the peak of the {new.name} is above its limit"
