@@ -81,6 +81,53 @@ def _law(rng: Rng) -> Any:
     return str(rng.choice(LAWS))
 
 
+def draw_any(rng: Rng) -> Crowd:
+    """Return two to four parts of any kind with rules of any kind, which they happen to keep."""
+    count = int(rng.integers(2, 5))
+    motions = [_any_part(rng, f"part {n}") for n in range(count)]
+    diagram = cm.TimingDiagram(motions, float(rng.uniform(300, 6000)))
+    rules: list[ClearanceRule] = []
+    for _ in range(60):
+        one, other = rng.permutation(count)[:2]
+        halves = [_any_half(rng, motions[int(n)]) for n in (one, other)]
+        rule = ClearanceRule(halves[0], only_while=halves[1])
+        matters = rule.when.arcs(diagram) and rule.only_while.opposite.arcs(diagram)
+        if matters and not find_violations(diagram, rule):
+            rules.append(rule)
+        if len(rules) == 4:
+            break
+    still, travel = {}, {}
+    for motion in motions:
+        dwells = [(s.from_deg, s.to_deg) for s in motion.segments if s.is_dwell]
+        kept = [dwells[0]] if rng.random() < 0.5 else dwells
+        still[motion.name] = [
+            (a + float(rng.uniform(0, 0.2)) * (b - a), b - float(rng.uniform(0, 0.2)) * (b - a))
+            for a, b in kept
+        ]
+        if not motion.is_indexing and rng.random() < 0.5:
+            travel[motion.name] = motion.range_mm
+    return Crowd(diagram, rules, still, travel)
+
+
+def _any_part(rng: Rng, name: str) -> cm.Motion:
+    start, way = float(rng.uniform(-500, 500)), float(rng.uniform(5, 120))
+    if rng.random() < 0.4:
+        move = cm.rise if rng.random() < 0.5 else cm.return_
+        angle = float(rng.uniform(40, 250))
+        parts = move(way, over_deg=angle, law=_law(rng)), cm.dwell(360 - angle)
+        return cm.indexing_motion(name, *parts, stops=12, start_deg=start)
+    cuts = rng.uniform(0.3, 1, 4)
+    a, b, c, d = (float(cut) for cut in cuts / cuts.sum() * 360)
+    moves = cm.rise(way, over_deg=a, law=_law(rng)), cm.return_(way, over_deg=c, law=_law(rng))
+    return cm.motion(name, moves[0], cm.dwell(b), moves[1], cm.dwell(d), start_deg=start)
+
+
+def _any_half(rng: Rng, motion: cm.Motion) -> Any:
+    way = abs(motion.pitch_mm) / 2 if motion.is_indexing else float(np.ptp(motion.range_mm))
+    limit = way * float(rng.choice([0.02, 0.1, 0.3, 0.5, 0.8, 0.95]))
+    return (cm.beyond if rng.random() < 0.5 else cm.within)(motion.name, limit)
+
+
 def designs(crowd: Crowd, rng: Rng) -> Iterator[cm.TimingDiagram]:
     """Yield designs that keep everything: as drawn, and with the widest moves in some orders."""
     yield crowd.diagram

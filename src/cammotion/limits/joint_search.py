@@ -29,12 +29,14 @@ _FIRST_CELLS = 60
 _FIRST_LAW = "constant acceleration"  # with which single moves have the least peak
 _FIRST_SECONDS = 5.0
 _SMALLEST_DEG = 0.03
+_WIDEST_DEG = 0.3  # finer than this no grid is all over
+_RISE = 0.003  # of the bound, for a round that has brought something
 _GROWTH = 1.1  # of a peak that is too small to be had
 _MOST_GROWTH = 1e12
 _TRUST = 1e-5  # of the bound, that the solver may have rounded away
 _ROUNDING = 1e-6
 _HARDEST = 0.999  # of the largest peak: so hard driven a part is one of the hardest
-_IDLE = 4  # rounds with the hardest alone that have brought nothing
+_IDLE = 3  # rounds that have brought nothing are enough
 _HALF = 0.5  # of the time at most is theirs
 
 
@@ -68,13 +70,17 @@ class Search:
             until, bound = now + _HALF * (end - now), self.best.bound
             for best in _Grid(self, hardest).rounds(until):
                 yield best
-                idle, bound = 0 if best.bound > bound * (1 + _TRUST) else idle + 1, best.bound
-                if idle >= _IDLE or monotonic() >= until or best.bound >= self.reached * _HARDEST:
+                idle, bound = 0 if best.bound > bound * (1 + _RISE) else idle + 1, best.bound
+                if (
+                    idle > 2 * _IDLE
+                    or monotonic() >= until
+                    or best.bound >= self.reached * _HARDEST
+                ):
                     break
         yield from _Grid(self, self.task).rounds(end)
 
     def _hardest(self) -> Task | None:
-        """Return the task of the parts that are driven hardest; None if that are all, or none."""
+        """Return the task of the parts that are driven hardest; None if it is no smaller a one."""
         design, names = self.best.design, []
         if design is None:
             return None
@@ -86,7 +92,8 @@ class Search:
                 or self.task.in_degrees(peak) >= _HARDEST * part.cap
             ):
                 names.append(name)
-        return self.task.of(names) if len(names) < len(self.task.parts) else None
+        hardest = self.task.of(names)
+        return hardest if hardest.rules and len(names) < len(self.task.parts) else None
 
     def raise_bound(self, push: float) -> None:
         """Keep a bound, in mm/deg2, if it is the highest so far."""
@@ -129,6 +136,7 @@ class _Grid:
     def __post_init__(self) -> None:
         self.sides = sides_of(self.task.diagram, self.task.parts, self.task.rules)
         self.angle_deg = self.task.grid(self.sides, _FIRST_CELLS)
+        self.idle, self.bound = 0, 0.0
 
     def rounds(self, end: float) -> Iterator[Best]:
         """Yield the best so far after each round.
@@ -168,15 +176,21 @@ class _Grid:
             self.search.offer(design, self.task)
 
     def _refine(self, found: Outline) -> bool:
-        """Halve the cells in which a rule passes on, or the widest; return whether any is left."""
+        """Halve the cells in which a rule passes on; return whether any is left to be halved.
+
+        Where that brings nothing any more, since it may as well pass on in another cell, the widest
+        are all halved.
+        """
         width = np.diff(found.angle_deg)
-        there = [cell for cell in unsettled(self.sides, found) if width[cell] > _SMALLEST_DEG]
-        if not there:
-            free = [cell for cell in range(len(width)) if width[cell] > width.max() / 1.5]
-            there = free if width.max() > 10 * _SMALLEST_DEG else []
-        middles = [found.angle_deg[cell] + width[cell] / 2 for cell in there]
+        halved = {cell for cell in unsettled(self.sides, found) if width[cell] > _SMALLEST_DEG}
+        rises = self.search.best.bound > self.bound * (1 + _RISE)
+        self.idle, self.bound = 0 if rises else self.idle + 1, self.search.best.bound
+        if (not halved or self.idle >= _IDLE) and width.max() > _WIDEST_DEG:
+            halved |= {cell for cell in range(len(width)) if width[cell] > width.max() / 1.5}
+            self.idle = 0
+        middles = [found.angle_deg[cell] + width[cell] / 2 for cell in halved]
         self.angle_deg = np.sort(np.concatenate([self.angle_deg, middles]))
-        return bool(there)
+        return bool(halved)
 
 
 def _faults(task: Task, design: TimingDiagram) -> Iterator[str]:

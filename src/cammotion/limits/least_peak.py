@@ -22,6 +22,7 @@ from cammotion.quantities import Quantity
 
 _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
+_NOTHING = 1e-6  # a peak that is rounding: all parts can stand
 _DIGITS = 4
 
 
@@ -55,6 +56,8 @@ class LeastPeak:
     @property
     def gap(self) -> float:
         """How much better other motions could be at most, as a share of what is reached."""
+        if self.reached <= _NOTHING:
+            return 0.0
         return 1 - self.bound / self.reached if np.isfinite(self.reached) else 1.0
 
     def __repr__(self) -> str:
