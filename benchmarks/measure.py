@@ -22,6 +22,7 @@ from overlap import measure_overlap
 from package import measure_import, measure_lesson, measure_setup, measure_test
 from questions import measure_again
 from round_trip import measure_round_trips
+from whole_machine import measure_whole_machine
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "accessibility": measure_accessibility,
@@ -46,6 +47,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "response": measure_response,
     "shown": measure_shown,
     "test": measure_test,
+    "whole-machine": measure_whole_machine,
 }
 ROW = "{:<72} {:>10} {:>16}  {}"
 

@@ -59,7 +59,7 @@ def motions(
     )
     program = _OnGrid(parts, angle, cells, peak)
     held_off = [np.zeros(len(angle)) for _ in parts]
-    for _ in range(_ROUNDS):
+    for number in range(_ROUNDS):
         if not program.is_settled:
             program.solve(held_off, seconds)
         curves = program.solve(held_off, seconds) if program.is_settled else None
@@ -72,7 +72,9 @@ def motions(
                 curve.build(part.motion, room)
                 for part, curve, room in zip(parts, curves, rooms, strict=True)
             ]
-        for off, stray in zip(held_off, strays, strict=True):
+        for part, off, stray in zip(parts, held_off, strays, strict=True):
+            if number >= _ROUNDS // 2:  # so far it cannot stray, however it is pushed
+                stray = np.maximum(stray, part.most(peak) * program.ahead**2 / 12 - off)
             off += 1.5 * np.maximum(stray, np.roll(stray, 1))
     return None
 

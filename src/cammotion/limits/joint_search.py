@@ -3,9 +3,9 @@
 A grid is made finer where in the solution from below a rule passes from one part to another, for
 there its nodes know least. Each round gives a bound that is true, and the highest of all is kept.
 
-First come the parts alone that are driven hardest in the best diagram of single moves: what they
-cannot do by themselves, they cannot do with others beside them, so their bound is one of all. Then
-come all parts at once.
+It begins with the best diagram of single moves. Then come the parts alone that are driven hardest
+in it: what they cannot do by themselves, they cannot do with others beside them, so their bound is
+one of all. One part more is taken each time, and at last all.
 """
 
 from collections.abc import Iterator
@@ -37,7 +37,8 @@ _TRUST = 1e-5  # of the bound, that the solver may have rounded away
 _ROUNDING = 1e-6
 _HARDEST = 0.999  # of the largest peak: so hard driven a part is one of the hardest
 _IDLE = 3  # rounds that have brought nothing are enough
-_HALF = 0.5  # of the time at most is theirs
+_SHARE = 0.25  # of the time that is left is theirs at most
+_SOLVED = 0.995  # of the peak of motions: a bound that is near enough
 
 
 class Best(NamedTuple):
@@ -64,36 +65,54 @@ class Search:
 
     def rounds(self, end: float) -> Iterator[Best]:
         """Yield the best so far after each round, until the grid is as fine as it gets."""
-        hardest = self._hardest()
-        if hardest:
-            idle, now = 0, monotonic()
-            until, bound = now + _HALF * (end - now), self.best.bound
-            for best in _Grid(self, hardest).rounds(until):
+        for task in self._hardest():
+            now, grid = monotonic(), _Grid(self, task)
+            until, idle, bound = now + _SHARE * (end - now), 0, self.best.bound
+            for best in grid.rounds(until):
                 yield best
                 idle, bound = 0 if best.bound > bound * (1 + _RISE) else idle + 1, best.bound
-                if (
-                    idle > 2 * _IDLE
-                    or monotonic() >= until
-                    or best.bound >= self.reached * _HARDEST
-                ):
+                solved = best.bound >= min(grid.least, self.reached) * _SOLVED
+                if solved or idle > 2 * _IDLE or monotonic() >= until:
                     break
         yield from _Grid(self, self.task).rounds(end)
 
-    def _hardest(self) -> Task | None:
-        """Return the task of the parts that are driven hardest; None if it is no smaller a one."""
-        design, names = self.best.design, []
+    def _hardest(self) -> Iterator[Task]:
+        """Yield what is asked of the parts alone that are driven hardest, one more each time."""
+        design = self.best.design
         if design is None:
-            return None
-        for part in self.task.parts:
-            name = part.motion.name
-            peak = design.peak_acceleration(name)
-            if (
-                part.weight * peak >= _HARDEST * self.reached
-                or self.task.in_degrees(peak) >= _HARDEST * part.cap
-            ):
-                names.append(name)
-        hardest = self.task.of(names)
-        return hardest if hardest.rules and len(names) < len(self.task.parts) else None
+            return
+        hardness = {
+            part.motion.name: max(
+                part.weight * design.peak_acceleration(part.motion.name) / self.reached,
+                self.task.in_degrees(design.peak_acceleration(part.motion.name)) / part.cap,
+            )
+            for part in self.task.parts
+        }
+        names = [name for name, share in hardness.items() if share >= _HARDEST]
+        while len(names) < len(self.task.parts):
+            hardest = self.task.of(names)
+            if hardest.rules:
+                yield hardest
+            near = {
+                half.motion
+                for rule in self.task.rules
+                if {rule.when.motion, rule.only_while.motion} & set(names)
+                for half in (rule.when, rule.only_while)
+                if half.motion in hardness
+            }
+            left = (near or set(hardness)) - set(names) or set(hardness) - set(names)
+            names.append(max(sorted(left), key=lambda name: hardness[name]))
+
+    def build(self, task: Task, found: Outline, peak: float, seconds: float) -> float:
+        """Build motions in an outline, and offer them; return their weighted peak."""
+        sides = sides_of(task.diagram, task.parts, task.rules)
+        design = task.diagram
+        for motion in motions(task.parts, sides, found, peak, seconds) or ():
+            design = design.with_motion(motion)
+        if design is task.diagram:
+            return np.inf
+        self.offer(design, task)
+        return weighted_peak(design, task.weights)
 
     def raise_bound(self, push: float) -> None:
         """Keep a bound, in mm/deg2, if it is the highest so far."""
@@ -136,7 +155,7 @@ class _Grid:
     def __post_init__(self) -> None:
         self.sides = sides_of(self.task.diagram, self.task.parts, self.task.rules)
         self.angle_deg = self.task.grid(self.sides, _FIRST_CELLS)
-        self.idle, self.bound = 0, 0.0
+        self.idle, self.bound, self.least = 0, 0.0, np.inf
 
     def rounds(self, end: float) -> Iterator[Best]:
         """Yield the best so far after each round.
@@ -158,7 +177,9 @@ class _Grid:
                 peak *= _GROWTH
                 continue
             if found.places is not None:
-                self._build(found, min(2 * peak, best), max(end - monotonic(), 1.0))
+                left = max(end - monotonic(), 1.0)
+                built = search.build(task, found, min(2 * peak, best), left)
+                self.least = min(self.least, built)
             yield search.best
             if not self._refine(found):
                 return
@@ -166,14 +187,6 @@ class _Grid:
             "No motions keep all of this, however hard they are pushed: allow more travel or a "
             "larger peak, give shorter still arcs, or weaker rules."
         )
-
-    def _build(self, found: Outline, peak: float, seconds: float) -> None:
-        """Build motions in an outline, and offer them."""
-        design = self.task.diagram
-        for motion in motions(self.task.parts, self.sides, found, peak, seconds) or ():
-            design = design.with_motion(motion)
-        if design is not self.task.diagram:
-            self.search.offer(design, self.task)
 
     def _refine(self, found: Outline) -> bool:
         """Halve the cells in which a rule passes on; return whether any is left to be halved.
