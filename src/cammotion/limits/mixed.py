@@ -68,13 +68,34 @@ class Rows:
         self.row([*terms, (by, times)], 0.0, np.inf)
 
     def solve(self, seconds: float = np.inf) -> Mixed:
-        """Return the unknowns with the least cost, and a proved bound of it.
+        """Return the unknowns with the least cost, and a bound of it.
 
         Runs in a thread of its own, so that an interrupt of the keyboard is heard. A solver that
         does not look at the clock for some seconds is left alone to end by itself.
         """
+        return self._run(seconds, presolved=True)
+
+    def solve_twice(self, seconds: float) -> Mixed:
+        """Return the unknowns with the least cost, and a bound that two ways of solving agree on.
+
+        HiGHS has been seen to call a program infeasible that is not, and only where it had made it
+        smaller first. So it is asked again without that, and of two bounds the lower one counts.
+        """
+        end = time.monotonic() + seconds
+        first = self._run(seconds, presolved=True)
+        if first.bound is None or not any(self.whole):
+            return first
+        second = self._run(end - time.monotonic(), presolved=False)
+        unknowns = second.unknowns if first.unknowns is None else first.unknowns
+        if second.bound is None:
+            return Mixed(unknowns, None)
+        return Mixed(unknowns, min(first.bound, second.bound))
+
+    def _run(self, seconds: float, *, presolved: bool) -> Mixed:
         found: list[Mixed] = []
-        worker = threading.Thread(target=lambda: found.append(self._solve(seconds)), daemon=True)
+        worker = threading.Thread(
+            target=lambda: found.append(self._solve(seconds, presolved)), daemon=True
+        )
         worker.start()
         with _silent():
             until = time.monotonic() + seconds + _GRACE_S
@@ -82,20 +103,22 @@ class Rows:
                 worker.join(_TICK_S)
         return found[0] if found else Mixed(None, None)
 
-    def _solve(self, seconds: float) -> Mixed:
+    def _solve(self, seconds: float, presolved: bool) -> Mixed:
         from scipy import sparse
         from scipy.optimize import Bounds, LinearConstraint, milp
 
         rows, columns, factors = self._entries
         shape = len(self._rows), len(self.low)
         matrix = sparse.csr_matrix((factors, (rows, columns)), shape=shape)
+        matrix.eliminate_zeros()
         low, high = np.array(self._rows).T
-        options: dict[str, float] = {"mip_rel_gap": _WITHIN}
+        size = np.maximum(abs(matrix).max(axis=1).toarray().ravel(), 1e-12)  # of each row
+        options: dict[str, Any] = {"mip_rel_gap": _WITHIN, "presolve": presolved}
         if np.isfinite(seconds):
             options["time_limit"] = max(seconds, _TICK_S)
         result = milp(
             np.array(self.cost),
-            constraints=LinearConstraint(matrix, low, high),
+            constraints=LinearConstraint(sparse.diags(1 / size) @ matrix, low / size, high / size),
             bounds=Bounds(np.array(self.low), np.array(self.high)),
             integrality=np.array(self.whole),
             options=options,
