@@ -104,8 +104,10 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     called with it after each round.
 
     The bound is true of every motion, not of a grid alone: only what every motion keeps is asked
-    (see `limits.joint_bound`). It is the bound that the solver HiGHS proves, lowered by a
-    hundred-thousandth for its rounding; parts are rigid, and follow their motions exactly. The
+    (see `limits.joint_bound`). But it rests on the word of the solver HiGHS, asked in two ways of
+    which the lower bound counts, and lowered by a hundred-thousandth for its rounding; it is not
+    computed anew from multipliers, as that of `least_acceleration` is. A bound that a design is
+    below is found out. Parts are rigid, and follow their motions exactly. The
     motions that are built are checked by `find_violations` and by their curves. Raises
     WrongAnswerError if they fail. Raises InputError for what is out of range, for an arc over
     which a part does not stand, and where no motions keep all of this.
