@@ -6,7 +6,6 @@ small program chooses the place.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -96,19 +95,14 @@ def _cells(sides: Sequence[tuple[Side, Side]], found: Outline) -> Cells:
     ]
 
 
-@dataclass
 class _OnGrid:
     """The motions on a grid that take one of the options left to each cell.
 
     Once solved, `cells` are settled.
     """
 
-    parts: Sequence[Part]
-    angle_deg: Floats
-    cells: Cells
-    peak: float
-
-    def __post_init__(self) -> None:
+    def __init__(self, parts: Sequence[Part], angle_deg: Floats, cells: Cells, peak: float) -> None:
+        self.parts, self.angle_deg, self.cells, self.peak = parts, angle_deg, cells, peak
         self.ahead = np.diff(np.append(self.angle_deg, self.angle_deg[0] + 360))
         self.standing = [part.standing(self.angle_deg) for part in self.parts]
 

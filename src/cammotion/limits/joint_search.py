@@ -9,7 +9,6 @@ one of all. One part more is taken each time, and at last all.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from time import monotonic
 from typing import NamedTuple
 
@@ -145,14 +144,11 @@ class Search:
             self.best = Best(min(self.best.bound, peak), design)
 
 
-@dataclass
 class _Grid:
     """The rounds of a search for some parts or for all."""
 
-    search: Search
-    task: Task
-
-    def __post_init__(self) -> None:
+    def __init__(self, search: Search, task: Task) -> None:
+        self.search, self.task = search, task
         self.sides = sides_of(self.task.diagram, self.task.parts, self.task.rules)
         self.angle_deg = self.task.grid(self.sides, _FIRST_CELLS)
         self.idle, self.bound, self.least = 0, 0.0, np.inf

@@ -16,6 +16,7 @@ import numpy as np
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.limits.asked_of_all import Task, read_task, weighted_peak
+from cammotion.limits.asked_of_moves import Laws, Ranges, read_laws, read_ranges
 from cammotion.limits.crossings import Span, fixed_spans, spans
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.move_program import Apart, Mover, Placed, place
@@ -27,16 +28,12 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.quantities import InputError, Quantity, WrongAnswerError, one_of, shorten
+from cammotion.quantities import InputError, Quantity, WrongAnswerError
 
 _SECONDS = Quantity("time", "s", example=20)
 _ROUNDING_DEG = 1e-5  # so near to where a part has to stand a move ends there
-_REST = 1e-9
 _SHARE = 1e-5  # of a peak, that may be rounding
 _DIGITS = 4
-
-Laws = Sequence[str | MotionLaw]
-Ranges = Sequence[tuple[float, float] | None]
 
 
 @dataclass(frozen=True, repr=False)
@@ -146,9 +143,9 @@ def _best(
     task: Task, laws: Any, ranges: tuple[Any, Any], seconds: float
 ) -> tuple[TimingDiagram, float] | None:
     """Return the best diagram and its bound, which nothing has checked yet."""
-    chosen = _laws(task, laws)
+    chosen = read_laws(task, laws)
     starts, angles = (
-        _ranges(task, what, given)
+        read_ranges(task, what, given)
         for what, given in zip(("start", "indexing angle"), ranges, strict=True)
     )
     movers = [
@@ -163,67 +160,6 @@ def _best(
         if moves:
             design = design.with_motion(_built(part, moves))
     return design, task.in_metres(1 / found[1] ** 2) if found[1] else 0.0
-
-
-def _laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
-    """Return for each part and each of its moves the laws to choose from."""
-    names = [part.motion.name for part in task.parts]
-    by_name = given if isinstance(given, Mapping) else dict.fromkeys(names, given)
-    for name in by_name:
-        one_of("free part", name, names)
-    found = []
-    for part in task.parts:
-        listed = by_name.get(part.motion.name)
-        if listed is not None and (isinstance(listed, str) or not isinstance(listed, Iterable)):
-            raise InputError(
-                f"The laws for the {part.motion.name} are {shorten(listed)}: give a list, for "
-                "example ['cycloidal', 'modified sine']."
-            )
-        own = None if listed is None else [as_law(law) for law in listed]
-        if own == []:
-            raise InputError(f"The list of laws for the {part.motion.name} is empty: give one.")
-        found.append([own or [as_law(move.law)] for move in part.motion.moves])
-    for law in {law for part in found for move in part for law in move}:
-        if max(abs(float(law(end, 1))) for end in (0, 1)) > _REST:
-            raise InputError(
-                f"The law {law.name!r} does not rest at both its ends, and only moves from rest to "
-                "rest can be placed at will: give another one."
-            )
-    return found
-
-
-def _ranges(task: Task, what: str, given: Any) -> dict[str, list[tuple[float, float] | None]]:
-    """Return for each part the range of each of its moves, or None."""
-    names = [part.motion.name for part in task.parts]
-    listed = {} if given is None else given
-    if not isinstance(listed, Mapping):
-        raise InputError(
-            f"The ranges of each {what} are {shorten(given)}: give them by the names of the parts, "
-            "for example {'mill': [(150, 160)]}."
-        )
-    for name in listed:
-        one_of("free part", name, names)
-    return {
-        part.motion.name: _ranges_of(part.motion, what, listed.get(part.motion.name))
-        for part in task.parts
-    }
-
-
-def _ranges_of(motion: Motion, what: str, given: Any) -> list[tuple[float, float] | None]:
-    count = len(motion.moves)
-    if given is None:
-        return [None] * count
-    try:
-        ranges = [None if one is None else (float(one[0]), float(one[1])) for one in given]
-        fits = len(ranges) == count and all(one is None or one[0] <= one[1] for one in ranges)
-    except (TypeError, ValueError, IndexError, KeyError):
-        fits = False
-    if not fits:
-        raise InputError(
-            f"The ranges of each {what} of the {motion.name} are {shorten(given)}: it has {count} "
-            "moves, so give as many pairs in deg, the smaller one first, or None for any."
-        )
-    return ranges
 
 
 def _mover(

@@ -1,0 +1,76 @@
+"""What is asked of the moves of parts, laws and ranges, read from what a user gives."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.limits.asked_of_all import Task
+from cammotion.machine.motions import Motion
+from cammotion.quantities import InputError, one_of, shorten
+
+_REST = 1e-9  # of the mean velocity: a law that is slower at its ends rests there
+
+Laws = Sequence[str | MotionLaw]
+Ranges = Sequence[tuple[float, float] | None]
+
+
+def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
+    """Return for each part and each of its moves the laws to choose from."""
+    names = [part.motion.name for part in task.parts]
+    by_name = given if isinstance(given, Mapping) else dict.fromkeys(names, given)
+    for name in by_name:
+        one_of("free part", name, names)
+    found = []
+    for part in task.parts:
+        listed = by_name.get(part.motion.name)
+        if listed is not None and (isinstance(listed, str) or not isinstance(listed, Iterable)):
+            raise InputError(
+                f"The laws for the {part.motion.name} are {shorten(listed)}: give a list, for "
+                "example ['cycloidal', 'modified sine']."
+            )
+        own = None if listed is None else [as_law(law) for law in listed]
+        if own == []:
+            raise InputError(f"The list of laws for the {part.motion.name} is empty: give one.")
+        found.append([own or [as_law(move.law)] for move in part.motion.moves])
+    for law in {law for part in found for move in part for law in move}:
+        if max(abs(float(law(end, 1))) for end in (0, 1)) > _REST:
+            raise InputError(
+                f"The law {law.name!r} does not rest at both its ends, and only moves from rest to "
+                "rest can be placed at will: give another one."
+            )
+    return found
+
+
+def read_ranges(task: Task, what: str, given: Any) -> dict[str, list[tuple[float, float] | None]]:
+    """Return for each part the range of each of its moves, or None."""
+    names = [part.motion.name for part in task.parts]
+    listed = {} if given is None else given
+    if not isinstance(listed, Mapping):
+        raise InputError(
+            f"The ranges of each {what} are {shorten(given)}: give them by the names of the parts, "
+            "for example {'mill': [(150, 160)]}."
+        )
+    for name in listed:
+        one_of("free part", name, names)
+    return {
+        part.motion.name: _ranges_of(part.motion, what, listed.get(part.motion.name))
+        for part in task.parts
+    }
+
+
+def _ranges_of(motion: Motion, what: str, given: Any) -> list[tuple[float, float] | None]:
+    count = len(motion.moves)
+    if given is None:
+        return [None] * count
+    try:
+        ranges = [None if one is None else (float(one[0]), float(one[1])) for one in given]
+        fits = len(ranges) == count and all(one is None or one[0] <= one[1] for one in ranges)
+    except (TypeError, ValueError, IndexError, KeyError):
+        fits = False
+    if not fits:
+        raise InputError(
+            f"The ranges of each {what} of the {motion.name} are {shorten(given)}: it has {count} "
+            "moves, so give as many pairs in deg, the smaller one first, or None for any."
+        )
+    return ranges
