@@ -24,7 +24,8 @@ from cammotion.views.animation import Animation, animate
 from cammotion.views.animation.charts import _spread
 from cammotion.views.animation.keyframes import trace_acceleration
 from cammotion.views.animation.player import speeds_for
-from cammotion.views.animation.svg import text_px, wrapped
+from cammotion.views.animation.svg import wrapped
+from cammotion.views.names import text_px
 
 MILL, DIE = make_mill(), make_die()
 BEFORE = make_diagram(MILL, DIE)
@@ -487,4 +488,4 @@ def test_lines_are_broken_between_words() -> None:
     lines = wrapped(text, 100)
     assert " ".join(lines) == text
     assert len(lines) > 1
-    assert all(text_px(line) <= 100 for line in lines)
+    assert all(text_px(line, 12) <= 100 for line in lines)

@@ -21,7 +21,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, Quantity, one_of
 from cammotion.views.law_plots import as_laws
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import COLOURS, LINE_STYLES, colour, style_axes, style_line
+from cammotion.views.plots import colour, style_axes, style_line
 
 QUANTITIES = {
     "residual": "swing after the move / stroke",
@@ -69,9 +69,7 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
         else:
             running = running_residual if is_residual else running_factor
             values = np.asarray(running(motion.with_law(law), at, damping_ratio))
-        line = style_line(ax.plot(at, values, label=law.name)[0], number)
-        shift = number // len(COLOURS)  # the seventh line has the first colour and other dashes
-        line.set(linestyle=LINE_STYLES[(number + shift) % len(LINE_STYLES)], linewidth=1.6)
+        style_line(ax.plot(at, values, label=law.name)[0], number).set_linewidth(1.6)
         late = values[at >= at[0] + 0.85 * (at[-1] - at[0])]
         ends.append(float(late.max()))
     if is_residual:

@@ -170,13 +170,27 @@ def style_axes(ax: Axes, xlabel: str, ylabel: str) -> None:
 
 def style_line(line: Line2D, number: int) -> Line2D:
     """Give a line the colour and the dashes of its number."""
-    line.set(color=colour(number), linestyle=LINE_STYLES[number % len(LINE_STYLES)], linewidth=2)
+    line.set(color=colour(number), linestyle=dashes_of(number), linewidth=2)
     return line
+
+
+def dashes_of(number: int) -> Any:
+    """Return the line style of a number: where a colour comes again it has other dashes.
+
+    >>> colour(0) == colour(6), dashes_of(0), dashes_of(6)
+    (True, '-', '--')
+    """
+    return LINE_STYLES[(number + number // len(COLOURS)) % len(LINE_STYLES)]
 
 
 def colour(number: int) -> str:
     """Return the colour of the line with that number, the first being 0."""
     return COLOURS[number % len(COLOURS)]
+
+
+def dark(number: int) -> tuple[float, float, float]:
+    """Return the colour of that number for a text, red, green and blue from 0 to 1."""
+    return mixed(colour(number), "black", 0.4)
 
 
 def mixed(name: str, other: str, share: float) -> tuple[float, float, float]:

@@ -22,6 +22,7 @@ from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.animation.picture import TURN
 from cammotion.views.animation.plate_cam import STEP_DEG, PlateCam
 from cammotion.views.animation.turret import HALF_TURN, Turret
+from cammotion.views.names import printable
 from cammotion.views.plots import colour
 
 WIDTH_PX, HEIGHT_PX = 760, 380
@@ -82,7 +83,7 @@ class _Machine:
     @property
     def _description(self) -> str:
         mill, die = self.turret.motion, self.die.motion
-        return svg.printable(
+        return printable(
             f"One turn of the camshaft, shown in {self.turn_s:g} s. A cam on the shaft lifts a "
             f"roller at the left end of a lever; the right end pushes the {die.name} "
             f"{self.die.travel:g} mm down, into a pocket of the {mill.name}, which has moved on "

@@ -13,8 +13,9 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import Trace
+from cammotion.views.lanes import SHARED_AXIS
 from cammotion.views.plots import colour
-from cammotion.views.timing_plots import SHARED_AXIS
+from cammotion.views.scales import short_number
 
 LEFT_PX = 48  # for the scale
 GAP_PX, WIDEST_LABEL_PX = 7, 110  # beside the ends of the curves, and for what stands there
@@ -117,7 +118,7 @@ class Chart:
         if lane.low <= 0 <= lane.high:
             plot.append(zero.M(0, svg.px(lane.y(0))).h(svg.px(self.width)))
         for tick in lane.ticks:
-            text = svg.short_number(tick)
+            text = short_number(tick)
             low = lane.top + lane.height
             y = min(max(lane.y(tick) + 4, lane.top + 10), low)  # within its own lane
             plot.append(svg.label(text, -6, y, size=svg.SMALL, text_anchor="end"))

@@ -26,6 +26,7 @@ from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import CAMSHAFT, trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
+from cammotion.views.names import text_px
 from cammotion.views.scales import as_text, drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
@@ -128,7 +129,9 @@ class Layout:
             for design in designs
             for curve in (*self._displacements(design), *self._accelerations(design))
         ]
-        widest = min(max(svg.text_px(label, bold=True) for label in labels), WIDEST_LABEL_PX)
+        widest = min(
+            max(text_px(label, svg.NORMAL, bold=True) for label in labels), WIDEST_LABEL_PX
+        )
         self.chart = INNER_PX - LEFT_PX - GAP_PX - widest
         self.timing = max(self._timing(design).whole_height for design in designs)
         self.acceleration_top = HEADER_PX + self.scene + self.alarm + self.timing + 10

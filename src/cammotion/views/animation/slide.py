@@ -13,6 +13,7 @@ from cammotion.machine.motions import Motion
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import trace_position
 from cammotion.views.plots import colour
+from cammotion.views.scales import short_number
 
 SLIDE_PX = 124
 IN_ROW = 5
@@ -75,5 +76,5 @@ class Slide:
             ticks.M(svg.px(right), svg.px(_TOP + share * _TRACK)).h(-length)
         yield ticks.M(svg.px(right), _TOP).v(_TRACK)
         for value, y in ((high, _TOP), (low, _TOP + _TRACK))[: 2 if high > low else 1]:
-            text, at = svg.short_number(value), (right - 11, y + 4)
+            text, at = short_number(value), (right - 11, y + 4)
             yield svg.label(text, *at, text_anchor="end", size=svg.SMALL)

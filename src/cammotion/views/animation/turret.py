@@ -16,6 +16,7 @@ from cammotion.machine.motions import Motion
 from cammotion.views.animation import svg
 from cammotion.views.animation.dies import Die, find_dies
 from cammotion.views.animation.keyframes import Trace, trace_position
+from cammotion.views.names import text_px
 from cammotion.views.plots import colour
 from cammotion.views.scales import round_down
 
@@ -83,7 +84,7 @@ class Turret:
         top = max(outer * np.cos(angles) + 0.6 * self.tool_width * np.abs(np.sin(angles)))
         across = 2 * max(outer * np.abs(np.sin(angles))) + 1.5 * self.tool_width
         least = across if self.dies else min(2.4 * self.pitch, 2.2 * self.radius)
-        names = [svg.text_px(die.motion.name, bold=True) for die in self.dies]
+        names = [text_px(die.motion.name, svg.NORMAL, bold=True) for die in self.dies]
         beside = 2 * min(max(names) + 12, _NAME_PX) if len(names) > 1 else 0
         fits = (self.width - beside) / max(across, least)
         scale = min((self.panel - 8) / (top - bottom), fits)
