@@ -14,6 +14,7 @@ from matplotlib.font_manager import FontProperties, findfont, fontManager, get_f
 from matplotlib.text import Text
 
 MOST = 24  # columns of a name in a picture; an ideograph takes two
+TITLE = 48  # of a design, of which a legend holds fewer
 ELLIPSIS, MISSING = "…", "□"
 _MARKS = 3  # more above and below one letter would run into the next line
 _BLANKS = "\u115f\u1160\u2800\u3164\uffa0"  # letters to Python, and nothing to be seen

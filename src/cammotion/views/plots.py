@@ -19,6 +19,7 @@ from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
 
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, one_of
+from cammotion.views.names import as_label, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.scales import as_text
 
@@ -162,10 +163,26 @@ def style_axes(ax: Axes, xlabel: str, ylabel: str) -> None:
     ax.set_facecolor("white")
     ax.set_xlabel(xlabel, fontsize=11)
     ax.set_ylabel(ylabel, fontsize=11)
+    plain(ax.xaxis.label, ax.yaxis.label)
     ax.tick_params(labelsize=10)
     ax.grid(visible=True, color="#dddddd", linewidth=0.8)
     ax.set_axisbelow(True)
     ax.spines[["top", "right"]].set_visible(False)
+
+
+def name_line(line: Line2D, name: str, full_name: str) -> Line2D:
+    """Give a line a short name for a legend, and for the words of the picture its full one."""
+    line.set_label(as_label(name))
+    line.set_gid(full_name)
+    return line
+
+
+def add_legend(ax: Axes, **place: Any) -> None:
+    """Add a legend, in which names stand as they are."""
+    _, names = ax.get_legend_handles_labels()
+    if len(names) > len(COLOURS) and place.get("loc") == "upper right":  # no room among the curves
+        place = {"loc": "upper left", "bbox_to_anchor": (1, 1), "frameon": False}
+    plain(*ax.legend(fontsize=10, **place).get_texts())
 
 
 def style_line(line: Line2D, number: int) -> Line2D:

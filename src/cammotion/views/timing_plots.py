@@ -8,12 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
-from cammotion.machine.arcs import Arc, arcs
+from cammotion.machine.arcs import arcs
 from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.segments import Segment
+from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, one_of
+from cammotion.views.bars import HATCHES, draw_bars
 from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
 from cammotion.views.lanes import (
     LANE_INCHES,
@@ -22,14 +23,20 @@ from cammotion.views.lanes import (
     curves_of,
     draw_lanes,
     draw_shared,
-    inches,
-    name_rows,
     room_inches,
     say_infinite,
 )
-from cammotion.views.names import as_label, labels, short
+from cammotion.views.names import TITLE, labels
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
+from cammotion.views.plots import (
+    CURVES,
+    add_legend,
+    colour,
+    name_line,
+    style_axes,
+    style_line,
+    write,
+)
 
 TICK_DEG = 30
 BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4
@@ -43,11 +50,8 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "acceleration": TimingDiagram.acceleration,
     "jerk": TimingDiagram.jerk,
 }
-HATCHES = {"rise": "///", "return": "\\\\\\", "dwell": ""}
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
 BROKEN: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
-_NORMAL, _SMALL = 10, 8  # sizes of the angles on the bars, in points
-_DIGIT, _SIGN = 6.4, 5.0  # how wide a digit and the sign of a degree are at the normal size
 
 
 def plot_timing(
@@ -92,7 +96,7 @@ def plot_timing(
     ]
     ax.set_xlim(0, DEG_PER_TURN)
     _draw_curves(ax, diagram)
-    _draw_bars(bars, diagram, names)
+    draw_bars(bars, diagram.motions, names)
     for axis, row in zip(lower, rows, strict=True):
         style_axes(axis, "", CURVES[row].replace(" in ", "\nin "))
         _draw_curves(axis, diagram, row)
@@ -128,7 +132,12 @@ def plot_clearance(
     if ax is None:
         ax = blank_axes(7.5, 4.6)
     across, up = rule.only_while, rule.when
-    style_axes(ax, describe_offset(across, named), describe_offset(up, named))
+    first = next(iter(named.values()))
+    called = dict(zip(first.names, labels(first.names), strict=True))
+    style_axes(
+        ax,
+        *(describe_offset(first[half.motion], called[half.motion]) for half in (across, up)),
+    )
     highest = max(diagram[up.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
     widest = max(diagram[across.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
     near = min(widest, max(8 * across.limit_mm, 0.05 * widest))
@@ -140,23 +149,24 @@ def plot_clearance(
     ax.set_ylim(-ROOM * highest, 1.1 * highest)
     region = _forbidden_region(rule, ax)
     ax.add_patch(region)
-    labels: dict[tuple[float, float], str] = {}
+    angles: dict[tuple[float, float], str] = {}
     for number, (name, diagram) in enumerate(named.items()):
-        labels = _draw_path(ax, diagram, rule, number, name) or labels
-    for place, label in labels.items():  # the last path's; the others have theirs below or above
+        angles = _draw_path(ax, diagram, rule, number) or angles
+        if any(named):
+            name_line(ax.lines[-2], labels([*named], TITLE)[number], name)
+    for place, label in angles.items():  # the last path's; the others have theirs below or above
         write(ax, label, place, colour(number), offset=(-3, -17))
     if any(named):
-        ax.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False, fontsize=10)
+        add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     middle_x, middle_y = region.get_center()
     write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
     return ax
 
 
-def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) -> str:
-    """Return the label of an axis of the clearance map."""
-    motion = next(iter(designs.values()))[condition.motion]
+def describe_offset(motion: Motion, name: str) -> str:
+    """Return the label of an axis of the clearance map, for a motion that is called so there."""
     what = "distance from a stop" if motion.is_indexing else "position"
-    return f"{motion.name}: {what} in mm"
+    return f"{name}: {what} in mm"
 
 
 def _drawable(diagram: TimingDiagram) -> TimingDiagram:
@@ -179,46 +189,6 @@ def _page(names: Sequence[str], height: float) -> Axes:
     ax = blank_axes(WIDTH_INCHES, height / 0.77)
     ax.figure.subplots_adjust(left=left / WIDTH_INCHES, right=right / WIDTH_INCHES)
     return ax
-
-
-def _draw_bars(ax: Axes, diagram: TimingDiagram, names: Sequence[str]) -> None:
-    style_axes(ax, "", "")
-    points = inches(ax)[0] * 72 / DEG_PER_TURN  # of a degree
-    for number, motion in enumerate(diagram.motions):
-        for segment in motion.segments:
-            parts = arcs([(segment.from_deg, segment.to_deg)])  # two where it runs on over 360
-            for part in parts:
-                span = f"{segment.kind} from {part[0]:.5g} to {part[1]:.5g} deg"
-                bar = _draw_bar(ax, number, part, segment)
-                bar.set_label(as_label(f"{short(motion.name)}: {span}"))
-            start, end = max(parts, key=lambda part: part[1] - part[0])
-            label = f"{segment.angle_deg:.5g}°"
-            room = (end - start) * points / (_DIGIT * (len(label) - 1) + _SIGN)
-            if room >= _SMALL / _NORMAL:
-                size = _NORMAL if room >= 1 else _SMALL
-                box = {"facecolor": "white", "edgecolor": "none", "pad": 1}
-                at = (start + end) / 2, number
-                ax.text(*at, label, fontsize=size, ha="center", va="center", bbox=box)
-    ax.set_ylim(len(diagram.motions) - 0.45, -0.55)
-    ax.set_yticks(range(len(diagram.motions)), names)
-    name_rows(ax)
-    ax.spines["left"].set_visible(False)
-
-
-def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> Rectangle:
-    start, end = span
-    half = 0.06 if segment.is_dwell else 0.36
-    bar = Rectangle(
-        (start, row - half),
-        end - start,
-        2 * half,
-        facecolor="white" if segment.is_dwell else mixed(colour(row), "white", 0.75),
-        edgecolor=colour(row),
-        hatch=HATCHES[segment.kind],
-        linewidth=1.2,
-    )
-    ax.add_patch(bar)
-    return bar
 
 
 def _draw_curves(ax: Axes, diagram: TimingDiagram, row: str | None = None) -> None:
@@ -245,8 +215,9 @@ def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -
     where_broken = [(broken.start_deg, broken.end_deg) for broken in violations]
     grey: dict[str, Any] = {"facecolor": "white", "edgecolor": "#555555"}
     key = [Patch(**grey, hatch=hatch, label=kind) for kind, hatch in HATCHES.items()]
+    is_calm = len(diagram.names) > SHARED_AXIS  # dots behind many lanes are in their way
     for label, found, style in (
-        ("overlap", overlaps, OVERLAP),
+        ("overlap", overlaps, OVERLAP | {"hatch": ""} if is_calm else OVERLAP),
         ("rule broken", where_broken, BROKEN),
     ):
         for start, end in arcs(found):
@@ -265,7 +236,7 @@ def _share_angle(*axes: Axes) -> None:
 
 
 def _draw_path(
-    ax: Axes, diagram: TimingDiagram, rule: ClearanceRule, number: int, name: str
+    ax: Axes, diagram: TimingDiagram, rule: ClearanceRule, number: int
 ) -> dict[tuple[float, float], str]:
     """Draw a path with its dots; return where the cam angles belong that name some of them.
 
@@ -273,7 +244,7 @@ def _draw_path(
     """
     across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
     close = np.union1d(curve_angles(across), curve_angles(up))
-    style_line(ax.plot(across.offset_mm(close), up.offset_mm(close), label=name)[0], number)
+    style_line(ax.plot(across.offset_mm(close), up.offset_mm(close))[0], number)
     angles = np.arange(0, DEG_PER_TURN, DOT_DEG)
     x, y = np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
     under_way = (x > 0) & (y > 0) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])

@@ -7,8 +7,9 @@ from matplotlib.axes import Axes
 
 from cammotion.hardware.indexer import Indexer
 from cammotion.quantities import InputError, one_of, shorten
+from cammotion.views.names import TITLE, labels
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import style_axes, style_line
+from cammotion.views.plots import add_legend, name_line, style_axes, style_line
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
 _PLACES = 1001
@@ -38,11 +39,12 @@ def plot_torque(
         ax = blank_axes(7.5, 4.2, layout="constrained")
     style_axes(ax, "x = t/tm", QUANTITIES[quantity])
     x = np.linspace(0, 1, _PLACES)
+    called = labels([*indexers], TITLE)
     for number, (name, indexer) in enumerate(indexers.items()):
         values = indexer.torque_N_m(x) if quantity == "torque" else indexer.power_W(x)
         points = np.column_stack([[-_REST, 0, *x, 1, 1 + _REST], [0, 0, *values, 0, 0]])
-        style_line(ax.plot(*points.T, label=name)[0], number)
+        name_line(style_line(ax.plot(*points.T)[0], number), called[number], name)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
-    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    add_legend(ax, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
     return ax

@@ -149,12 +149,11 @@ def _map(
     near, half = rule.only_while.limit_mm, abs(diagram[rule.only_while.motion].pitch_mm) / 2
     lowest, highest = diagram[rule.when.motion].range_mm
     path = {"x": mill.offset(), "y": die.position(), "joints": [*mill.joints, *die.joints]}
-    named = {"": diagram}
     return Panel(
         lines=[Line(**path, colour=1), Line(**path, only_where=broken, role=ALARM)],
         boxes=[Box(low=near, y=(LIMIT, None), name="forbidden")],
-        y=describe_offset(rule.when, named),
-        x=describe_offset(rule.only_while, named),
+        y=describe_offset(diagram[rule.when.motion], rule.when.motion),
+        x=describe_offset(diagram[rule.only_while.motion], rule.only_while.motion),
         x_limits=(0, min(half, max(8 * near, half / 20))),
         y_limits=(lowest, highest + (highest - lowest) / 10),
         height=300,
