@@ -9,7 +9,8 @@ from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.views.lanes import inches, name_rows
+from cammotion.views.ends import inches
+from cammotion.views.lanes import name_rows
 from cammotion.views.names import as_label, short
 from cammotion.views.plots import colour, mixed, style_axes
 

@@ -16,6 +16,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
 from cammotion.views.displacement import curve_angles
+from cammotion.views.ends import inches
 from cammotion.views.names import as_label, labels, plain, printable, short_names, text_px
 from cammotion.views.plots import colour, dark, style_line, write
 from cammotion.views.scales import short_number
@@ -140,13 +141,6 @@ def _name_curves(ax: Axes, curves: Sequence[Curve]) -> None:
         _, place, height = min(found, key=lambda each: each[0])
         taken.append((place, height, half))
         write(ax, curve.label, (place, height), colour(curve.number), offset=(0, 5))
-
-
-def inches(ax: Axes) -> tuple[float, float]:
-    """Return how wide and how high axes are, in inches."""
-    box = ax.get_position(original=True)
-    page = ax.figure.bbox
-    return box.width * page.width / ax.figure.dpi, box.height * page.height / ax.figure.dpi
 
 
 def _highest_stay(motion: Motion) -> float:

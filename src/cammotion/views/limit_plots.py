@@ -18,17 +18,9 @@ from cammotion.limits.least import LeastAcceleration
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
-from cammotion.views.names import TITLE, labels, plain
+from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import (
-    COLOURS,
-    REFERENCE_STYLE,
-    add_legend,
-    name_line,
-    style_axes,
-    style_line,
-    write,
-)
+from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.views.timing_plots import BROKEN
 
 BEST, NAMED = COLOURS[:2]

@@ -10,12 +10,15 @@ from collections.abc import Iterable, Sequence
 from functools import cache
 from typing import Any
 
+from matplotlib.axes import Axes
 from matplotlib.font_manager import FontProperties, findfont, fontManager, get_font
+from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
 MOST = 24  # columns of a name in a picture; an ideograph takes two
 TITLE = 48  # of a design, of which a legend holds fewer
 ELLIPSIS, MISSING = "…", "□"
+_FEW = 6  # so many names have room in a legend among curves
 _MARKS = 3  # more above and below one letter would run into the next line
 _BLANKS = "\u115f\u1160\u2800\u3164\uffa0"  # letters to Python, and nothing to be seen
 _OTHER_FONTS = (
@@ -85,6 +88,21 @@ def plain(*texts: Text) -> None:
         if not words.isascii() or not words.isprintable():
             text.set_text("\n".join(map(_drawable, words.split("\n"))))
             text.set_fontfamily(_families())
+
+
+def name_line(line: Line2D, name: str, full_name: str) -> Line2D:
+    """Give a line a short name for a legend, and for the words of the picture its full one."""
+    line.set_label(as_label(name))
+    line.set_gid(full_name)
+    return line
+
+
+def add_legend(ax: Axes, **place: Any) -> None:
+    """Add a legend, in which names stand as they are."""
+    _, names = ax.get_legend_handles_labels()
+    if len(names) > _FEW and place.get("loc") == "upper right":  # no room among the curves
+        place = {"loc": "upper left", "bbox_to_anchor": (1, 1), "frameon": False}
+    plain(*ax.legend(fontsize=10, **place).get_texts())
 
 
 def text_px(text: str, size: float, *, bold: bool = False) -> float:

@@ -26,17 +26,9 @@ from cammotion.views.lanes import (
     room_inches,
     say_infinite,
 )
-from cammotion.views.names import TITLE, labels
+from cammotion.views.names import TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import (
-    CURVES,
-    add_legend,
-    colour,
-    name_line,
-    style_axes,
-    style_line,
-    write,
-)
+from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
 
 TICK_DEG = 30
 BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4

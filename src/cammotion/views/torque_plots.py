@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 
 from cammotion.hardware.indexer import Indexer
 from cammotion.quantities import InputError, one_of, shorten
-from cammotion.views.names import TITLE, labels
+from cammotion.views.names import TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import add_legend, name_line, style_axes, style_line
+from cammotion.views.plots import style_axes, style_line
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
 _PLACES = 1001
