@@ -14,7 +14,7 @@ from cammotion.views.names import plain, text_px
 
 Pair: TypeAlias = tuple[float, float]
 
-LINE_INCHES = 0.2  # between two names
+LINE_INCHES = 0.21  # between two names
 _POINTS = 72  # of an inch
 
 

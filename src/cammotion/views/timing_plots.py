@@ -10,7 +10,7 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.machine.arcs import arcs
 from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
-from cammotion.machine.diagram import TimingDiagram, as_diagram
+from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, one_of
@@ -26,6 +26,7 @@ from cammotion.views.lanes import (
     room_inches,
     say_infinite,
 )
+from cammotion.views.named import readable
 from cammotion.views.names import TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
@@ -34,7 +35,6 @@ TICK_DEG = 30
 BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4
 WIDTH_INCHES, LEFT_INCHES, RIGHT_INCHES = 9.0, 1.125, 0.9  # of a notebook's page, and its margins
 _TITLE_INCHES = 0.45  # beside the names of the rows, for what they show
-MOST_MECHANISMS = 24
 DOT_DEG, LABELLED_DOT_DEG = 5, 15
 ROOM = 0.03  # of an axis, so that it does not hide a path along it
 ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
@@ -72,7 +72,7 @@ def plot_timing(
     for row in rows:
         one_of("row", row, ROWS)
     given = as_rules(diagram, rules) if rules else ()
-    names = labels(_drawable(diagram).names)
+    names = labels(readable(diagram).names)
     in_lanes = len(names) > SHARED_AXIS
     heights = [LANE_INCHES * len(names)] * (1 + len(rows))
     if not in_lanes:
@@ -159,18 +159,6 @@ def describe_offset(motion: Motion, name: str) -> str:
     """Return the label of an axis of the clearance map, for a motion that is called so there."""
     what = "distance from a stop" if motion.is_indexing else "position"
     return f"{name}: {what} in mm"
-
-
-def _drawable(diagram: TimingDiagram) -> TimingDiagram:
-    """Return a diagram that a picture can hold; raise InputError for one that is too large."""
-    count = len(as_diagram(diagram).names)
-    if count > MOST_MECHANISMS:
-        raise InputError(
-            f"The diagram has {count} mechanisms, and a picture holds {MOST_MECHANISMS} that can "
-            "be read: draw it in parts, for example "
-            f"TimingDiagram(diagram.motions[:{MOST_MECHANISMS}], diagram.rate_per_hour)."
-        )
-    return diagram
 
 
 def _page(names: Sequence[str], height: float) -> Axes:

@@ -44,6 +44,7 @@ class Lane:
     ticks: Sequence[float]
     top: float
     height: float
+    is_bare: bool = False
 
     def y(self, value: float) -> float:
         """Return where a value is, in px below the chart's top."""
@@ -86,7 +87,8 @@ class Chart:
         self._draw_grid(plot)
         for lane in self.lanes:
             self._draw_lane(plot, lane)
-        heading = svg.label(self.heading, LEFT_PX, 11, size=svg.SMALL)
+        room = self.width + GAP_PX + WIDEST_LABEL_PX
+        heading = svg.label(self.heading, LEFT_PX, 11, width=room, size=svg.SMALL)
         return svg.placed(0, 0, heading, plot, *(self._draw_key() if found else ()))
 
     def draw_dots(self, turn_s: float) -> Any:
@@ -129,7 +131,10 @@ class Chart:
             style = svg.line_style(curve.number)
             plot.append(svg.polyline(zip(xs, line.values, strict=True), **style))
             ends.append(line.values[-1])
-        heights = _spread(ends, lane.top + 4, lane.top + lane.height - 4)
+        if lane.is_bare:
+            plot.extend(self._name_bare(lane))
+            return
+        heights = spread(ends, lane.top + 4, lane.top + lane.height - 4)
         for curve, height in zip(lane.curves, heights, strict=True):
             plot.append(
                 svg.label(
@@ -141,6 +146,17 @@ class Chart:
                     font_weight="bold",
                 )
             )
+
+    def _name_bare(self, lane: Lane) -> Iterable[Any]:
+        """Write the name of a lane's one curve at the middle of the lane, in two lines if long."""
+        (curve,) = lane.curves
+        bold: dict[str, Any] = {"fill": svg.dark(curve.number), "font_weight": "bold"}
+        size = svg.SMALL
+        lines = svg.wrapped(curve.label, WIDEST_LABEL_PX, size, bold=True, most=2)
+        first = lane.top + lane.height / 2 + 4 - _LABEL_PX / 2 * (len(lines) - 1)
+        for number, line in enumerate(lines):
+            at = self.width + GAP_PX, first + _LABEL_PX * number
+            yield svg.label(line, *at, width=WIDEST_LABEL_PX, size=size, **bold)
 
     def _draw_key(self) -> Iterable[Any]:
         right = LEFT_PX + self.width
@@ -177,10 +193,10 @@ def _lane(curves: Sequence[LabelledCurve], top: float, height: float, bare: bool
     locator = MaxNLocator(4, steps=[1, 2, 5, 10])
     ticks = [low, high] if bare else [t for t in locator.tick_values(low, high) if low <= t <= high]
     room = 0.06 * (high - low)
-    return Lane(curves, low - room, high + room, ticks, top, height)
+    return Lane(curves, low - room, high + room, ticks, top, height, bare)
 
 
-def _spread(places: Sequence[float], low: float, high: float) -> Floats | list[float]:
+def spread(places: Sequence[float], low: float, high: float) -> Floats | list[float]:
     """Return the places moved apart, in order, to where labels do not cover each other."""
     order = sorted(range(len(places)), key=lambda number: places[number])
     moved = list(places)

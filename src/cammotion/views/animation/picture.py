@@ -20,6 +20,7 @@ from cammotion.views.animation.moving_picture import MovingPicture
 from cammotion.views.animation.player import SHOWN_ANGLE
 from cammotion.views.animation.scene import Scene
 from cammotion.views.animation.still import Still, stopped
+from cammotion.views.named import names_in_full, readable, short_diagram, short_rule
 from cammotion.views.names import printable
 
 TURN = Quantity("time of a turn in the animation", "s", example=9)
@@ -90,6 +91,7 @@ class Animation(MovingPicture):
                 f"The machine in motion, {diagram.cycle_time_s:.4g} s a turn "
                 f"({diagram.rate_per_hour:g} pieces/h), shown in {self.turn_s:g} s.",
                 *(f"{design.title} ({design.describe()})" for design in self.designs),
+                *dict.fromkeys(said for design in self.designs for said in design.in_full),
                 *self._magnified,
             ]
         )
@@ -178,4 +180,10 @@ def _design(title: Any, diagram: Any, rules: Any) -> Design:
             f"The design {title!r} is {shorten(diagram)}: give a TimingDiagram of the motions, for "
             "example TimingDiagram([mill, die], rate_per_hour=2000)."
         )
-    return Design(printable(title), diagram, () if rules == () else as_rules(diagram, rules))
+    found = () if rules == () else as_rules(readable(diagram), rules)
+    return Design(
+        printable(title),
+        short_diagram(readable(diagram)),
+        tuple(short_rule(diagram, rule) for rule in found),
+        tuple(names_in_full(diagram)),
+    )

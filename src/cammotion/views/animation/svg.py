@@ -97,8 +97,13 @@ def line_style(number: int) -> dict[str, Any]:
     }
 
 
-def wrapped(text: str, width: float, size: int = NORMAL, *, bold: bool = False) -> list[str]:
-    """Return the lines into which a text is broken to be no wider than `width` px."""
+def wrapped(
+    text: str, width: float, size: int = NORMAL, *, bold: bool = False, most: int | None = None
+) -> list[str]:
+    """Return the lines into which a text is broken to be no wider than `width` px.
+
+    Where that is more than `most` lines, the last one ends in an ellipsis.
+    """
     lines = [""]
     for word in printable(text).split():
         longer = f"{lines[-1]} {word}".strip()
@@ -106,6 +111,8 @@ def wrapped(text: str, width: float, size: int = NORMAL, *, bold: bool = False) 
             lines.append(word)
         else:
             lines[-1] = longer
+    if most is not None and len(lines) > most:
+        lines[most - 1 :] = [cut(" ".join(lines[most - 1 :]), width, size, bold=bold)]
     return lines
 
 

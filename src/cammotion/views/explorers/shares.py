@@ -14,13 +14,14 @@ from cammotion.views.explorers.moving import (
     Part,
     check_rests,
     control,
+    full_names,
     heights,
     work_deg,
 )
-from cammotion.views.explorers.named import names_in_full, short_diagram
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Line, Panel, Say
+from cammotion.views.named import short_diagram
 from cammotion.views.plots import CURVES
 from cammotion.views.timing_plots import TICK_DEG
 
@@ -100,7 +101,7 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
                 when=peaks[0] >= peaks[1],
                 otherwise=Say(larger, {"name": die.name, "peak": peaks[1]}),
             ),
-            *names_in_full(diagram),
+            *full_names(diagram),
         ],
         title="One turn for two mechanisms",
     )
