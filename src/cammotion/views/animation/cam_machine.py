@@ -22,6 +22,7 @@ from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.animation.picture import TURN
 from cammotion.views.animation.plate_cam import STEP_DEG, PlateCam
 from cammotion.views.animation.turret import HALF_TURN, Turret
+from cammotion.views.named import short_diagram, short_rule
 from cammotion.views.names import printable
 from cammotion.views.plots import colour
 
@@ -52,8 +53,9 @@ def cam_machine(diagram: TimingDiagram, rule: ClearanceRule, *, turn_s: float = 
             f"The motions of the diagram are {', '.join(map(repr, diagram.names))}: give one "
             "indexing motion and one other, and the clearance rule that links the two."
         )
-    ((name, (die,)),) = found.items()
-    turret = Turret(diagram.names.index(name), diagram[name], [die], WIDTH_PX)
+    short, rule = short_diagram(diagram), short_rule(diagram, rule)
+    ((name, (die,)),) = find_dies(short, (rule,)).items()
+    turret = Turret(short.names.index(name), short[name], [die], WIDTH_PX)
     return _Machine(turret, die, TURN.number(turn_s)).draw()
 
 
