@@ -97,3 +97,12 @@ def pusher_rule(diagram: cm.TimingDiagram) -> ClearanceRule:
     """Return the rule that the fourth mechanism reaches in only while the turret stands."""
     turret, pusher = diagram.names[0], diagram.names[min(3, len(diagram.names) - 1)]
     return ClearanceRule(cm.beyond(pusher, 15), only_while=cm.within(turret, 0.5))
+
+
+def all_dies(diagram: cm.TimingDiagram) -> list[ClearanceRule]:
+    """Return a rule for each mechanism that reaches into the turret."""
+    turret = diagram.names[0]
+    return [
+        ClearanceRule(cm.beyond(name, 2), only_while=cm.within(turret, 0.5))
+        for name in diagram.names[1:]
+    ]
