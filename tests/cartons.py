@@ -46,7 +46,7 @@ ODD_NAMES = [
     "\u200b",  # no space for Python, and nothing to be seen
     "包装機の製品プッシャー",
     "Sto\u0308ßel mit Fu\u0308hrungsla\u0308nge",
-    "$\\frac{1}{",
+    "$\\frac{1}{$",
     "x_1^2",
     '<b>die</b> & "co"',
     "a\tb\nc\r\nd",
