@@ -14,6 +14,7 @@ from cammotion.quantities import Floats
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import Trace
 from cammotion.views.lanes import SHARED_AXIS
+from cammotion.views.names import text_px
 from cammotion.views.plots import colour
 from cammotion.views.scales import short_number
 
@@ -131,29 +132,25 @@ class Chart:
             style = svg.line_style(curve.number)
             plot.append(svg.polyline(zip(xs, line.values, strict=True), **style))
             ends.append(line.values[-1])
+        is_long = any(
+            text_px(curve.label, svg.NORMAL, bold=True) > WIDEST_LABEL_PX for curve in lane.curves
+        )
+        size, most = (svg.SMALL, 2) if is_long or lane.is_bare else (svg.NORMAL, 1)
+        pitch = _LABEL_PX * most
+        edge = 4 + (pitch - _LABEL_PX) / 2
+        places = spread(ends, lane.top + edge, lane.top + lane.height - edge, pitch)
         if lane.is_bare:
-            plot.extend(self._name_bare(lane))
-            return
-        heights = spread(ends, lane.top + 4, lane.top + lane.height - 4)
-        for curve, height in zip(lane.curves, heights, strict=True):
-            plot.append(
-                svg.label(
-                    curve.label,
-                    self.width + GAP_PX,
-                    height + 4,
-                    width=WIDEST_LABEL_PX,
-                    fill=svg.dark(curve.number),
-                    font_weight="bold",
-                )
-            )
+            places = [lane.top + lane.height / 2]
+        for curve, place in zip(lane.curves, places, strict=True):
+            plot.extend(self._name(curve, place, size, most))
 
-    def _name_bare(self, lane: Lane) -> Iterable[Any]:
-        """Write the name of a lane's one curve at the middle of the lane, in two lines if long."""
-        (curve,) = lane.curves
+    def _name(self, curve: LabelledCurve, place: float, size: int, most: int) -> Iterable[Any]:
+        """Write what stands at a curve's end about a height, in so many lines at most."""
+        lines = [curve.label]
+        if most > 1:
+            lines = svg.wrapped(curve.label, WIDEST_LABEL_PX, size, bold=True, most=most)
+        first = place + 4 - _LABEL_PX / 2 * (len(lines) - 1)
         bold: dict[str, Any] = {"fill": svg.dark(curve.number), "font_weight": "bold"}
-        size = svg.SMALL
-        lines = svg.wrapped(curve.label, WIDEST_LABEL_PX, size, bold=True, most=2)
-        first = lane.top + lane.height / 2 + 4 - _LABEL_PX / 2 * (len(lines) - 1)
         for number, line in enumerate(lines):
             at = self.width + GAP_PX, first + _LABEL_PX * number
             yield svg.label(line, *at, width=WIDEST_LABEL_PX, size=size, **bold)
@@ -196,14 +193,16 @@ def _lane(curves: Sequence[LabelledCurve], top: float, height: float, bare: bool
     return Lane(curves, low - room, high + room, ticks, top, height, bare)
 
 
-def spread(places: Sequence[float], low: float, high: float) -> Floats | list[float]:
+def spread(
+    places: Sequence[float], low: float, high: float, pitch: float = _LABEL_PX
+) -> Floats | list[float]:
     """Return the places moved apart, in order, to where labels do not cover each other."""
     order = sorted(range(len(places)), key=lambda number: places[number])
     moved = list(places)
     for above, number in zip([None, *order], order, strict=False):
-        least = low if above is None else moved[above] + _LABEL_PX
+        least = low if above is None else moved[above] + pitch
         moved[number] = max(moved[number], least)
     for below, number in zip([None, *order[::-1]], order[::-1], strict=False):
-        most = high if below is None else moved[below] - _LABEL_PX
+        most = high if below is None else moved[below] - pitch
         moved[number] = min(moved[number], most)
     return moved
