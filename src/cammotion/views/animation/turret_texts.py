@@ -2,23 +2,46 @@
 
 import math
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import drawsvg as draw
 
+from cammotion.machine.motions import Motion
 from cammotion.views.animation import svg
 from cammotion.views.animation.aside import Named, names_aside
+from cammotion.views.animation.dies import Die
 from cammotion.views.names import text_px
 from cammotion.views.scales import round_down
-
-if TYPE_CHECKING:
-    from cammotion.views.animation.turret import Turret
 
 CAPTION_PX = 44  # for what is said of the turret, below names at its sides
 ALARM_PX = 36  # above them, where a broken rule is said
 
 
-def turret_texts(turret: "Turret") -> Iterable[Any]:
+class Placed(Protocol):
+    """What has to be known of a turret and its place: lengths in mm, `scale` in px per mm."""
+
+    number: int
+    motion: Motion
+    stops: int
+    step: float
+    dies: list[Die]
+    degs: list[float]
+    radius: float
+    guide: float
+    unit: float
+    tool_width: float
+    width: float
+    panel: float
+    scale: float
+    centre: float
+    is_to_scale: bool
+    is_crowded: bool
+
+    def at(self, radius: float, deg: float) -> tuple[float, float]:
+        """Return the place in px at so many mm from the centre and deg from the top."""
+
+
+def turret_texts(turret: Placed) -> Iterable[Any]:
     """Yield all texts, and the bar of the scale, from the panel's corner on."""
     note = "" if turret.is_to_scale else ", pitch not to scale"
     stops = f"{turret.stops} stop{'s' if turret.stops > 1 else ''}"
@@ -39,14 +62,14 @@ def turret_texts(turret: "Turret") -> Iterable[Any]:
     yield from _names_aside(turret) if turret.is_crowded else _names_beside(turret)
 
 
-def name_room(turret: "Turret", deg: float) -> float:
+def name_room(turret: Placed, deg: float) -> float:
     """Return how wide a name beside its die may be, in px, up to its neighbour and the edge."""
     x, _ = _beside(turret, deg)
     room = x if deg < 0 else turret.width - x
     return min(_outside(turret) * math.radians(turret.step) * turret.scale, room) - 6
 
 
-def _names_aside(turret: "Turret") -> Iterable[Any]:
+def _names_aside(turret: Placed) -> Iterable[Any]:
     """Yield the names at both sides, each with a line to where its die is guided."""
     named = []
     for die, deg in zip(turret.dies, turret.degs, strict=True):
@@ -55,7 +78,7 @@ def _names_aside(turret: "Turret") -> Iterable[Any]:
     return names_aside(named, turret.width, (ALARM_PX, turret.panel - CAPTION_PX))
 
 
-def _names_beside(turret: "Turret") -> Iterable[Any]:
+def _names_beside(turret: Placed) -> Iterable[Any]:
     """Yield each name beside its guide: to the left of one on the left."""
     for die, deg in zip(turret.dies, turret.degs, strict=True):
         x, y = _beside(turret, deg)
@@ -70,7 +93,7 @@ def _names_beside(turret: "Turret") -> Iterable[Any]:
         )
 
 
-def _beside(turret: "Turret", deg: float) -> tuple[float, float]:
+def _beside(turret: Placed, deg: float) -> tuple[float, float]:
     """Return where a name begins, in px from the panel's left and from the turret's centre."""
     x, y = turret.at(_outside(turret), deg)
     side, angle = (-1 if deg < 0 else 1), math.radians(abs(deg))
@@ -78,5 +101,5 @@ def _beside(turret: "Turret", deg: float) -> tuple[float, float]:
     return x + turret.width / 2 + side * (beside * turret.scale + 6), y
 
 
-def _outside(turret: "Turret") -> float:
+def _outside(turret: Placed) -> float:
     return turret.radius + turret.guide + 0.08 * turret.unit
