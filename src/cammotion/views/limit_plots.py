@@ -18,6 +18,7 @@ from cammotion.limits.least import LeastAcceleration
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
+from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.views.timing_plots import BROKEN
@@ -63,7 +64,7 @@ def plot_jerk_price(
             "The price of a jerk is a curve over the limits to it: give results of "
             "least_acceleration with at least two different jerk limits, for example 8 and 12 m/s³."
         )
-    name = best[0].motion.name
+    name = _called(best[0])
     ax = _square(ax, (7.5, 4.6), f"peak jerk of the {name} in m/s³", name)
     reached = np.array([each.reached for each in best])
     _shade(ax, limits, np.array([each.bound for each in best]))
@@ -77,7 +78,7 @@ def plot_jerk_price(
     ax.set(xlim=limits[[0, -1]], ylim=(min(heights) - 0.16, max(heights) + 0.06))
     ax.plot(*_columns(shown.values()), "o", color=NAMED, label="named laws")
     _label_points(ax, shown)
-    ax.legend(loc="upper right", fontsize=10)
+    add_legend(ax, loc="upper right")
     return ax
 
 
@@ -113,20 +114,22 @@ def plot_front(
         raise InputError(
             "A front is a curve: give at least two pairs of results of least_acceleration."
         )
-    one, other = (each.motion.name for each in pairs[0])
+    one, other = map(_called, pairs[0])
     ax = _square(ax, (6, 5.6), f"peak acceleration of the {one} in m/s²", other)
     sides, heights = (np.array([pair[n].bound for pair in pairs]) for n in (0, 1))
     _shade(ax, np.append(0.0, sides), np.append(heights[0], heights))
     ax.plot(*_columns([(a.reached, b.reached) for a, b in pairs]), color=BEST, linewidth=2)
     ax.lines[-1].set_label("the best that was found, any law")
-    for name, curve in (designs or {}).items():
-        ax.plot(*_columns(curve), "--", color=NAMED, linewidth=2, label=name)
+    for name, label in _labelled(designs or {}):
+        ax.plot(*_columns((designs or {})[name]), "--", color=NAMED, linewidth=2)
+        name_line(ax.lines[-1], label, name)
     ax.plot([0, ends[1]], [0, ends[1]], ":", color=_DARK, label="both equally hard driven")
-    for name, point in (points or {}).items():
+    for name, label in _labelled(points or {}):
+        point = (points or {})[name]
         ax.plot(*point, "o", color=NAMED)
-        ax.annotate(name, point, (8, 4), **_OFFSET)
+        plain(ax.annotate(label, point, (8, 4), **_OFFSET))
     ax.set(xlim=ends, ylim=ends, aspect="equal")
-    ax.legend(loc="upper right", fontsize=10)
+    add_legend(ax, loc="upper right")
     return ax
 
 
@@ -163,19 +166,24 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     if ax is None:
         height = 5.4 if with_acceleration else 3.4
         ax = blank_axes(7.5, height)
-    style_axes(ax, "", f"height y of the {name} in mm")
+    names = next(iter(designs.values())).names
+    called = dict(zip(names, labels(names), strict=True)).get(name, "")
+    style_axes(ax, "", f"height y of the {called} in mm")
     lower = ax
     if with_acceleration:
         lower = make_axes_locatable(ax).append_axes("bottom", size=1.5, pad=0.2, sharex=ax)
         style_axes(lower, "", "acceleration\nin m/s²")
         ax.tick_params(labelbottom=False)
-    for number, (label, design) in enumerate(designs.items()):
+    for number, (label, (title, design)) in enumerate(
+        zip(labels([*designs], TITLE), designs.items(), strict=True)
+    ):
         way = design.position_mm(name, start + u) - design.position_mm(name, start)
         up = 1 if way[np.abs(way).argmax()] > 0 else -1
-        style_line(ax.plot(u, up * way, label=label)[0], number)
+        name_line(style_line(ax.plot(u, up * way)[0], number), label, title)
         if with_acceleration:
             acceleration = up * design.acceleration(name, start + u)
-            style_line(lower.plot(u, acceleration, label=label)[0], number)
+            line = style_line(lower.plot(u, acceleration)[0], number)
+            name_line(line, label, title)
     _draw_corners(ax, corners)
     if usual_mm is not None:
         ax.axhline(usual_mm, **REFERENCE_STYLE)
@@ -187,7 +195,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     above.set_xticks(places, [f"{(start + place) % DEG_PER_TURN:g}" for place in places])
     above.set_xlabel("cam angle in deg", fontsize=11)
     ax.set(xlim=(0, span), ylim=(0, 1.25 * ax.get_ylim()[1]))
-    ax.legend(loc="upper right", fontsize=10)
+    add_legend(ax, loc="upper right")
     return ax
 
 
@@ -253,12 +261,13 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
     """Write names to the right of points, from below upwards, none over another."""
     width, height = np.ptp(ax.get_xlim()), np.ptp(ax.get_ylim())
     placed: list[Pair] = []
-    for name, (x, y) in sorted(points.items(), key=lambda item: item[1][1]):
+    for name, label in sorted(_labelled(points), key=lambda pair: points[pair[0]][1]):
+        x, y = points[name]
         near = [at[1] for at in placed if abs(at[0] - x) < _NEAR * width]
         level = max([y, *[at + _GAP * height for at in near]])
         placed.append((x, level))
-        ax.annotate(
-            name,
+        written = ax.annotate(
+            label,
             (x, y),
             (x + 0.04 * width, level),
             fontsize=10,
@@ -266,3 +275,16 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
             va="center",
             arrowprops={"arrowstyle": "-", "color": "#999999"},
         )
+        plain(written)
+
+
+def _called(found: LeastAcceleration) -> str:
+    """Return what the motion of a result is called in a picture."""
+    names = found.design.names
+    return dict(zip(names, labels(names), strict=True))[found.motion.name]
+
+
+def _labelled(given: Iterable[str]) -> list[tuple[str, str]]:
+    """Return names, each with the short one that is written for it."""
+    names = [*given]
+    return [*zip(names, labels(names, TITLE), strict=True)]

@@ -29,10 +29,13 @@ const write = (element, words) => {
 };
 const strokeOf = ({ role, colour }) =>
   role === "own"
-    ? `stroke:${paint(colour)};stroke-dasharray:${STYLES[colour % STYLES.length][1]}`
+    ? `stroke:${paint(colour)};stroke-dasharray:${dashesOf(colour)}`
     : role === "area"
       ? `fill:${paint(colour)}`
       : "";
+const dashesOf = (colour) =>
+  // a colour that comes again has other dashes
+  STYLES[(colour + Math.floor(colour / STYLES.length)) % STYLES.length][1];
 const paint = (colour) => `var(--cm-${STYLES[colour % STYLES.length][0]})`;
 
 /** A button; what it does is done at a press. */
