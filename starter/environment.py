@@ -76,7 +76,10 @@ def record(step: str) -> None:
     print(f"{step} Checking the environment")
     now = inspection.inspect()
     if now is None or Path(now.package) != PACKAGE:
-        raise WorkbookError("The packages were installed, but Python does not find cammotion.")
+        raise WorkbookError(
+            "The packages were installed, but Python does not find cammotion. Does a setting of "
+            "pip or uv send them elsewhere, such as target, prefix or root?"
+        )
     pinned = download.pinned_packages()
     versions = {name: version for name, version in now.versions.items() if name in pinned}
     inspection.write_stamp(now._replace(versions=versions))

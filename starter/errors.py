@@ -5,6 +5,7 @@ from pathlib import Path
 
 from starter.paths import ROOT
 
+CLOSED = (errno.EACCES, errno.EPERM, errno.EROFS)  # only to be read
 DISK_FULL = "The disk is full. Make room and start again."
 
 
@@ -21,7 +22,7 @@ def explain_os_error(error: OSError) -> str:
     """Say in words what the operating system refused, and what to do."""
     if error.errno in (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)):
         return DISK_FULL
-    if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
+    if error.errno in CLOSED:
         place = Path(str(error.filename or ROOT))
         if place.suffix == ".part":  # a name that means nothing to the reader
             place = place.parent

@@ -1,6 +1,5 @@
 """pip or uv at work: how far it is, and in words why it failed."""
 
-import os
 import re
 import shutil
 import subprocess
@@ -12,6 +11,8 @@ from starter.errors import DISK_FULL, WorkbookError
 from starter.paths import ENVIRONMENT, ON_WINDOWS, PYTHON_VERSION, ROOT, VENV, VENV_PYTHON
 
 PATIENCE = {"PIP_RETRIES": "2", "UV_HTTP_RETRIES": "2", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+# Settings of the user's that would send the packages elsewhere than into the environment.
+ELSEWHERE = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PIP_PYTHON", "UV_SYSTEM_PYTHON")
 INSTALLED = ("Lib" if ON_WINDOWS else "lib/python*") + "/site-packages/*.dist-info"
 
 # The first pattern that is found in what the installer said explains its failure.
@@ -48,7 +49,7 @@ def install_packages(step: str) -> None:
     total, before = len(download.pinned_packages()), count_installed()
     uv = find_uv()
     tool = [uv, "pip", "install", "-p"] if uv else []
-    tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install"]
+    tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install", "--no-user"]
     # As pip always does: or what the package lays into .venv would stay as it was.
     tool += ["--reinstall-package", "cammotion"] if uv else []
     time_needed = "uv" if uv else "pip (a few minutes, once)"
@@ -77,7 +78,7 @@ def run(command: list[str], describe: Callable[[list[str]], str]) -> None:
     process = subprocess.Popen(
         command,
         cwd=ROOT,
-        env={**PATIENCE, **os.environ},
+        env=environ(),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -95,6 +96,12 @@ def run(command: list[str], describe: Callable[[list[str]], str]) -> None:
     if process.returncode != 0:
         output = "".join(lines)
         raise WorkbookError(processes.tail(lines) + keep(output) + explain(output))
+
+
+def environ() -> dict[str, str]:
+    """Return the variables for an installer: the user's index and proxy, but .venv as the place."""
+    variables = PATIENCE | processes.environ()
+    return {name: value for name, value in variables.items() if name not in ELSEWHERE}
 
 
 def keep(output: str) -> str:

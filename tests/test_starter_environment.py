@@ -8,13 +8,15 @@ import shutil
 import socket
 import sys
 import time
+import zipfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 from small_workbook import move_starter, raiser
 
-from starter import commands, environment, inspection, installer, paths
+from starter import commands, environment, inspection, installer, paths, processes
 from starter.errors import WorkbookError
 from starter.inspection import Environment
 
@@ -260,6 +262,52 @@ def test_too_small_a_disk_is_refused(root: Path, monkeypatch: pytest.MonkeyPatch
     assert not (root / ".venv").exists()
 
 
+def make_wheel(folder: Path) -> None:
+    """Make a package of one module, which pip can install without a network."""
+    info = "cam_probe-1.0.dist-info"
+    files = {
+        "cam_probe.py": "",
+        f"{info}/METADATA": "Metadata-Version: 2.1\nName: cam-probe\nVersion: 1.0\n",
+        f"{info}/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+        f"{info}/RECORD": "",
+    }
+    with zipfile.ZipFile(folder / "cam_probe-1.0-py3-none-any.whl", "w") as wheel:
+        for name, content in files.items():
+            wheel.writestr(name, content)
+
+
+@pytest.mark.parametrize(
+    "own",
+    [
+        {"PIP_USER": "1"},
+        {"PIP_TARGET": "elsewhere"},
+        {"PIP_PREFIX": "elsewhere"},
+        {"PIP_ROOT": "elsewhere"},
+        {"PIP_CONFIG_FILE": "pip.conf"},
+    ],
+    ids=str,
+)
+def test_packages_go_into_the_environment_whatever_the_user_has_set(
+    root: Path, monkeypatch: pytest.MonkeyPatch, own: dict[str, str]
+) -> None:
+    """A real pip, told to install for the user or elsewhere, by variables or by its file."""
+    make_wheel(root)
+    (root / "environment.txt").write_text("cam-probe==1.0\n")
+    (root / "pip.conf").write_text("[global]\nuser = true\n")
+    monkeypatch.setattr(installer, "find_uv", lambda: None)
+    use_bundled_pip(monkeypatch)
+    index = {"PIP_CONFIG_FILE": os.devnull, "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": "."}
+    for name, value in (index | own).items():
+        monkeypatch.setenv(name, str(root / value) if value == "pip.conf" else value)
+    monkeypatch.setenv("HOME", str(root))
+    environment.create()
+    installer.install_packages("[2/3]")
+    now = inspection.inspect()
+    assert now
+    assert now.versions["cam-probe"] == "1.0"
+    assert not (root / "elsewhere").exists()
+
+
 def test_no_network_takes_seconds(
     root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -291,6 +339,8 @@ def test_no_network_takes_seconds(
 
 def use_bundled_pip(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run pip from the wheel that ensurepip would install, where Python brings it: it is faster."""
-    for wheel in Path(ensurepip.__path__[0]).glob("_bundled/pip-*.whl"):
-        monkeypatch.setenv("PYTHONPATH", str(wheel))
+    wheel = next(Path(ensurepip.__path__[0]).glob("_bundled/pip-*.whl"), None)
+    if wheel:
+        with_pip = partial(processes.environ, PYTHONPATH=str(wheel))
+        monkeypatch.setattr(processes, "environ", with_pip)
         monkeypatch.setattr(installer, "add_pip", lambda: None)
