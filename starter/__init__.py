@@ -11,6 +11,7 @@ inspection    what is in .venv, and whether it is what the last installation lef
 installer     pip or uv at work: how far it is, and in words why it failed
 environment   make, update or repair .venv, so that it is ready
 notebooks     find, read and write notebooks
+folder        where the learner's copies are: in the workbook, or anywhere else
 copies        the learner's copies: laid, never overwritten, said to be old
 refresh       execute the workbook's own notebooks anew
 lab           a port, and JupyterLab on it

@@ -12,7 +12,7 @@ from starter.paths import ENVIRONMENT, ON_WINDOWS, PYTHON_VERSION, ROOT, VENV, V
 
 PATIENCE = {"PIP_RETRIES": "2", "UV_HTTP_RETRIES": "2", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
 # Settings of the user's that would send the packages elsewhere than into the environment.
-ELSEWHERE = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PIP_PYTHON", "UV_SYSTEM_PYTHON")
+ELSEWHERE = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PIP_PYTHON")
 INSTALLED = ("Lib" if ON_WINDOWS else "lib/python*") + "/site-packages/*.dist-info"
 
 # The first pattern that is found in what the installer said explains its failure.

@@ -9,10 +9,11 @@ import threading
 import time
 from http import HTTPStatus
 from http.client import HTTPConnection, HTTPException
+from pathlib import Path
 
 from starter import processes
 from starter.errors import CLOSED, WorkbookError
-from starter.paths import ON_WINDOWS, ROOT, VENV, VENV_PYTHON
+from starter.paths import ON_WINDOWS, VENV, VENV_PYTHON
 
 DEFAULT_PORT = 8888
 PORTS = range(1, 65536)
@@ -67,11 +68,11 @@ def is_free(port: int) -> bool:
     return True
 
 
-def start(port: int, token: str, passed_on: list[str]) -> "subprocess.Popen[str]":
+def start(port: int, token: str, served: Path, passed_on: list[str]) -> "subprocess.Popen[str]":
     """Start JupyterLab and return when it answers; raise if it ends or refuses before that."""
     write_settings()
     process = subprocess.Popen(
-        command(port, passed_on),
+        command(port, served, passed_on),
         env=processes.environ(JUPYTER_TOKEN=token),
         stderr=subprocess.PIPE,
         encoding="utf-8",
@@ -137,11 +138,11 @@ def write_settings() -> None:
             raise
 
 
-def command(port: int, passed_on: list[str]) -> list[str]:
-    """Return the command that starts JupyterLab for this folder."""
+def command(port: int, served: Path, passed_on: list[str]) -> list[str]:
+    """Return the command that starts JupyterLab for the folder that it shows."""
     return [
         *(str(VENV_PYTHON), "-P", "-c", LAUNCH, "--no-browser"),
-        *(f"--ServerApp.root_dir={ROOT}", "--ServerApp.base_url=/", "--ServerApp.ip=127.0.0.1"),
+        *(f"--ServerApp.root_dir={served}", "--ServerApp.base_url=/", "--ServerApp.ip=127.0.0.1"),
         *(f"--ServerApp.port={port}", "--ServerApp.port_retries=0", "--ServerApp.log_level=WARN"),
         *("--ServerApp.certfile=", "--ServerApp.keyfile=", "--ServerApp.sock="),
         *(["--allow-root"] if is_root() else []),

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from small_workbook import move_starter, raiser
 
-from starter import commands, copies, environment, maintain
+from starter import commands, environment, folder, maintain
 
 
 @pytest.fixture(autouse=True)
@@ -32,7 +32,7 @@ def test_what_the_system_refuses_is_said_in_words(
     words: str,
 ) -> None:
     """Errors of the operating system end in a sentence and an exit code."""
-    monkeypatch.setattr(copies, "work_folder", raiser(error))
+    monkeypatch.setattr(folder, "find", raiser(error))
     assert commands.run(["setup"]) == 1
     assert words in capsys.readouterr().err
 

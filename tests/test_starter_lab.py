@@ -71,9 +71,9 @@ def test_the_lab_opens_and_ends(
     start = lab.start
 
     def start_and_press_ctrl_c(
-        port: int, token: str, passed_on: list[str]
+        port: int, token: str, served: Path, passed_on: list[str]
     ) -> "subprocess.Popen[str]":
-        process = start(port, token, passed_on)
+        process = start(port, token, served, passed_on)
         watchdog = threading.Timer(30, process.kill)
         watchdog.daemon = True
         watchdog.start()
@@ -114,14 +114,14 @@ def free_port() -> int:
 def let_lab_be(monkeypatch: pytest.MonkeyPatch, script: str) -> None:
     """Start this script instead of JupyterLab."""
     command = [sys.executable, "-c", script]
-    monkeypatch.setattr(lab, "command", lambda _port, _passed_on: command)
+    monkeypatch.setattr(lab, "command", lambda *_arguments: command)
 
 
 def test_a_lab_that_dies_shows_its_last_words(monkeypatch: pytest.MonkeyPatch) -> None:
     """A start that fails does not hang."""
     let_lab_be(monkeypatch, "raise SystemExit('no such option')")
     with pytest.raises(WorkbookError, match=r"no such option\n.*before it was ready"):
-        lab.start(8888, "token", [])
+        lab.start(8888, "token", Path(), [])
 
 
 @pytest.mark.parametrize(
@@ -149,7 +149,7 @@ def test_a_lab_that_never_gets_ready_is_not_waited_for_without_end(
     monkeypatch.setattr(lab, "PATIENCE", 0 if status not in lab.REFUSED else 60)
     monkeypatch.setattr(processes, "stop", note_and_stop)
     with pytest.raises(WorkbookError, match=words):
-        lab.start(8888, "token", [])
+        lab.start(8888, "token", Path(), [])
     assert ended[0].returncode is not None
 
 
@@ -162,7 +162,7 @@ def test_what_leads_python_astray_does_not_reach_a_child(
     monkeypatch.setenv("MINE", "stays")
     let_lab_be(monkeypatch, "import os; raise SystemExit(str(dict(os.environ)))")
     with pytest.raises(WorkbookError) as caught:
-        lab.start(8888, "token", [])
+        lab.start(8888, "token", Path(), [])
     assert "astray" not in str(caught.value)
     assert {"PYTHONPATH", "PYTHONHOME"} == {*processes.ASTRAY}
     assert processes.environ(MORE="1") == {
