@@ -4,6 +4,7 @@ Standard library only: this is what makes the environment in which all else is i
 From the ground up; a module imports only from those above it, and a test holds that:
 
 paths         where everything is, and what we run on
+reasons       what installers and systems say, in words of what to do
 errors        a foreseen failure, and what the operating system refuses, in words
 processes     children: listen to them, wait for them, end them; one of us at a time
 download      whether it is whole, and what environment.txt pins

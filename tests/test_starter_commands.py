@@ -23,6 +23,8 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (OSError(errno.EROFS, "read-only", "/x/.name.part"), f"write {Path('/x')}. "),
         (OSError(errno.EROFS, "read-only", "/x"), f"No permission to write {Path('/x')}. "),
         (OSError(errno.EIO, "input/output error"), "refused"),
+        (OSError(errno.ENAMETOOLONG, "File name too long", "/x"), "short path"),
+        (OSError(errno.EINVAL, "[WinError 1260] blocked"), "group policy"),
     ],
 )
 def test_what_the_system_refuses_is_said_in_words(

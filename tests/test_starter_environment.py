@@ -29,6 +29,62 @@ SOUND = Environment(
 )
 
 
+# What pip 23 and 26 and uv said of a server with such a fault, or are known to say in Windows.
+SAID = [
+    (
+        "Could not fetch URL: There was a problem confirming the ssl certificate: SSLError("
+        "SSLCertVerificationError(1, '[SSL: CERTIFICATE_VERIFY_FAILED] certificate verify failed: "
+        "self-signed certificate')) - skipping\nERROR: No matching distribution found for six",
+        "a certificate of its own",
+    ),
+    ("error sending request\n  cause: invalid peer certificate: UnknownIssuer", "SSL_CERT_FILE"),
+    ("certificate verify failed: certificate has expired (_ssl.c:1006)", "date of this computer"),
+    ("certificate verify failed: certificate is not yet valid", "date of this computer"),
+    ("OSError('Tunnel connection failed: 407 Proxy Authentication Required')", "HTTPS_PROXY"),
+    ("client error (Connect)\n  cause: tunnel error: proxy authorization required", "HTTPS_PROXY"),
+    (
+        "'ProxyError('Cannot connect to proxy.', OSError('Tunnel connection failed: 403 Forbidden')"
+        "\nERROR: No matching distribution found for six",
+        "The download is forbidden",
+    ),
+    ("ERROR: HTTP error 403 while getting the file", "The download is forbidden"),
+    ("hint: An index returned a 403 Forbidden error.", "The download is forbidden"),
+    ("HTTP status client error (403 Forbidden) for url", "The download is forbidden"),
+    ("cause: client error (Connect)\n  cause: tunnel error: unsuccessful", "forbidden"),
+    (
+        "ERROR: Could not find a version that satisfies the requirement six (from versions: none)"
+        "\nERROR: No matching distribution found for six",
+        "has nothing of a package",
+    ),
+    ("Because six was not found in the package registry and you require it", "has nothing of"),
+    ("[Errno 2] No such file: 'x'\nHINT: ... Windows Long Path support enabled.", "short path"),
+    ("OSError: [WinError 206] Dateiname oder Erweiterung ist zu lang: 'C:\\\\x'", "short path"),
+    ("failed to create directory `C:\\cam" + "\\deep" * 50 + "` (os error 3)", "short path"),
+    ("File name too long (os error 36)", "short path"),
+    (
+        "OSError: [WinError 5] Zugriff verweigert: 'c:\\\\x.pyd'\nCheck the permissions.",
+        "is in use",
+    ),
+    ("error: failed to remove file `x.pyd`: Access is denied. (os error 5)", "is in use"),
+    ("PermissionError: [WinError 32] Le processus ne peut pas", "is in use"),
+    (
+        "Could not install packages due to an OSError: [Errno 13] Permission denied: 'x'",
+        "is in use",
+    ),
+    ("Input/output error (os error 5)", "lines above"),
+    ("Broken pipe (os error 32)", "lines above"),
+    ("OSError: [WinError 1260] Ce programme est bloque", "group policy"),
+    ("Failed to query Python interpreter: blocked by group policy (os error 1260)", "group policy"),
+    ("DLL load failed: An Application Control policy has blocked this file.", "group policy"),
+    (
+        "warning: Failed to hardlink files; falling back to full copy.\nerror: failed to hardlink "
+        "file: The cloud operation cannot be performed on a file with incompatible hardlinks. "
+        "(os error 396)",
+        "OneDrive, which refuses the links",
+    ),
+]
+
+
 @pytest.fixture(autouse=True)
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Work in a small workbook."""
@@ -210,10 +266,11 @@ def test_an_update_that_touched_nothing_leaves_the_stamp(
         ("ERROR: No matching distribution found for numpy==2.4.6", "3.11, 3.12 and 3.13"),
         ("Because numpy has no wheels: No solution found when resolving", "3.11, 3.12 and 3.13"),
         ("something else", "lines above"),
+        *SAID,
     ],
 )
 def test_installers_are_understood(output: str, words: str) -> None:
-    """What pip and uv say is put into a sentence."""
+    """What pip and uv say, in any language of Windows, is put into a sentence."""
     assert words in installer.explain(output)
 
 
