@@ -26,6 +26,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name in ("images/cam.svg", "data/cam.csv"):
         (root / "notebooks" / name).parent.mkdir()
         (root / "notebooks" / name).write_text(name)
+    lab.write_settings()
     return root
 
 
@@ -68,6 +69,16 @@ def test_copies_lie_anywhere_and_the_workbook_stays_as_it_is(
     assert start(*shlex.split(command)[2:]) == [f"A fresh copy: {fresh}"]
     assert laid.items() <= keep(mine).items()
     assert set(keep(mine)) - set(laid) == {fresh.name}
+
+
+def test_who_sets_it_up_for_others_sets_the_lab_up_too(
+    root: Path, start: Callable[..., list[str]]
+) -> None:
+    """They may not write beside the environment."""
+    shutil.rmtree(root / ".venv")
+    start("setup")
+    assert json.loads(lab.SETTINGS.read_text("utf-8")) == lab.DEFAULTS
+    assert lab.SETTINGS.is_relative_to(root)
 
 
 def test_every_link_of_the_real_notebooks_leads_on_from_elsewhere(tmp_path: Path) -> None:
@@ -148,9 +159,9 @@ mount --bind "$1" "$1" && mount -o remount,bind,ro "$1" && shift && exec "$@"
 START = """
 import sys
 sys.path.insert(0, sys.argv[1])
-from starter import commands, environment, lab
+from starter import commands, environment
 if sys.argv[2] == "ready":
-    environment.ensure = lambda: lab.write_settings()
+    environment.ensure = lambda: None
 sys.exit(commands.run(["setup", *sys.argv[3:]]))
 """
 UNSHARE = ["unshare", "-Urm", "sh", "-c", ONLY_TO_BE_READ, "sh"]
@@ -174,7 +185,6 @@ def can_bind() -> bool:
 @pytest.mark.skipif(not can_bind(), reason="no folder can be made here that is only to be read")
 def test_a_shared_folder_that_is_only_to_be_read(root: Path, tmp_path: Path) -> None:
     """The learner works elsewhere; without that, or without an environment, it is said."""
-    (root / ".venv").mkdir()
     mine = tmp_path / "home"
     well = start_shared(root, "ready", "--work", str(mine))
     assert (well.returncode, well.stderr) == (0, "")
