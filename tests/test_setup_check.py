@@ -47,7 +47,7 @@ def be_without(monkeypatch: pytest.MonkeyPatch, *packages: str) -> None:
 
 def with_version(package: str, version: str | None) -> list[str]:
     def installed(name: str) -> str:
-        if name != package:
+        if name.replace("-", "_") != package:
             return metadata.version(name)
         if version is None:
             raise metadata.PackageNotFoundError(name)
