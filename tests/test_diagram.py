@@ -130,7 +130,7 @@ def test_an_overlap_across_360_deg_is_one_arc() -> None:
 UNKNOWN = r"^There is no motion '?{}'?: use one of 'mill', 'die'\.$"
 
 
-@pytest.mark.parametrize("name", ["punch", "Die", None, 3])
+@pytest.mark.parametrize("name", ["punch", "dies irae", None, 3])
 def test_an_unknown_motion_is_refused_with_the_known(curve: Any, name: Any) -> None:
     with pytest.raises(cm.InputError, match=UNKNOWN.format(name)):
         curve(name, 30)

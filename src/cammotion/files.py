@@ -2,9 +2,11 @@
 
 from pathlib import Path
 
+from cammotion.arguments import checked
 from cammotion.quantities import InputError, shorten
 
 
+@checked
 def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
     """Write a text file, its line ends as they are, and return its path.
 

@@ -2,12 +2,20 @@
 
 import math
 import numbers
-from collections.abc import Iterable
+import re
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
+from difflib import get_close_matches
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+_TINY = 1e-50  # numbers that are smaller, or larger than 1/that, are slips: their powers overflow
+_LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
+_NONE: Mapping[str, str] = {}
+_TYPED = re.compile(r"[+-]?\d+([.,]\d+)?", re.ASCII)
 
 Floats = NDArray[np.float64]
 
@@ -19,6 +27,12 @@ class InputError(ValueError):
     """A value that makes no sense here; the message names it, what is allowed, and the fix."""
 
     __module__ = "cammotion"  # the name under which its reader can catch it
+
+
+class UnknownNameError(InputError, KeyError):
+    """A name that is not known; of a mapping it is a KeyError, as usual."""
+
+    __str__ = Exception.__str__  # a KeyError shows its sentence in quotes
 
 
 class WrongAnswerError(RuntimeError):
@@ -60,7 +74,7 @@ class Quantity:
         if array.size == 0:
             raise InputError(f"The {self.name} is empty: give {self._example}.")
         least = array.min()  # many at once take no detour; nan is in no order
-        is_above = least > self.low or (self.low_included and least == self.low)
+        is_above = least > max(self.low, _TINY) or (self.low_included and least == self.low)
         if is_above and array.max() <= self.high < math.inf:
             return array
         inside = self._inside(array)
@@ -102,43 +116,76 @@ class Quantity:
     def _as_floats(self, value: ArrayLike) -> Floats:
         try:
             array = np.asarray(value)
-        except ValueError:  # a ragged list
+        except (ValueError, TypeError):  # a ragged list, or what only seems to be one
             array = np.asarray(None)
+        if np.ma.is_masked(value):
+            raise InputError(
+                f"The {self.name} has masked values, which are none: leave them out, for example "
+                "with .compressed()."
+            )
         if array.dtype.kind in "iuf":
             return array.astype(np.float64, copy=False)
         if array.size == 0:
             return np.empty(0)
         if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
-            return array.astype(np.float64)
+            return np.array([_as_float(item) for item in array.flat]).reshape(array.shape)
+        meant = _meant(value)
         raise InputError(
             f"The {self.name} has to be a number{' in ' + self.unit if self.unit else ''}, "
-            f"not {shorten(value)}: give {self._example}."
+            f"not {shorten(value)}: give {meant or self._example}."
         )
 
     def _inside(self, array: Floats) -> NDArray[np.bool_]:
         above = array >= self.low if self.low_included else array > self.low
-        return above & (array <= self.high) & np.isfinite(array)
+        size = np.abs(array)
+        is_number = (size <= 1 / _TINY) & ((size >= _TINY) | (array == 0))
+        inside: NDArray[np.bool_] = above & (array <= self.high) & is_number
+        return inside
 
     def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:
         position = tuple(int(i) for i in np.argwhere(~inside)[0])
         where = f" (at position {', '.join(map(str, position))})" if position else ""
+        kind = (
+            "finite number"
+            if _is_usual(array[position])
+            else f"number of {_TINY:g} to {1 / _TINY:g}"
+        )
         return (
-            f"The {self.name} is {array[position]:g}{self._unit}{where}; it has to be a finite "
-            f"number{self.allowed}: give {self._example}."
+            f"The {self.name} is {array[position]:g}{self._unit}{where}; it has to be a "
+            f"{kind}{self.allowed}: give {self._example}."
         )
 
+    def whole(self, value: Any) -> int:
+        """Return `value`, a whole number in range such as 8, 8.0 or np.int64(8), as an int."""
+        number = self.number(value)
+        if number != int(number):
+            raise InputError(
+                f"The {self.name} is {number:g}; it has to be a whole number: give for example "
+                f"{self.example:g}."
+            )
+        return int(number)
 
-def one_of(what: str, name: Any, known: Iterable[str]) -> str:
-    """Return `name` if it is one of the `known` names; otherwise raise InputError listing them.
 
-    >>> one_of("motion law", "cycloidal", ["cycloidal", "cubic"])
+def one_of(what: str, name: Any, known: Iterable[str], also: Mapping[str, str] = _NONE) -> str:
+    """Return the one of the `known` names that `name` is, in any case; `also` has other names.
+
+    Otherwise raise InputError with those that are near, or with all.
+
+    >>> one_of("motion law", "Cycloidal", ["cycloidal", "cubic"])
     'cycloidal'
     """
-    names = list(known)
-    if isinstance(name, str) and name in names:
-        return name
-    listed = ", ".join(f"'{known_name}'" for known_name in names)
-    raise InputError(f"There is no {what} {shorten(name)}: use one of {listed}.")
+    names = {known_name: known_name for known_name in known}
+    if isinstance(name, str):
+        if name in names:
+            return name
+        folded = {other.casefold(): one for other, one in {**also, **names}.items()}
+        if name.casefold() in folded:
+            return folded[name.casefold()]
+        if near := get_close_matches(name[:_LONG].casefold(), folded, n=3):
+            meant = " or ".join(dict.fromkeys(f"'{folded[each]}'" for each in near))
+            raise UnknownNameError(f"There is no {what} {shorten(name)}: did you mean {meant}?")
+    listed = shorten(", ".join(f"'{each}'" for each in names), _LISTED, of=str)
+    raise UnknownNameError(f"There is no {what} {shorten(name)}: use one of {listed}.")
 
 
 def broadcast(**arrays: Floats) -> None:
@@ -153,14 +200,45 @@ def broadcast(**arrays: Floats) -> None:
         ) from None
 
 
-def shorten(value: object, length: int = 60) -> str:
+def shorten(value: object, length: int = 60, *, of: Callable[[object], str] = repr) -> str:
     """Return a value as a sentence can show it, however long it is."""
-    text = repr(value)
+    text = of(value)
     return text if len(text) <= length else text[: length - 3] + "..."
 
 
+def _is_usual(number: float) -> bool:
+    return not math.isfinite(number) or number == 0 or _TINY <= abs(number) <= 1 / _TINY
+
+
 def _is_real(item: object) -> bool:
-    return isinstance(item, numbers.Real) and not isinstance(item, (bool, np.bool_))
+    is_number = isinstance(item, numbers.Real | Decimal)
+    return is_number and not isinstance(item, (bool, np.bool_))
+
+
+def _as_float(item: Any) -> float:
+    try:
+        return float(item)
+    except OverflowError:  # 10**400, which no float can hold
+        return math.inf if item > 0 else -math.inf
+
+
+def _meant(value: object) -> str:
+    """Return how a number is given that came as a text, or was typed with a decimal comma."""
+    if isinstance(value, str) and _TYPED.fullmatch(value.strip()):
+        return f"it as a number, {value.strip().replace(',', '.')} without quotes"
+    return ""
+
+
+def listed(values: Any) -> tuple[Any, ...]:
+    """Return what can be gone through as a tuple; an empty one for a text, and for anything else.
+
+    >>> listed(range(2)), listed("die"), listed(None)
+    ((0, 1), (), ())
+    """
+    try:
+        return () if isinstance(values, str | bytes) else tuple(values)
+    except TypeError:
+        return ()
 
 
 def plain(values: Numbers) -> Numbers:

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
+import numpy as np
+
+from cammotion.arguments import checked
 from cammotion.hardware.iso_286 import (
     GRADES,
     LAST_GRADE_OF_K,
@@ -99,6 +102,7 @@ def deviation_um(diameter_mm: float, letter: str) -> float:
     return float(factor * mean_diameter_mm(diameter_mm) ** power)
 
 
+@checked
 @dataclass(frozen=True, repr=False)
 class Limits:
     """How far a part may be from its nominal size: a diameter in mm, deviations in um.
@@ -261,7 +265,7 @@ def _step(diameter_mm: float) -> int:
 
 
 def _checked_grade(grade: Any) -> int:
-    if isinstance(grade, bool) or grade not in (*GRADES,):
+    if not isinstance(grade, int | np.integer) or grade not in (*GRADES,):
         raise InputError(
             f"The grade is {shorten(grade)}; there are the grades 5 to 11 here: give for example 7."
         )

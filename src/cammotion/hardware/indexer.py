@@ -19,7 +19,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.hardware.bracketed import cuts, largest
-from cammotion.hardware.inertia import whole_number
 from cammotion.hardware.rotor import Rotor
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
@@ -64,7 +63,7 @@ class Indexer:
     def __post_init__(self) -> None:
         if not isinstance(self.turns, Rotor):
             _INERTIA.number(self.turns)
-        whole_number(_STOPS, self.stops)
+        _STOPS.whole(self.stops)
         _TIME.number(self.time_s)
         _FRICTION.number(self.friction_N_m)
         _WORK.number(self.work_N_m)

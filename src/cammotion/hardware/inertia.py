@@ -211,7 +211,7 @@ class PointMasses:
         _MASS.number(self.each_kg)
         _RADIUS.number(self.radius_mm)
         _INERTIA.number(self.own_kg_m2)
-        whole_number(_COUNT, self.count)
+        _COUNT.whole(self.count)
 
     @property
     def mass_kg(self) -> float:
@@ -238,17 +238,6 @@ class OwnInertia:
     def __post_init__(self) -> None:
         _MASS.number(self.mass_kg)
         _INERTIA.number(self.inertia_kg_m2)
-
-
-def whole_number(quantity: Quantity, value: Any) -> int:
-    """Return a value as a whole number in the range of a quantity; raise InputError for others."""
-    number = quantity.number(value)
-    if number != int(number):
-        raise InputError(
-            f"The {quantity.name} is {number:g}; it has to be a whole number: give for example "
-            f"{quantity.example:g}."
-        )
-    return int(number)
 
 
 def _m(length_mm: float) -> float:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.hardware.bracketed import Extreme, largest
 from cammotion.laws.piece import Piece
 from cammotion.machine.kinematics import RATE, cycle_time
@@ -52,12 +53,14 @@ class FollowerLoad:
         ):
             object.__setattr__(self, name, quantity.number(getattr(self, name)))
 
+    @checked
     def force_N(self, motion: Motion, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:  # noqa: N802
         """Return the force in N between follower and cam at a cam angle; below 0 it has left it."""
         lift = np.asarray(motion.position_mm(angle_deg)) - motion.range_mm[0]
         push = self.mass_kg * motion.derivative(2, angle_deg, rate_per_hour)
         return plain(push + self._standing(lift))
 
+    @checked
     def least_force(self, motion: Motion, rate_per_hour: float) -> Extreme:
         """Return the least force in N between follower and cam in a turn, and where it is."""
         per_deg = self._inertia(rate_per_hour)
@@ -68,6 +71,7 @@ class FollowerLoad:
         found = largest(relief, motion.curve.pieces)
         return Extreme(-found.value, found.at_deg)
 
+    @checked
     def needed_preload_N(self, motion: Motion, rate_per_hour: float) -> float:  # noqa: N802
         """Return the least preload in N with which the follower stays on the cam at a rate.
 
@@ -76,6 +80,7 @@ class FollowerLoad:
         """
         return max(self.preload_N - self.least_force(motion, rate_per_hour).value, 0.0)
 
+    @checked
     def lift_off_rate(self, motion: Motion) -> float:
         """Return the machine rate in pieces/h above which the follower leaves the cam.
 

@@ -24,6 +24,8 @@ from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
+_HEIGHT = Quantity("displacement S", "", example=0.5, low=-math.inf)
+_ORDER = Quantity("derivative (of S, V, A or J)", "", example=2, high=3, low_included=True)
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
 _ROUNDING = 1e-12  # of S
 _MISSED = 1e-9  # by so much S may miss 0 and 1 at its ends, and what was solved for
@@ -101,11 +103,7 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3)([0, 0.5, 1], derivative=1)
         array([0. , 1.5, 0. ])
         """
-        if not (isinstance(derivative, int | np.integer) and 0 <= derivative <= _JERK):
-            raise InputError(
-                f"The derivative is {derivative!r}; it has to be 0, 1, 2 or 3, for S, V, A or J."
-            )
-        return plain(self.curve.derived(derivative)(_TIME.array(x)))
+        return plain(self.curve.derived(_ORDER.whole(derivative))(_TIME.array(x)))
 
     @property
     def Cv(self) -> float:  # noqa: N802 (the field's symbol)
@@ -246,11 +244,11 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).where_above(0.5)
         [(0.5, 1.0)]
         """
-        return self.curve.where(s, 1, _ROUNDING)
+        return self.curve.where(_HEIGHT.number(s), 1, _ROUNDING)
 
     def where_below(self, s: float) -> list[tuple[float, float]]:
         """Return the intervals of x in which S < s, in order; solved for, not sampled."""
-        return self.curve.where(s, -1, _ROUNDING)
+        return self.curve.where(_HEIGHT.number(s), -1, _ROUNDING)
 
     def check_way(self) -> None:
         """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1 without a jump."""

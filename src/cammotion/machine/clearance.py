@@ -16,7 +16,7 @@ from cammotion.machine.arcs import Arc, complement, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.segments import POSITION
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, listed, shorten
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ def as_rules(
     """Return the rules as a tuple; raise InputError unless they are rules for this diagram."""
     as_diagram(diagram)
     anything: Any = [rules] if isinstance(rules, ClearanceRule) else rules
-    given = tuple(anything) if isinstance(anything, Iterable) else ()
+    given = listed(anything)
     if not given or not all(isinstance(rule, ClearanceRule) for rule in given):
         raise InputError(
             f"The clearance rules are {shorten(rules)}: give one or a list, for example "

@@ -2,19 +2,20 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, Move, cycle_time, over_time
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
-from cammotion.quantities import InputError, Numbers, Quantity, one_of, plain, shorten
+from cammotion.quantities import InputError, Numbers, Quantity, listed, one_of, plain, shorten
 
 TIME = Quantity("time", "s", example=0.9, low=-math.inf)
 
@@ -40,8 +41,7 @@ class TimingDiagram:
     rate_per_hour: float
 
     def __post_init__(self) -> None:
-        given: Any = self.motions
-        motions = tuple(given) if isinstance(given, Iterable) else ()
+        given, motions = self.motions, listed(self.motions)
         if not motions or not all(isinstance(motion, Motion) for motion in motions):
             raise InputError(
                 f"The motions of the diagram are {shorten(given)}: give a list of motions, made "
@@ -69,6 +69,7 @@ class TimingDiagram:
         """Return the motion of that name; an unknown one raises InputError with the known."""
         return self.motions[self.names.index(one_of("motion", name, self.names))]
 
+    @checked
     def with_motion(self, motion: Motion) -> "TimingDiagram":
         """Return the diagram with this motion in the place of that of the same name."""
         self[motion.name]

@@ -7,7 +7,7 @@ each turn takes it one pitch on, from stop to stop, until the stops have closed 
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -21,7 +21,7 @@ from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
 from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment
-from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, listed, plain, shorten
 
 _NOISE = 1e-8  # what is less, as a share of the largest value of all, is rounding everywhere
 _ROUNDING = 1e-9  # by so much angles in deg and positions in mm may differ and mean the same
@@ -270,11 +270,8 @@ class Motion:
             )
         if self.stops is None:
             return
-        if not isinstance(self.stops, int) or isinstance(self.stops, bool) or self.stops < 1:
-            raise InputError(
-                f"The number of stops of {self.name!r} is {shorten(self.stops)}; it has to be a "
-                "whole number above 0: give, for example, 24."
-            )
+        stops = Quantity(f"number of stops of {self.name!r}", "", example=24, high=1e9)
+        object.__setattr__(self, "stops", stops.whole(self.stops))
         if abs(way) <= _ROUNDING:
             raise InputError(
                 f"The indexing motion {self.name!r} ends where it began, and an indexing motion "
@@ -283,7 +280,7 @@ class Motion:
 
 
 def _segments(name: str, given: Any) -> tuple[Segment, ...]:
-    segments = tuple(given) if isinstance(given, Iterable) else ()
+    segments = listed(given)
     if not segments or not all(isinstance(segment, Segment) for segment in segments):
         raise InputError(
             f"The segments of {name!r} are {shorten(given)}: give a list of Segment, or make the "

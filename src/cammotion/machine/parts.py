@@ -52,7 +52,7 @@ def _move(way: int, stroke_mm: float, over_deg: float, law: str | MotionLaw) -> 
     return Part(
         PART_ANGLE.number(over_deg),
         way * STROKE.number(stroke_mm),
-        law if law == MATCHED else as_law(law),
+        law if isinstance(law, str) and law == MATCHED else as_law(law),
     )
 
 

@@ -7,7 +7,10 @@ that are in use. Some are planted. Which ones they are is for the learner to fin
 import re
 from dataclasses import dataclass
 
+from cammotion.arguments import checked
 
+
+@checked
 @dataclass(frozen=True, repr=False)
 class PrintedLimits:
     """A line of a table: the limits in um of a zone, for diameters over one to another, in mm.

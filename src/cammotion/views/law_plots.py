@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import InputError, one_of, shorten
@@ -18,6 +19,7 @@ _PLACES = 1001
 _REST = 0.06  # of the time, drawn before the move and after it
 
 
+@checked
 def plot_laws(
     laws: str | MotionLaw | Iterable[str | MotionLaw], *, curve: str = "A", ax: Axes | None = None
 ) -> Axes:
@@ -45,6 +47,7 @@ def plot_laws(
     return ax
 
 
+@checked
 def plot_ranking(
     peaks: Mapping[str, float],
     *,

@@ -14,10 +14,11 @@ import sympy as sp
 from matplotlib.axes import Axes
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
+from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError
+from cammotion.quantities import Floats, InputError, shorten
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.views.timing_plots import BROKEN
@@ -31,6 +32,7 @@ _NEAR = 0.2  # of its width: labels of points so near to each other keep their d
 Pair = tuple[float, float]
 
 
+@checked
 def plot_jerk_price(
     found: Iterable[LeastAcceleration],
     named: Mapping[str, Pair] | None = None,
@@ -81,6 +83,7 @@ def plot_jerk_price(
     return ax
 
 
+@checked
 def plot_front(
     found: Iterable[tuple[LeastAcceleration, LeastAcceleration]],
     designs: Mapping[str, Iterable[Pair]] | None = None,
@@ -130,6 +133,7 @@ def plot_front(
     return ax
 
 
+@checked
 def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     designs: Mapping[str, TimingDiagram],
     name: str,
@@ -191,6 +195,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     return ax
 
 
+@checked
 def plot_weight(
     weight: sp.Expr, span: tuple[sp.Symbol, float, float], *, ax: Axes | None = None
 ) -> Axes:
@@ -206,6 +211,10 @@ def plot_weight(
     """
     symbol, low, high = span
     places = np.linspace(float(low), float(high), 1041)
+    if weight.free_symbols - {symbol} or (not weight.is_extended_real and not weight.free_symbols):
+        raise InputError(
+            f"The weight is {shorten(weight)}: give a real expression in {symbol} alone."
+        )
     heights = np.broadcast_to(sp.lambdify(symbol, weight)(places), places.shape)
     if ax is None:
         ax = blank_axes(7.5, 2.4, layout="constrained")

@@ -17,6 +17,7 @@ from matplotlib.lines import Line2D
 from matplotlib.text import Annotation
 from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, one_of
 from cammotion.views.pictures import blank_axes
@@ -57,6 +58,7 @@ def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
     return time, np.asarray(functions[one_of("curve", curve, CURVES)](time))
 
 
+@checked
 def plot_curves(
     moves: Move | Iterable[Move],
     *,
@@ -89,6 +91,7 @@ def plot_curves(
     return ax
 
 
+@checked
 def plot_peaks(
     moves: Iterable[Move], *, labels: Sequence[str] | None = None, ax: Axes | None = None
 ) -> Axes:
@@ -116,6 +119,7 @@ def plot_peaks(
     return ax
 
 
+@checked
 def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axes:
     """Draw peak acceleration against indexing angle on logarithmic scales; return the Axes.
 
@@ -230,9 +234,8 @@ def _free_place(values: Floats) -> tuple[int, tuple[float, float]]:
 def _labelled(
     moves: Move | Iterable[Move], labels: Sequence[str] | None
 ) -> tuple[list[Move], list[str]]:
-    several: Any = [moves] if isinstance(moves, Move) else moves
-    moves = list(several) if isinstance(several, Iterable) else []
-    if not moves or not all(isinstance(move, Move) for move in moves):
+    moves = [moves] if isinstance(moves, Move) else [*moves]
+    if not moves:
         raise InputError(
             "There is nothing to draw: give one Move or a list of them, for example "
             "[Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)]."

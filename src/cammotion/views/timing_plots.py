@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
+from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.machine.diagram import TimingDiagram, as_diagram
@@ -37,6 +38,7 @@ BROKEN: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch
 _NARROWEST_LABEL_DEG = 12
 
 
+@checked
 def plot_timing(
     diagram: TimingDiagram,
     *,
@@ -80,6 +82,7 @@ def plot_timing(
     return ax
 
 
+@checked
 def plot_clearance(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     rule: ClearanceRule,

@@ -5,8 +5,9 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.axes import Axes
 
+from cammotion.arguments import checked
 from cammotion.hardware.indexer import Indexer
-from cammotion.quantities import InputError, one_of, shorten
+from cammotion.quantities import InputError, one_of
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import style_axes, style_line
 
@@ -15,6 +16,7 @@ _PLACES = 1001
 _REST = 0.06  # of the time, drawn before the index and after it
 
 
+@checked
 def plot_torque(
     indexers: Mapping[str, Indexer], *, quantity: str = "torque", ax: Axes | None = None
 ) -> Axes:
@@ -28,10 +30,10 @@ def plot_torque(
     >>> plot_torque({"table": cm.Indexer(38.5, stops=8, time_s=0.75)}).get_ylabel()
     'torque on the table in N m'
     """
-    if not isinstance(indexers, Mapping) or not indexers:
+    if not indexers:
         raise InputError(
-            f"The indexers are {shorten(indexers)}: give each a name, for example "
-            '{"table": cammotion.Indexer(38.5, stops=8, time_s=0.75)}.'
+            "There is no indexer to draw: give each by its name, for example "
+            '{"table": Indexer(38.5, stops=8, time_s=0.75)}.'
         )
     one_of("quantity", quantity, QUANTITIES)
     if ax is None:

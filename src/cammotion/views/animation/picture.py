@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from cammotion.arguments import checked
 from cammotion.files import write_new
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
@@ -124,6 +125,7 @@ class Animation:
         return self.player()._repr_mimebundle_(**kwargs)
 
 
+@checked
 def animate(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     *,

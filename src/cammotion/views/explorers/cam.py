@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.hardware.disc_cam import check_motion
 from cammotion.hardware.followers import TranslatingRoller
 from cammotion.hardware.prime_circle import smallest_prime_radius
@@ -38,6 +39,7 @@ class _Curves(NamedTuple):
     sharpness: sp.Expr  # the roller's radius over that of the pitch curve
 
 
+@checked
 def explore_cam(motion: Motion, *, roller_mm: float = 10, prime_mm: float = 60) -> LiveFigure:
     """Return a live figure of the disc cam of a motion, whose follower is a roller on a slide.
 

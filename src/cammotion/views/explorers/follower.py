@@ -5,6 +5,7 @@ from typing import Any
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.dynamics.one_mass import OneMass
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
@@ -24,6 +25,7 @@ _MASS, _CAM = 0, 1  # colours: the mass, which swings, has the unbroken line
 _MOST = 20  # acceleration on the axis
 
 
+@checked
 def explore_follower(
     laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping: float = 0.02
 ) -> LiveFigure:

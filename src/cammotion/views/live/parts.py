@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.quantities import InputError, Quantity, one_of, shorten
 from cammotion.views.live.expressions import as_curve, as_expression
 
@@ -39,6 +40,7 @@ class Control:
     most: Any = None
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Line:
     """A curve: `y` over the figure's variable, or `x` and `y` while the variable runs.
@@ -113,6 +115,7 @@ class Box:
     name: str = ""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Panel:
     """One picture of a figure: its lines, points and boxes, and its axes.
@@ -206,6 +209,7 @@ class Choice(sp.Dummy):  # type: ignore[misc]
     start: int  # the number of the name at which it stands first
 
 
+@checked
 def choice(name: str, options: Mapping[str, Any], *, start: str | None = None) -> Any:
     """Return an expression that is one of several, as the reader of a live figure chooses.
 
