@@ -7,6 +7,7 @@ stays folded. Answers to exercises are not in them.
 import argparse
 import base64
 import re
+import shutil
 from html import escape, unescape
 from io import BytesIO
 from pathlib import Path
@@ -98,6 +99,11 @@ def main() -> None:
         page = given.folder / f"{found[0].stem}.html"
         page.write_text(handout(found[0]), encoding="utf-8")
         print(f"wrote {page}")
+        for table in sorted((LESSONS / "data").glob("*.csv")):
+            if table.name in found[0].read_text("utf-8"):
+                (given.folder / "data").mkdir(exist_ok=True)
+                shutil.copy(table, given.folder / "data")
+                print(f"wrote {given.folder / 'data' / table.name}, which it reads")
 
 
 if __name__ == "__main__":

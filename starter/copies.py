@@ -4,6 +4,7 @@ import contextlib
 import os
 import re
 import secrets
+import shutil
 from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
@@ -14,7 +15,7 @@ from starter.paths import ROOT, START, first_free
 
 DEFAULT_WORK = "work"
 # Narrow, so that no file of the learner's or of another program is taken for ours.
-PART = re.compile(r"\..+\.ipynb\.[0-9a-f]{16}\.part")
+PART = re.compile(r"\..+\.(?:ipynb|csv)\.[0-9a-f]{16}\.part")
 OTHER = "Another start is copying notebooks"
 
 
@@ -55,6 +56,7 @@ def lay_missing(work: Path) -> None:
         missing = [path for path in originals if not os.path.lexists(work / path.name)]
         for path in missing:
             lay(path, work / path.name)
+        lay_tables(work)
     if missing:
         names = ", ".join(path.stem for path in missing)
         what = f"all {len(missing)} notebooks" if missing == originals else names
@@ -87,6 +89,23 @@ def lay(source: Path, target: Path) -> bool:
     finally:
         with contextlib.suppress(OSError):  # a virus scanner looks at it: the next start will do
             part.unlink(missing_ok=True)
+
+
+def lay_tables(work: Path) -> None:
+    """Copy the tables that lessons read into the folder data, where the learner's lie too."""
+    folder = work / notebooks.TABLES.name
+    missing = [path for path in notebooks.tables() if not os.path.lexists(folder / path.name)]
+    for path in missing:
+        part = work / f".{path.name}.{secrets.token_hex(8)}.part"
+        try:
+            folder.mkdir(exist_ok=True)
+            shutil.copyfile(path, part)
+            move_without_overwriting(part, folder / path.name)
+        except FileExistsError:  # data is a file of the learner's
+            print(f"{work.name}/{folder.name} is no folder: {path.name} could not be laid there.")
+        finally:
+            with contextlib.suppress(OSError):
+                part.unlink(missing_ok=True)
 
 
 def lay_fresh(source: Path, work: Path) -> Path:

@@ -9,6 +9,8 @@ from typing import Any, NamedTuple
 from starter.errors import WorkbookError, incomplete
 from starter.paths import NOTEBOOKS
 
+TABLES = NOTEBOOKS / "data"
+
 
 class Notebook(NamedTuple):
     """A notebook; its version is a hash of the cells' types and sources, not of outputs."""
@@ -25,6 +27,11 @@ def originals() -> list[Path]:
 def solutions() -> list[Path]:
     """List the worked solutions, in order: no learner gets a copy of them."""
     return notebooks_in(NOTEBOOKS / "solutions")
+
+
+def tables() -> list[Path]:
+    """List the files that lessons read, in order."""
+    return sorted(TABLES.glob("[!.]*.csv"))
 
 
 def notebooks_in(folder: Path) -> list[Path]:

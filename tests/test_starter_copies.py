@@ -295,3 +295,40 @@ def test_a_work_folder_that_is_none_is_refused(root: Path) -> None:
     (root / "work-file").write_text("mine")
     with pytest.raises(WorkbookError, match="work-file is a file"):
         copies.work_folder("work-file")
+
+
+def lay_a_table(root: Path) -> Path:
+    """Put a table into the workbook, and return it."""
+    table = root / "notebooks" / "data" / "cam.csv"
+    table.parent.mkdir()
+    table.write_bytes(b"angle in deg,position in mm\r\n0,0\r\n")
+    return table
+
+
+def test_tables_that_lessons_read_are_laid_and_never_written_over(
+    root: Path, start: Callable[..., list[str]]
+) -> None:
+    table = lay_a_table(root)
+    (table.parent / ".hidden.csv").write_text("")
+    start("setup", "--work", "work-anna")
+    laid = root / "work-anna" / "data" / "cam.csv"
+    assert laid.read_bytes() == table.read_bytes()
+    assert [path.name for path in laid.parent.iterdir()] == ["cam.csv"]
+    assert not [*(root / "work-anna").glob(".*.part")]
+    laid.write_text("mine")
+    table.write_text("newer")
+    start("setup", "--work", "work-anna")
+    assert laid.read_text() == "mine"
+    laid.unlink()
+    start("setup", "--work", "work-anna")
+    assert laid.read_text() == "newer"
+
+
+def test_a_file_in_the_place_of_the_folder_of_tables_stays(
+    root: Path, start: Callable[..., list[str]]
+) -> None:
+    lay_a_table(root)
+    (root / "work").mkdir()
+    (root / "work" / "data").write_text("mine")
+    assert "work/data is no folder: cam.csv could not be laid there." in start("setup")
+    assert (root / "work" / "data").read_text() == "mine"

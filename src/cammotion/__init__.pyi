@@ -23,7 +23,6 @@ from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
 from .hardware.rotor import Rotor
 from .laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law, fifth_degree_linear, polynomial
-from .laws.from_points import law_from_points
 from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
@@ -49,6 +48,14 @@ from .machine.kinematics import (
 from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
 from .machine.segments import Segment
+from .measured.cam_table import CamTable
+from .measured.differences import Differences, differences
+from .measured.from_points import law_from_points, law_from_table
+from .measured.harmonics import Harmonics, harmonics
+from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
+from .measured.sampled_law import SampledLaw
+from .measured.smoothing import SmoothedTable, smoothed
+from .measured.springs import critical_harmonic, natural_frequency, springs_in_series
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
@@ -80,21 +87,27 @@ __version__: str
 __all__ = [
     "CONSTANT_VELOCITY",
     "EXAMPLE",
+    "KG_PER_LB",
     "LAWS",
     "MATCHED",
+    "MM_PER_INCH",
+    "N_PER_LBF",
     "PRINTED_LIMITS",
     "SUSPECTS",
     "Box",
     "Button",
+    "CamTable",
     "ClearanceRule",
     "Control",
     "Cross",
     "Cuboid",
+    "Differences",
     "Disc",
     "Fit",
     "FlatFacedCam",
     "FollowerLoad",
     "Geneva",
+    "Harmonics",
     "Indexer",
     "InputError",
     "LeastAcceleration",
@@ -114,8 +127,10 @@ __all__ = [
     "Ring",
     "RollerCam",
     "Rotor",
+    "SampledLaw",
     "Say",
     "Segment",
+    "SmoothedTable",
     "SwingingRoller",
     "TimingDiagram",
     "TranslatingRoller",
@@ -131,8 +146,10 @@ __all__ = [
     "check_setup",
     "choice",
     "choose",
+    "critical_harmonic",
     "cycle_time",
     "deviation_um",
+    "differences",
     "dwell",
     "explore",
     "explore_cam",
@@ -146,6 +163,7 @@ __all__ = [
     "find_clearances",
     "find_violations",
     "grade_um",
+    "harmonics",
     "hertz_pressure",
     "hint",
     "indexing_motion",
@@ -153,10 +171,12 @@ __all__ = [
     "inverse",
     "largest",
     "law_from_points",
+    "law_from_table",
     "least_acceleration",
     "limits_of",
     "mean_diameter_mm",
     "motion",
+    "natural_frequency",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
@@ -187,6 +207,8 @@ __all__ = [
     "smallest_base_radius",
     "smallest_clearance",
     "smallest_prime_radius",
+    "smoothed",
+    "springs_in_series",
     "tolerance_unit",
     "variant",
     "widest_move",

@@ -37,10 +37,10 @@ _HALF = sympy.Rational(1, 2)
 class MotionLaw:
     """A motion law: its `name` and its one expression `s` in `cammotion.x`, 0 <= x <= 1.
 
-    `also_called` lists its other names in the field, `sampled_at` the places of the points through
-    which a law of `law_from_points` goes; `curve` is S over x, to reckon with. (`s` may be given
-    as a `Curve`; its expression is made when it is asked for.) A law cannot be changed. Raises
-    InputError for what is no expression in x alone, and unless S, V, A and J are real and finite.
+    `also_called` lists its other names in the field; `curve` is S over x, to reckon with. (`s` may
+    be given as a `Curve`; its expression is made when it is asked for.) A law cannot be changed.
+    Raises InputError for what is no expression in x alone, and unless S, V, A and J are real and
+    finite.
 
     >>> parabola_up = MotionLaw("square", x**2)
     >>> parabola_up.v
@@ -52,27 +52,15 @@ class MotionLaw:
     name: str
     curve: Curve
     also_called: tuple[str, ...]
-    sampled_at: tuple[float, ...]
 
-    def __init__(
-        self,
-        name: str,
-        s: sympy.Expr | Curve,
-        also_called: tuple[str, ...] = (),
-        sampled_at: tuple[float, ...] = (),
-    ) -> None:
+    def __init__(self, name: str, s: sympy.Expr | Curve, also_called: tuple[str, ...] = ()) -> None:
         is_curve = isinstance(s, Curve)
         curve = s if is_curve else Curve(read(*zone) for zone in cut(name, s))
-        known = {"name": name, "curve": curve, "also_called": also_called, "sampled_at": sampled_at}
+        known = {"name": name, "curve": curve, "also_called": also_called}
         self.__dict__.update(known if is_curve else known | {"s": s})
 
     def __setattr__(self, name: str, _: object) -> None:
         raise AttributeError(f"A motion law cannot be changed: make another one with its {name}.")
-
-    @property
-    def is_sampled(self) -> bool:
-        """Whether the law goes through points."""
-        return bool(self.sampled_at)
 
     @cached_property
     def s(self) -> sympy.Expr:
@@ -156,9 +144,8 @@ class MotionLaw:
         >>> late.s, late(0.5)
         (1 - (1 - x)**2, 0.75)
         """
-        sampled = tuple(1 - place for place in reversed(self.sampled_at))
         curve = self.curve.placed(sympy.Integer(1), -1, sympy.Integer(1), -1)
-        return MotionLaw(f"{self.name}, reversed", curve, sampled_at=sampled)
+        return MotionLaw(f"{self.name}, reversed", curve)
 
     def part(self, start: float, end: float) -> "MotionLaw":
         """Return the part of the law between two x, stretched to go from 0 to 1 in both.
@@ -198,16 +185,14 @@ class MotionLaw:
             )
         if not part:
             return self
-        steepest = self(0.5, 1) if self.is_sampled else self.v.xreplace({x: _HALF}).doit()
+        steepest = self._middle_velocity
         velocity = 1 / (part + (1 - part) / steepest)
         scale = velocity * (1 - part) / steepest
         first = Curve(self.curve.between(0.0, 0.5)).placed(0, 1 - part, 0, scale)
         line = Series((float(_HALF - velocity * part / 2), float(velocity)), (), first.high, 0.5)
         line.expression = _HALF + velocity * (x - _HALF)
-        title, rest = f"{self.name}, {float(part):.4g} constant velocity", float(1 - part)
-        early = [place * rest for place in self.sampled_at if place <= 1 / 2]
-        late = [1 - (1 - place) * rest for place in self.sampled_at if place >= 1 / 2]
-        return MotionLaw(title, mirrored([*first.pieces, line]), (), (*early, *late))
+        title = f"{self.name}, {float(part):.4g} constant velocity"
+        return MotionLaw(title, mirrored([*first.pieces, line]))
 
     @property
     def is_monotone(self) -> bool:
@@ -264,8 +249,11 @@ class MotionLaw:
             )
 
     def __repr__(self) -> str:
-        sampled = f", sampled at {len(self.sampled_at)} points" if self.is_sampled else ""
-        return f"MotionLaw({self.name!r}{sampled})"
+        return f"MotionLaw({self.name!r})"
+
+    @property
+    def _middle_velocity(self) -> sympy.Expr:
+        return self.v.xreplace({x: _HALF}).doit()
 
     @cached_property
     def _zones(self) -> tuple[Zone, ...]:

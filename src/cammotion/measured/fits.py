@@ -1,0 +1,169 @@
+"""How a law lies to its points: through them, smoothed, repeated without rest, never swung over.
+
+All but the monotone fit are linear: the accelerations at the points are sums of shares of the
+points' positions. So what an error of each does is known without trying: at most the sum of the
+shares' magnitudes, and for random ones the root of the sum of their squares. On even points far
+from the ends, h apart, the spline through them has the bound 12 e/h^2 (errors of alternating sign)
+and the root mean square 6 e/h^2, exactly.
+"""
+
+from typing import Protocol
+
+import numpy as np
+
+from cammotion.laws.curve import Curve
+from cammotion.laws.spline import Spline
+from cammotion.measured.smoother import AnyPoints, chosen_amount
+from cammotion.quantities import Floats
+
+_APART = 64  # points; what one adds to A over there is less than the last bit
+_DRAWS = 64  # of random errors, where there is no formula
+
+
+class Fit(Protocol):
+    """A curve from points, and what errors of theirs do to its acceleration."""
+
+    is_smooth: bool
+    amount: float
+
+    def curve(self, ways: Floats) -> Curve:
+        """Return the curve over x."""
+
+    def effects(self, ways: Floats, most: float, /) -> tuple[Floats, Floats]:
+        """Return what errors up to `most` do to A: at most, and as a root mean square."""
+
+
+class Through:
+    """The cubic spline with given slopes at its ends, through all points or smoothed."""
+
+    def __init__(
+        self,
+        places: Floats,
+        slopes: tuple[float, float],
+        ways: Floats | None = None,
+        amount: float | None = 0.0,
+        is_smooth: bool = False,
+    ) -> None:
+        self.places, self.slopes, self.is_smooth = places, slopes, is_smooth
+        self._smoother = AnyPoints(places, "clamped", slopes=slopes) if is_smooth else None
+        self.amount = _amount(self._smoother, ways, amount)
+
+    def curve(self, ways: Floats) -> Curve:
+        """Return the curve over x."""
+        if self._smoother is not None:
+            ways = self._smoother.smoothed(ways, self.amount)
+        return Curve([Spline(self.places, self._spline(ways, self.slopes))])
+
+    def effects(self, _: Floats, most: float) -> tuple[Floats, Floats]:
+        """Return what errors up to `most` do to A: at most, and as a root mean square."""
+        if self._smoother is not None:
+            return _sizes(self._smoother.shares(self.amount), most)
+        units = _units(self.places.size)
+        units[[0, -1]] = 0  # the ends are exact
+        rows = self._spline(units, (np.zeros(units.shape[1]),) * 2)
+        return _sizes(_bends(rows, self.places), most)
+
+    def _spline(self, ways: Floats, slopes: object) -> Floats:
+        from scipy.interpolate import CubicSpline  # it takes a second to load
+
+        ends = [(1, slope) for slope in slopes]  # type: ignore[attr-defined]
+        return np.asarray(CubicSpline(self.places, ways, bc_type=ends).c)
+
+
+class Periodic:
+    """The spline of a law repeated without rest: what it is beside S = x repeats itself."""
+
+    def __init__(self, places: Floats, ways: Floats, amount: float | None) -> None:
+        self.places, self.is_smooth = places, amount != 0
+        self._smoother = AnyPoints(places[:-1], "periodic", period=1.0) if self.is_smooth else None
+        self.amount = _amount(self._smoother, (ways - places)[:-1], amount)
+
+    def curve(self, ways: Floats) -> Curve:
+        """Return the curve over x."""
+        beside = (ways - self.places)[:-1]
+        if self._smoother is not None:
+            beside = self._smoother.smoothed(beside, self.amount)
+            beside = beside - beside[0]
+        rows = self._spline(beside)
+        rows[-2] += 1
+        rows[-1] += self.places[:-1]
+        return Curve([Spline(self.places, rows)])
+
+    def effects(self, _: Floats, most: float) -> tuple[Floats, Floats]:
+        """Return what errors up to `most` do to A: at most, and as a root mean square."""
+        if self._smoother is not None:
+            return _sizes(self._smoother.shares(self.amount), most)
+        rows = self._spline(_units(self.places.size - 1))
+        return _sizes(_bends(rows, self.places), most)
+
+    def _spline(self, beside: Floats) -> Floats:
+        from scipy.interpolate import CubicSpline
+
+        closed = np.concatenate([beside, beside[:1]])
+        return np.array(CubicSpline(self.places, closed, bc_type="periodic").c)
+
+
+class Monotone:
+    """PCHIP, with given slopes at the ends: cubics in pieces, between which A jumps."""
+
+    is_smooth, amount = False, 0.0
+
+    def __init__(self, places: Floats, slopes: tuple[float, float]) -> None:
+        self.places, self.slopes = places, slopes
+
+    def curve(self, ways: Floats) -> Curve:
+        """Return the curve over x."""
+        rows = self._rows(ways)
+        return Curve(
+            Spline(self.places[n : n + 2], rows[:, n : n + 1]) for n in range(rows.shape[1])
+        )
+
+    def effects(self, ways: Floats, most: float) -> tuple[Floats, Floats]:
+        """Return what errors up to `most` do to A: the most of 64 draws, and their mean square.
+
+        PCHIP takes harmonic means of slopes, and so has no shares that could be summed.
+        """
+        errors = np.random.default_rng(0).uniform(-most, most, (self.places.size, _DRAWS))
+        errors[[0, -1]] = 0
+        errors[1:-1, 0] = most * (-1) ** np.arange(self.places.size - 2)
+        off = self._bends(ways[:, None] + errors) - self._bends(ways[:, None])
+        return np.max(np.abs(off), axis=1), np.sqrt(np.mean(off**2, axis=1))
+
+    def _bends(self, ways: Floats) -> Floats:
+        """Return A before and after each point."""
+        rows = self._rows(ways)
+        widths = np.diff(self.places)[:, None]
+        return np.concatenate([2 * rows[1], 2 * rows[1] + 6 * rows[0] * widths])
+
+    def _rows(self, ways: Floats) -> Floats:
+        from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
+
+        slopes = PchipInterpolator(self.places, ways).derivative()(self.places)
+        slopes[0], slopes[-1] = self.slopes
+        return np.asarray(CubicHermiteSpline(self.places, ways, slopes).c)
+
+
+def _amount(smoother: AnyPoints | None, values: Floats | None, amount: float | None) -> float:
+    if smoother is None or values is None or amount is not None:
+        return amount or 0.0
+    return chosen_amount(smoother, smoother.modes(values))
+
+
+def _units(number: int) -> Floats:
+    """Return errors of 1, in a column all that are so far apart that they do not meet."""
+    far = np.arange(number)
+    even = number - number % _APART
+    columns = np.where(far < even, far % _APART, _APART + far - even)
+    return np.asarray(np.eye(columns.max() + 1)[columns])
+
+
+def _bends(rows: Floats, places: Floats) -> Floats:
+    """Return A at each point."""
+    last = 2 * rows[1, -1:] + 6 * rows[0, -1:] * (places[-1] - places[-2])
+    return np.concatenate([2 * rows[1], last])
+
+
+def _sizes(shares: Floats, most: float) -> tuple[Floats, Floats]:
+    """Return the largest sum of shares times errors up to `most`, and its root mean square."""
+    spread = most / np.sqrt(3)  # of errors that are as likely anywhere in between
+    return most * np.sum(np.abs(shares), axis=1), spread * np.sqrt(np.sum(shares**2, axis=1))

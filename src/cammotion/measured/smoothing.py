@@ -1,0 +1,117 @@
+"""The smoothing spline of a table of a cam, with error bars through to the acceleration."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
+from cammotion.measured.cam_table import CamTable
+from cammotion.measured.differences import ERROR
+from cammotion.measured.smoother import AnyPoints, EvenCycle, Smoother, chosen_amount, score
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
+
+AMOUNT = Quantity("amount of smoothing", "", example=1e-6, high=1e12, low_included=True)
+_DERIVATIVE = (0, 1, 2)
+
+
+@dataclass(frozen=True, eq=False)
+class SmoothedTable:
+    """The smoothing spline of a `table`, with its `amount` in rad^4.
+
+    `position_mm` are its positions in mm at the table's angles, `error_mm` the root mean square of
+    the reading error in mm that the points themselves suggest: what was smoothed away, over the
+    root of the share of it that noise would lose too; 0 without smoothing. `score_mm2` is the score
+    of generalised cross-validation in mm2.
+    """
+
+    table: CamTable
+    amount: float
+    position_mm: Floats
+    error_mm: float
+    score_mm2: float
+    _smoother: Smoother = field(repr=False)
+
+    def at(self, angle_deg: ArrayLike, rate_per_hour: float = 900, derivative: int = 0) -> Numbers:
+        """Return the position in mm (or velocity in m/s, acceleration in m/s2) at a cam angle.
+
+        `derivative` is 0, 1 or 2; `rate_per_hour`, the turns of the camshaft in an hour, matters
+        for 1 and 2. The result has the shape of `angle_deg`. Raises InputError for another
+        derivative, and for angles outside of a table that is no cycle.
+        """
+        if derivative not in _DERIVATIVE:
+            raise InputError(f"The derivative is {derivative!r}; it has to be 0, 1 or 2.")
+        low, high = float(self.table.angle_deg[0]), float(self.table.angle_deg[-1])
+        if self.table.is_cycle:
+            angle = Quantity("cam angle", "deg", 10, low=-1e6, high=1e6).array(angle_deg)
+            angle = low + np.mod(angle - low, DEG_PER_TURN)
+        else:
+            angle = Quantity("cam angle", "deg", low, low, high, True).array(angle_deg)
+        per_second = DEG_PER_TURN / cycle_time(RATE.number(rate_per_hour))
+        scale = per_second**derivative / (MM_PER_M if derivative else 1)
+        return plain(self._spline(angle, derivative) * scale)
+
+    def acceleration(self, rate_per_hour: float) -> Floats:
+        """Return the acceleration in m/s2 at the table's angles, at a rate in turns an hour."""
+        return np.asarray(self.at(self.table.angle_deg, rate_per_hour, 2))
+
+    def acceleration_rms(self, rate_per_hour: float, error_rms_mm: float | None = None) -> Floats:
+        """Return the error bars in m/s2 of the acceleration at the table's angles.
+
+        They are the root mean squares of what random reading errors do to it that know nothing of
+        each other, with a root mean square of `error_rms_mm`; without it, of the `error_mm` that
+        the points suggest. What smoothing takes from the true motion is not in them: the more
+        smoothing, the smaller the bars, and the further off may be what they stand on.
+        """
+        error = self.error_mm if error_rms_mm is None else ERROR.number(error_rms_mm)
+        per_second = 2 * np.pi / cycle_time(RATE.number(rate_per_hour))
+        scale = error * per_second**2 / MM_PER_M
+        return np.asarray(self._smoother.spreads(self.amount) * scale)
+
+    @cached_property
+    def _spline(self) -> Any:
+        from scipy.interpolate import CubicSpline
+
+        angles, positions = self.table.angle_deg, self.position_mm
+        if self.table.is_cycle:
+            angles = np.append(angles, angles[0] + DEG_PER_TURN)
+            positions = np.append(positions, positions[0])
+        ends = "periodic" if self.table.is_cycle else "natural"
+        return CubicSpline(angles, positions, bc_type=ends)
+
+
+def smoothed(table: CamTable, amount: float | None = None) -> SmoothedTable:
+    """Return the smoothing spline of a table: a periodic one of a cycle, else one with free ends.
+
+    `amount` is in rad^4; a harmonic of rank k is divided by 1 + amount k^4, nearly as long as k is
+    far below half the number of points. So the rank that is halved is amount^(-1/4): with 1e-4 it
+    is the tenth. 0 is the spline through all points. Without an amount it is chosen by generalised
+    cross-validation, which takes what neighbours do not have in common for reading error: a table
+    of few points and a motion with corners can deceive it, so look at what it has chosen. Raises
+    InputError for an amount below 0, and for over 2000 points that are no cycle of even angles.
+
+    >>> turn = np.arange(36) * 10
+    >>> reading = (25 - 25 * np.cos(np.radians(turn))).round(1)
+    >>> found = smoothed(CamTable(turn, reading, step_mm=0.1, is_cycle=True))
+    >>> print(f"{found.acceleration(900)[0]:.3f} +- {found.acceleration_rms(900)[0]:.3f} m/s2")
+    0.062 +- 0.002 m/s2
+    """
+    smoother = _smoother(table)
+    modes = smoother.modes(table.position_mm)
+    taken = chosen_amount(smoother, modes) if amount is None else AMOUNT.number(amount)
+    positions = smoother.smoothed(table.position_mm, taken)
+    left = np.sum((table.position_mm - positions) ** 2)
+    freedom = np.sum(1 - 1 / (1 + taken * smoother.eigenvalues))
+    error = float(np.sqrt(left / freedom)) if freedom else 0.0
+    return SmoothedTable(table, taken, positions, error, score(smoother, modes, taken), smoother)
+
+
+def _smoother(table: CamTable) -> Smoother:
+    if table.is_cycle and table.even_step_deg is not None:
+        return EvenCycle(table.angle_deg.size)
+    places = np.radians(table.angle_deg)
+    if table.is_cycle:
+        return AnyPoints(places, "periodic", 2 * np.pi)
+    return AnyPoints(places, "natural")
