@@ -1,5 +1,6 @@
 from .dynamics.one_mass import OneMass
 from .exchange.cam_files import write_cam
+from .exchange.cam_tables import read_cam_table
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
@@ -199,6 +200,7 @@ __all__ = [
     "polynomial",
     "predict",
     "progress",
+    "read_cam_table",
     "read_segments",
     "return_",
     "rise",

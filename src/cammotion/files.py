@@ -1,6 +1,7 @@
-"""Files that are written for the learner: nothing that is there already is lost."""
+"""Files that are read and written for the learner: nothing that is there already is lost."""
 
 from pathlib import Path
+from typing import Any
 
 from cammotion.arguments import checked
 from cammotion.quantities import InputError, shorten
@@ -12,12 +13,18 @@ def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
 
     A file that is there already is left as it is, with an InputError, unless `overwrite` is True.
     """
-    if not isinstance(path, str | Path):
-        raise InputError(f"The path of the file is {shorten(path)}: give one like 'machine.svg'.")
-    path = Path(path)
+    path = as_path(path)
     try:
-        with path.open("w" if overwrite else "x", encoding="utf-8", newline="") as file:
-            file.write(text)
+        content = text.encode("utf-8")
+    except UnicodeEncodeError as wrong:
+        near = text[max(wrong.start - 10, 0) : wrong.end + 10]
+        raise InputError(
+            f"The text {shorten(near)} holds half a character, which no file can keep: write the "
+            "name again."
+        ) from None
+    try:
+        with path.open("wb" if overwrite else "xb") as file:
+            file.write(content)
     except FileExistsError:
         raise InputError(
             f"The file {path.name} is there already and was left as it is: choose another name, "
@@ -29,3 +36,44 @@ def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
             "there and that you may write to."
         ) from None
     return path
+
+
+def read_text(path: str | Path) -> str:
+    """Return the text of a file in UTF-8, its line ends as they are, without a mark at its start.
+
+    Raises InputError for a file that is not there, that cannot be read, or is no such text.
+    """
+    path = as_path(path)
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"There is no file {path.name}: give the path of one.") from None
+    except OSError as wrong:
+        raise InputError(
+            f"The file {path.name} cannot be read ({wrong.strerror}): give a file that you may "
+            "read."
+        ) from None
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as wrong:
+        line, byte = content.count(b"\n", 0, wrong.start) + 1, content[wrong.start]
+        raise InputError(
+            f"The file {path.name} cannot be read: its line {line} has the byte {byte:#04x}, which "
+            "is no character in UTF-8. Save it in the spreadsheet as 'CSV UTF-8'."
+        ) from None
+
+
+def as_path(path: Any) -> Path:
+    """Return the path of a file; raise InputError for what can be none."""
+    if not isinstance(path, str | Path):
+        raise InputError(f"The path of the file is {shorten(path)}: give one like 'machine.csv'.")
+    try:
+        is_path = "\0" not in str(path) and bool(str(path).encode("utf-8", "surrogateescape"))
+    except UnicodeEncodeError:
+        is_path = False
+    if not is_path:
+        raise InputError(
+            f"The path {shorten(str(path))} holds a character that no path may have, or none at "
+            "all: give one like 'machine.csv'."
+        )
+    return Path(path)

@@ -4,42 +4,40 @@ Two tables: that of the segments says the whole diagram, and is read back as it 
 curves lists position, velocity, acceleration and jerk of every motion over the turn.
 """
 
-import csv
-import io
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
 
-from cammotion.files import write_new
-from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS, as_law
+from cammotion.exchange.cells import name_cell, rows_as_text
+from cammotion.exchange.law_text import is_same_law, law_as_text
+from cammotion.exchange.segment_lines import (
+    DWELL,
+    HEADING,
+    IN_FULL,
+    KNOWN,
+    NUMBERS,
+    OWN,
+    RESERVED,
+    read_diagram,
+)
+from cammotion.files import as_path, read_text, write_new
+from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
-from cammotion.quantities import InputError, Quantity
+from cammotion.quantities import InputError, Quantity, WrongAnswerError, shorten
 
 STEP = Quantity(
     "step of the table", "deg", example=1, low=1e-3, high=DEG_PER_TURN, low_included=True
 )
-DWELL = "dwell"
-
 _ROUNDING = 1e-9  # the part of a step by which the last one may miss the full turn
+_DECIMALS = 10  # of an angle: 0.3, and not 0.30000000000000004
+_LONGEST = 30_000  # characters of a cell, of which a spreadsheet takes 32,767
 
-_KNOWN = {CONSTANT_VELOCITY.name: CONSTANT_VELOCITY}  # beside those of the catalogue
-_PLACES = np.linspace(0.0, 1.0, 41)  # at which two laws are compared
-
-_NUMBERS = {
-    "from_deg": "from in deg",
-    "to_deg": "to in deg",
-    "from_mm": "from in mm",
-    "to_mm": "to in mm",
-}
-_RATE = "machine rate in pieces/h"
-_HEADING = ["motion", "stops", *_NUMBERS.values(), "law", _RATE]
 _CURVES: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "position in mm": TimingDiagram.position_mm,
     "velocity in m/s": TimingDiagram.velocity,
@@ -51,9 +49,11 @@ _CURVES: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool = False) -> Path:
     """Write every segment of every motion as a line of a CSV file; return its path.
 
-    The heading names the units; `read_segments` reads the file back to the same diagram, if it is
-    given the laws that are not in the catalogue. Raises InputError for two laws of one name. A file
-    that is there already is left as it is, with an InputError, unless `overwrite` is True.
+    The heading names the units. Laws that are not in the catalogue are written in full, so that
+    `read_segments` reads the file back to the same machine; what cannot be read back so is not
+    written, with an InputError. A name that a spreadsheet would take for a formula gets a quote
+    before it. A file that is there already is left as it is, with an InputError, unless
+    `overwrite` is True.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm
@@ -62,14 +62,20 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
     ...     print(path.name, read_segments(path) == cm.EXAMPLE.diagram)
     machine.csv True
     """
-    rate = as_diagram(diagram).rate_per_hour
-    _check_names(diagram)
-    lines = (
-        [motion.name, motion.stops or "", *_numbers(segment), _law_name(segment), rate]
-        for motion in diagram.motions
-        for segment in motion.segments
-    )
-    return _write(path, [_HEADING, *lines], overwrite)
+    as_diagram(diagram)
+    laws = {id(law): law for law in _laws(diagram)}
+    in_full = {key: _in_full(law) for key, law in laws.items()}
+    rows: list[list[Any]] = [HEADING + [IN_FULL] * max([1, *map(len, in_full.values())])]
+    for motion in diagram.motions:
+        for segment in motion.segments:
+            first = [_cell("motion", motion.name), motion.stops or ""]
+            numbers, law, last = [getattr(segment, field) for field in NUMBERS], DWELL, [""]
+            if segment.law is not None:
+                law, last = _cell("law", as_law(segment.law).name), in_full[id(segment.law)]
+            rows.append([*first, *numbers, law, diagram.rate_per_hour, *last])
+    text = rows_as_text(rows)
+    _check_comes_back(diagram, text)
+    return write_new(path, text, overwrite=overwrite)
 
 
 def write_curves(
@@ -91,154 +97,72 @@ def write_curves(
     as_diagram(diagram)
     step = STEP.number(step_deg)
     steps = math.ceil(DEG_PER_TURN / step - _ROUNDING)
-    angles = np.append(step * np.arange(steps), DEG_PER_TURN)
+    angles = np.append(step * np.arange(steps), DEG_PER_TURN).round(_DECIMALS)
     times = angles * (diagram.cycle_time_s / DEG_PER_TURN)
     columns = {"cam angle in deg": angles, "time in s": times}
     for name in diagram.names:
         for what, curve in _CURVES.items():
-            columns[f"{name} {what}"] = curve(diagram, name, angles)
+            columns[name_cell(f"{name} {what}")] = curve(diagram, name, angles)
     rows = np.column_stack([*columns.values()]).tolist()
-    return _write(path, [[*columns], *rows], overwrite)
+    return write_new(path, rows_as_text([[*columns], *rows]), overwrite=overwrite)
 
 
 def read_segments(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> TimingDiagram:
     """Return the diagram that a file of `write_segments` holds.
 
     Also read is what a spreadsheet makes of it: semicolons with decimal commas, or a mark at the
-    start of the file. `laws` are further motion laws that the file names. Raises InputError, with
-    the line, for anything else.
+    start of the file. A table of an older version names laws of your own without saying what they
+    are: give them as `laws`. Raises InputError, with the line, for anything else, and for a number
+    that can be read in two ways.
     """
-    lines, decimal = _lines(path)
-    heading = [cell.strip() for cell in lines[0]] if lines else []
-    if missing := [column for column in _HEADING if column not in heading]:
+    return read_diagram(as_path(path).name, read_text(path), laws)
+
+
+def _in_full(law: MotionLaw) -> list[str]:
+    """Return the cells that say what a law is; empty for one of the catalogue under its name."""
+    known = LAWS[law.name] if law.name in LAWS else KNOWN.get(law.name)
+    if known and is_same_law(known, law):
+        return [""]
+    text = (OWN if law.name in RESERVED else "") + law_as_text(law)
+    return [name_cell(part) for part in wrap(text, _LONGEST, break_on_hyphens=False)]
+
+
+def _cell(what: str, name: Any) -> str:
+    """Return the name of a motion or a law as a cell; raise InputError for what fits in none."""
+    if not isinstance(name, str) or len(name) >= _LONGEST or name != name.rstrip():
         raise InputError(
-            f"The file {Path(path).name} lacks the column '{missing[0]}': its first line has to "
-            f"be {', '.join(_HEADING)}."
+            f"The name of a {what} is {shorten(name)}, which no cell of a table gives back: give "
+            "it a text without blanks at its end, shorter than a page."
         )
-    known = _KNOWN | {law.name.strip(): law for law in laws}
-    records = [
-        _Record(Path(path).name, number, heading, line, decimal)
-        for number, line in enumerate(lines[1:], 2)
-        if any(cell.strip() for cell in line)
-    ]
-    if not records:
-        raise InputError(f"The file {Path(path).name} has no line with a segment: add some.")
-    names = dict.fromkeys(record.cells["motion"] for record in records)
-    motions = [
-        _motion(name, [record for record in records if record.cells["motion"] == name], known)
-        for name in names
-    ]
-    return TimingDiagram(tuple(motions), _the_same(records, _RATE))
+    return name_cell(name)
 
 
-class _Record:
-    """A line of a file, with the place to name if it is wrong."""
-
-    def __init__(
-        self, file: str, line: int, heading: list[str], cells: list[str], decimal: str
-    ) -> None:
-        self.where, self.decimal = f"Line {line} of {file}", decimal
-        if any(cell.strip() for cell in cells[len(heading) :]):
-            raise InputError(
-                f"{self.where} has {len(cells)} cells, but the heading {len(heading)}: write one "
-                "number in each, with a decimal point, or separate them by semicolons."
-            )
-        given = dict(zip(heading, cells, strict=False))
-        self.cells = {column: given.get(column, "").strip() for column in _HEADING}
-
-    def number(self, column: str) -> float:
-        text = self.cells[column]
-        try:
-            number = float(text.replace(self.decimal, "."))
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
-            raise InputError(
-                f"{self.where}: '{column}' is {text!r}; it has to be a number, for example 150."
-            )
-        return number
-
-    def segment(self, known: dict[str, MotionLaw]) -> Segment:
-        name = self.cells["law"]
-        numbers = {field: self.number(column) for field, column in _NUMBERS.items()}
-        try:
-            return Segment(**numbers, law=None if name == DWELL else known.get(name, name))
-        except InputError as wrong:
-            raise InputError(f"{self.where}: {wrong}") from None
-
-
-def _motion(name: str, records: list[_Record], known: dict[str, MotionLaw]) -> Motion:
-    segments, stops = tuple(record.segment(known) for record in records), _stops(records)
+def _check_comes_back(diagram: TimingDiagram, text: str) -> None:
+    """Raise an error unless the text is read as the same diagram."""
     try:
-        return Motion(name, segments, stops)
+        back = read_diagram("the table", text)
     except InputError as wrong:
-        raise InputError(f"{records[0].where} and further: {wrong}") from None
+        raise WrongAnswerError("write_segments", f"its table is not read ({wrong})") from None
+    if not _is_same(back, diagram):
+        raise WrongAnswerError("write_segments", "the table gives back another machine")
 
 
-def _stops(records: list[_Record]) -> Any:
-    if not any(record.cells["stops"] for record in records):
-        return None
-    stops = _the_same(records, "stops")
-    return int(stops) if stops.is_integer() else stops  # Motion refuses what is not whole
+def _is_same(one: TimingDiagram, other: TimingDiagram) -> bool:
+    """Return whether two diagrams have the same motions, with laws that are the same curves."""
+
+    def numbers(diagram: TimingDiagram) -> list[Any]:
+        return [
+            [
+                motion.name,
+                motion.stops,
+                *([getattr(s, f) for f in NUMBERS] for s in motion.segments),
+            ]
+            for motion in diagram.motions
+        ]
+
+    pairs = zip(_laws(one), _laws(other), strict=False)
+    return numbers(one) == numbers(other) and all(is_same_law(*pair) for pair in pairs)
 
 
-def _the_same(records: list[_Record], column: str) -> float:
-    """Return the number that stands in this column of every line."""
-    first = records[0].number(column)
-    for record in records:
-        if record.number(column) != first:
-            raise InputError(
-                f"{record.where}: '{column}' is {record.number(column):g}, but {first:g} in the "
-                f"first line of the {'motion' if column == 'stops' else 'diagram'}: write the same "
-                "in both."
-            )
-    return first
-
-
-def _numbers(segment: Segment) -> list[float]:
-    return [getattr(segment, field) for field in _NUMBERS]
-
-
-def _check_names(diagram: TimingDiagram) -> None:
-    """Raise InputError for two laws of one name, of which the file could say only one."""
-    known = {DWELL: CONSTANT_VELOCITY, **_KNOWN}
-    for motion in diagram.motions:
-        for move in motion.moves:
-            law = as_law(move.law)
-            name = law.name.strip()
-            other = LAWS[name] if name in LAWS else known.setdefault(name, law)
-            if other is not law and not np.array_equal(other(_PLACES), law(_PLACES)):
-                raise InputError(
-                    f"Two laws are called {law.name!r}, one of them that of the {motion.name}; a "
-                    "table tells them apart by their names: give each its own."
-                )
-
-
-def _law_name(segment: Segment) -> str:
-    return DWELL if segment.law is None else as_law(segment.law).name
-
-
-def _write(path: str | Path, rows: Iterable[Iterable[object]], overwrite: bool) -> Path:
-    text = io.StringIO(newline="")
-    csv.writer(text).writerows(rows)
-    return write_new(path, text.getvalue(), overwrite=overwrite)
-
-
-def _lines(path: str | Path) -> tuple[list[list[str]], str]:
-    """Return the lines of a file, cut into cells, and its decimal sign."""
-    try:
-        with Path(path).open(encoding="utf-8-sig", newline="") as file:
-            text = file.read()
-    except FileNotFoundError:
-        raise InputError(f"There is no file {Path(path).name}: give the path of one.") from None
-    except (OSError, UnicodeDecodeError) as wrong:
-        raise InputError(f"The file {Path(path).name} cannot be read ({wrong}).") from None
-    separator, decimal = (";", ",") if ";" in text.partition("\n")[0] else (",", ".")
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
-    try:
-        return list(reader), decimal
-    except csv.Error as wrong:
-        raise InputError(
-            f"Line {reader.line_num} of {Path(path).name} cannot be cut into cells ({wrong}): "
-            "look for a quotation mark too many."
-        ) from None
+def _laws(diagram: TimingDiagram) -> Iterator[MotionLaw]:
+    return (as_law(move.law) for motion in diagram.motions for move in motion.moves)

@@ -1,0 +1,110 @@
+"""The cells of a table: numbers with a decimal point or comma, and names that are no formulas."""
+
+import csv
+import io
+import math
+import re
+from collections.abc import Iterable
+
+from cammotion.quantities import InputError
+
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet reckons with a cell that begins so
+_QUOTE = "'"
+_GROUPED = {mark: re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:{re.escape(mark)}\d{{3}})+") for mark in ",."}
+_OTHER = {",": ".", ".": ","}
+
+
+def cut_rows(file: str, text: str) -> tuple[list[list[str]], str]:
+    """Return the rows of a table, cut into cells, and the sign that separates the cells.
+
+    That is the semicolon where the first line has one, else the comma. `file` is the name to tell
+    in the InputError for what cannot be cut.
+    """
+    separator = ";" if ";" in text.partition("\n")[0] else ","
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    try:
+        return list(reader), separator
+    except csv.Error as wrong:
+        raise InputError(
+            f"Line {reader.line_num} of {file} cannot be cut into cells ({wrong}): look for a "
+            "quotation mark too many."
+        ) from None
+
+
+def rows_as_text(rows: Iterable[Iterable[object]]) -> str:
+    """Return rows as the text of a file with commas between the cells."""
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    return text.getvalue()
+
+
+def decimal_mark(cells: Iterable[str]) -> str:
+    """Return the decimal sign of numbers, as far as they tell; "" if both signs are possible.
+
+    A sign tells nothing where three digits follow it, since it may separate the thousands.
+
+    >>> decimal_mark(["2.400", "0,5"]), decimal_mark(["2.400", "55"])
+    (',', '')
+    """
+    marks = {_told_by(cell) for cell in cells} - {""}
+    return marks.pop() if len(marks) == 1 else ""
+
+
+def number_in(cell: str, decimal: str) -> float:
+    """Return the number in a cell; nan for what is none, and for what can be read in two ways.
+
+    >>> number_in("2.400", ","), number_in("2.400", "."), number_in("2.400", "")
+    (2400.0, 2.4, nan)
+    """
+    mark = _told_by(cell) or decimal
+    if (decimal and mark != decimal) or (not mark and two_readings(cell)):
+        return math.nan
+    thousands = _OTHER.get(mark, "")
+    whole, point, rest = cell.partition(mark) if mark else (cell, "", "")
+    if thousands and thousands in whole and _GROUPED[thousands].fullmatch(whole):
+        whole = whole.replace(thousands, "")
+    try:
+        number = float(whole + ("." if point else "") + rest)
+    except ValueError:
+        return math.nan
+    return number if math.isfinite(number) else math.nan
+
+
+def two_readings(cell: str) -> tuple[str, str] | None:
+    """Return both numbers that a cell may stand for, like 2400 and 2.4; None for any other cell."""
+    for mark, grouped in _GROUPED.items():
+        if cell.count(mark) == 1 and grouped.fullmatch(cell):
+            return cell.replace(mark, ""), cell.replace(mark, ".")
+    return None
+
+
+def name_cell(name: str) -> str:
+    """Return a name as it stands in a cell: what a spreadsheet would reckon with gets a quote.
+
+    >>> name_cell("=1+1"), name_cell("die")
+    ("'=1+1", 'die')
+    """
+    return _QUOTE + name if _is_odd(name) else name
+
+
+def name_in(cell: str) -> str:
+    """Return the name for which a cell of `name_cell` stands."""
+    is_quoted = cell.startswith(_QUOTE) and _is_odd(cell[1:])
+    return cell[1:] if is_quoted else cell
+
+
+def _is_odd(name: str) -> bool:
+    return name.startswith((*_FORMULA, _QUOTE)) or name != name.lstrip()
+
+
+def _told_by(cell: str) -> str:
+    """Return the decimal sign that a cell shows; "" if it shows none."""
+    commas, points = cell.count(","), cell.count(".")
+    if commas and points:
+        return max(",", ".", key=cell.rfind)
+    mark = "," if commas else "." if points else ""
+    if not mark:
+        return ""
+    if _GROUPED[mark].fullmatch(cell):
+        return _OTHER[mark] if max(commas, points) > 1 else ""
+    return mark

@@ -1,0 +1,178 @@
+"""Expressions of motion laws as text, and text read as an expression without running any of it.
+
+What may be written is `x`, numbers, pi and E, + - * / **, the functions of `FUNCTIONS`, and cases:
+Piecewise((2*x**2, x <= 1/2), (1 - 2*(1 - x)**2, True)).
+"""
+
+import ast
+import operator
+import warnings
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import Any
+
+import sympy
+from sympy.printing.str import StrPrinter
+
+from cammotion.laws.symbols import x
+from cammotion.quantities import InputError, shorten
+
+FUNCTIONS: dict[str, Any] = {
+    name: getattr(sympy, name)
+    for name in ("sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt")
+}
+"""The functions that an expression may use, by their names."""
+
+ALLOWED = f"x, numbers, pi, E, + - * / **, {', '.join(FUNCTIONS)} and Piecewise"
+"""What an expression may be written in, in words."""
+
+_NAMES = {"x": x, "pi": sympy.pi, "E": sympy.E}
+_FORMS = (sympy.Add, sympy.Mul, sympy.Pow, *list(FUNCTIONS.values())[:-1])
+_SIGNS: dict[type[ast.AST], Callable[..., Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.USub: operator.neg,
+    ast.UAdd: operator.pos,
+}
+_DEEPEST, _MOST_PARTS = 150, 50_000  # levels and parts of an expression
+_LARGEST = 1000  # exponent, and number of which a function is taken: more could take for ever
+_BITS = 20_000  # of a whole number
+
+
+def expression_as_text(expression: sympy.Expr) -> str:
+    """Return an expression in `x` as text that `expression_from_text` reads; floats in full.
+
+    >>> expression_as_text(0.1 * x + sympy.sin(2 * sympy.pi * x) / 3)
+    '0.1*x + sin(2*pi*x)/3'
+    """
+    others = {part: sympy.Float(float(part)) for part in _other_numbers(expression)}
+    return str(_Printer().doprint(expression.xreplace(others)))
+
+
+def expression_from_text(text: str) -> sympy.Expr:
+    """Return the expression that a text says; raise InputError for any other text.
+
+    Nothing of it is run, whatever it says, and what could take for ever is refused.
+
+    >>> expression_from_text("3*x**2 - 2*x**3")
+    -2*x**3 + 3*x**2
+    """
+    try:
+        tree = parsed(text)
+        _check_size(tree)
+        return _read_cases(tree)
+    except InputError:
+        raise
+    except (SyntaxError, TypeError, ValueError, ArithmeticError, MemoryError, RecursionError):
+        raise InputError(
+            f"The expression {shorten(text)} cannot be read: look for a bracket or a sign too "
+            f"many. It may have {ALLOWED}."
+        ) from None
+
+
+def parsed(text: str) -> Any:
+    """Return the parts of a text that is one expression of Python's; nothing is run."""
+    with warnings.catch_warnings(action="ignore"):  # of what looks odd in Python
+        return ast.parse(text.strip(), mode="eval").body
+
+
+class _Printer(StrPrinter):  # type: ignore[misc]
+    """SymPy's own text, but floats with all their digits."""
+
+    def _print_Float(self, number: sympy.Float) -> str:  # noqa: N802 - SymPy's name
+        return repr(float(number))
+
+
+def _other_numbers(expression: sympy.Basic) -> Iterator[sympy.Expr]:
+    """Yield the numbers that have no text here, like gamma(1/3)."""
+    if isinstance(expression, sympy.Expr) and not expression.free_symbols:
+        known = expression.is_Rational or expression.is_Float or expression in _NAMES.values()
+        if known or not isinstance(expression, _FORMS):
+            yield from () if known else (expression,)
+            return
+    for part in expression.args:
+        yield from _other_numbers(part)
+
+
+def _check_size(tree: ast.AST) -> None:
+    level, parts, depth = [tree], 0, 0
+    while level:
+        parts, depth = parts + len(level), depth + 1
+        level = [child for node in level for child in ast.iter_child_nodes(node)]
+    if depth > _DEEPEST or parts > _MOST_PARTS:
+        raise InputError(
+            f"The expression has {parts} parts in {depth} levels: give a shorter one, or a table "
+            "of its points to law_from_points."
+        )
+
+
+def _read(node: ast.AST) -> Any:
+    """Return what a part of the text says."""
+    match node:
+        case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
+            return sympy.sympify(number)
+        case ast.Name(id=name) if name in _NAMES:
+            return _NAMES[name]
+        case ast.UnaryOp(op=sign, operand=inner) if type(sign) in _SIGNS:
+            return _SIGNS[type(sign)](_read(inner))
+        case ast.BinOp(left=left, op=ast.Pow(), right=right):
+            return _power(_read(left), _read(right))
+        case ast.BinOp(left=left, op=sign, right=right) if type(sign) in _SIGNS:
+            return _SIGNS[type(sign)](_read(left), _read(right))
+        case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in FUNCTIONS:
+            return FUNCTIONS[name](_tame(_read(inner)))
+    raise InputError(
+        f"The expression holds {shorten(ast.unparse(node))}: it may have only {ALLOWED}."
+    )
+
+
+def _read_cases(node: ast.AST) -> Any:
+    """Return what the whole text says; only the whole can be in cases."""
+    match node:
+        case ast.Call(func=ast.Name(id="Piecewise"), args=[*first, last], keywords=[]):
+            cases, ends = [_case(case, ast.Compare) for case in first], [0.0]
+            for _, condition in cases:
+                ends.append(float(condition.rhs))
+            if not all(low < high < 1 for low, high in pairwise(ends)):
+                raise InputError(
+                    "The cases of the expression are not in order: let each end at a larger x "
+                    "than the one before it, and the last one, with True, go on to 1."
+                )
+            return sympy.Piecewise(*cases, _case(last, ast.Constant), evaluate=False)
+    return _read(node)
+
+
+def _case(node: ast.AST, kind: type[ast.AST]) -> tuple[Any, Any]:
+    """Return the expression and the condition of a case, x <= a number, or True."""
+    match node:
+        case ast.Tuple(elts=[inner, ast.Constant(value=True)]) if kind is ast.Constant:
+            return _read(inner), sympy.true
+        case ast.Tuple(
+            elts=[inner, ast.Compare(left=ast.Name(id="x"), ops=[ast.LtE()], comparators=[end])]
+        ) if kind is ast.Compare:
+            return _read(inner), sympy.Le(x, _tame(_read(end)), evaluate=False)
+    raise InputError(
+        f"The case {shorten(ast.unparse(node))} cannot be read: write each one like "
+        "(2*x**2, x <= 1/2), and the last one with True."
+    )
+
+
+def _power(base: Any, exponent: Any) -> Any:
+    number = _tame(exponent)
+    if base.is_Rational and number.is_number:
+        bits = max(base.p.bit_length(), base.q.bit_length())
+        if bits * abs(number) > _BITS:
+            raise InputError(f"The expression holds a number of more than {_BITS} bits.")
+    return base**number
+
+
+def _tame(number: Any) -> Any:
+    """Return what is no number, or a real one of ordinary size; raise InputError for others."""
+    if number.is_number and not abs(complex(number)) <= _LARGEST:
+        raise InputError(
+            f"The expression holds a power or a function of a number like {shorten(str(number))}: "
+            f"keep such numbers below {_LARGEST}."
+        )
+    return number

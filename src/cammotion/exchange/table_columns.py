@@ -1,0 +1,287 @@
+"""Which columns of numbers a text holds: separators, decimal marks, headings and broken rows.
+
+Each separator and each decimal mark is tried. The one with which most lines have two numbers is
+taken if every line between them has; two that give different numbers are a question.
+"""
+
+import csv
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from cammotion.exchange.table_headings import Heading, heading_of, pick, two_headings
+from cammotion.exchange.table_numbers import is_grouped, number_of, proves_groups
+from cammotion.exchange.table_text import Line, Text
+from cammotion.quantities import Floats, InputError, shorten
+
+SEPARATORS = {"\t": "tabs", ";": "semicolons", "|": "bars", ",": "commas", " ": "spaces"}
+DECIMALS = {".": "decimal points", ",": "decimal commas"}
+_NO_NUMBER = re.compile(r"[+-]?(nan|inf|infinity|n/?a|null|none|nil|-+|\?+|x+)|#.*", re.IGNORECASE)
+_DATE = re.compile(r"\d{4}-\d\d?-\d\d?|\d\d?[./]\d\d?[./]\d{4}")
+_LETTERS = 2  # a word has so many
+_HEADINGS = 2  # lines over the table that may be headings
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is set of a table, and not to be found out."""
+
+    separator: str | None = None
+    decimal: str | None = None
+    columns: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of a table: the number of its line, its text, and its cells."""
+
+    line: int
+    text: str
+    cells: list[str]
+
+
+@dataclass(frozen=True, eq=False)
+class Columns:
+    """Two columns of a file as they are written and as numbers, and how they were read."""
+
+    name: str
+    separator: str
+    decimal: str
+    rows: list[Row]
+    headings: list[Heading]
+    chosen: tuple[int, int]
+    numbers: Floats  # (rows, 2)
+
+    def cells(self, which: int) -> list[str]:
+        """Return the cells of the first or the second chosen column, as they are written."""
+        return [row.cells[self.chosen[which]] for row in self.rows]
+
+    def where(self, row: int) -> str:
+        """Return the place of a row in words."""
+        return f"Line {self.rows[row].line} of {self.name}"
+
+
+def columns_of(text: Text, asked: Asked) -> Columns:
+    """Return the two columns of a text; raise InputError for what is none, or is ambiguous."""
+    attempts = [_Attempt(text, *marks, asked) for marks in _marks(text, asked)]
+    most = max(len(attempt.good) for attempt in attempts)
+    if not most:
+        raise InputError(
+            f"The file {text.name} has no line with two numbers: give a table with a row for each "
+            "angle, in which the angle and the position stand in columns."
+        )
+    read, wrong = [], []
+    for attempt in attempts:
+        if len(attempt.good) == most:
+            try:
+                read.append(attempt.columns())
+            except InputError as refused:
+                wrong.append(refused)
+    if not read:
+        raise wrong[0]
+    return _the_one(read)
+
+
+def _marks(text: Text, asked: Asked) -> Iterator[tuple[str, str]]:
+    """Yield separators with decimal marks, the likely ones first."""
+    separator = asked.separator or text.separator
+    has_comma = any("," in line.text for line in text.lines)
+    decimals = asked.decimal or (".," if has_comma else ".")
+    yield from product(separator or SEPARATORS, decimals)
+
+
+def _the_one(read: list[Columns]) -> Columns:
+    """Return the reading on which all agree, or that alone whose first column rises."""
+    different = [
+        n
+        for n, one in enumerate(read)
+        if not any(np.array_equal(one.numbers, other.numbers) for other in read[:n])
+    ]
+    if len(different) > 1:
+        rising = [n for n in different if (np.diff(read[n].numbers[:, 0]) > 0).all()]
+        different = rising or different
+    if len(different) == 1:
+        return read[different[0]]
+    one, other = (read[n] for n in different[:2])
+    row = int(np.argmax((one.numbers != other.numbers).any(axis=1)))
+    ways = " or ".join(
+        f"{numbers[0]:.12g} and {numbers[1]:.12g} "
+        f"(separator={each.separator!r}, decimal={each.decimal!r})"
+        for each in (one, other)
+        for numbers in [each.numbers[row]]
+    )
+    raise InputError(
+        f"{one.where(row)}, {shorten(one.rows[row].text.strip())}, can be read as {ways}: nothing "
+        "in the file decides it, so say so with these arguments."
+    )
+
+
+class _Attempt:
+    """A text as one separator cuts it."""
+
+    def __init__(self, text: Text, separator: str, decimal: str, asked: Asked) -> None:
+        self.name, self.separator, self.decimal = text.name, separator, decimal
+        self.asked, self.lines = asked, text.lines
+        self.cells = [_cut(line.text, separator) for line in text.lines]
+        self.chosen = asked.columns or (0, 1)
+        self.good = [n for n in range(len(self.cells)) if self._is_row(n)]
+
+    def columns(self) -> Columns:
+        """Return the columns; raise InputError for the first line that breaks the table."""
+        first, last = self.good[0], self.good[-1]
+        for n in range(first, last + 1):
+            if not self._is_row(n) and any(self.cells[n]):
+                self._refuse(n)
+        for n in (*range(first), *range(last + 1, len(self.lines))):
+            if not self._may_stand_outside(n, is_above=n < first):
+                self._refuse(n)
+        self._check_widths()
+        headings = self._headings()
+        if not self.asked.columns:
+            self.chosen = pick(headings)
+            for n in self.good:
+                if not self._is_row(n):
+                    self._refuse(n)
+        rows = [Row(self.lines[n].number, self.lines[n].text, self.cells[n]) for n in self.good]
+        numbers = [[number_of(r.cells[c], self.decimal) for c in self.chosen] for r in rows]
+        columns = Columns(
+            *(self.name, self.separator, self.decimal, rows, headings, self.chosen),
+            np.array(numbers, dtype=float),
+        )
+        _check_cut_in_two(columns, self.asked)
+        if self.asked.decimal is None:
+            _check_groups(columns)
+        return columns
+
+    def _is_row(self, n: int) -> bool:
+        cells = self.cells[n]
+        return max(self.chosen) < len(cells) and all(
+            number_of(cells[place], self.decimal) is not None for place in self.chosen
+        )
+
+    def _may_stand_outside(self, n: int, *, is_above: bool) -> bool:
+        """Return whether a line above or below the table is no broken row of it."""
+        cells = self.cells[n]
+        if not any(cells):
+            return True
+        first, second = (cells[at] if at < len(cells) else "" for at in self.chosen)
+        number = number_of(first, self.decimal)
+        if number is not None:  # alone it may say how many rows there are
+            return is_above and sum(map(bool, cells)) == 1 and number == len(self.good)
+        if _DATE.match(first):
+            return is_above
+        has_word = sum(map(str.isalpha, first)) >= _LETTERS and not _NO_NUMBER.fullmatch(first)
+        if is_above:
+            return has_word or not (
+                _NO_NUMBER.fullmatch(first) or any(map(str.isdigit, first + second))
+            )
+        return has_word and not any(map(str.isdigit, self.lines[n].text))
+
+    def _refuse(self, n: int) -> None:
+        line = self.lines[n]
+        raise InputError(
+            f"Line {line.number} of {self.name} is {shorten(line.text.strip())}, where a row with "
+            f"two numbers was expected (cells between {SEPARATORS.get(self.separator, 'marks')}, "
+            f"{DECIMALS[self.decimal]}): correct it, take it out, or make it a comment with # "
+            "in front."
+        )
+
+    def _check_widths(self) -> None:
+        """Raise InputError unless all rows have as many cells, empty ones at the end or not."""
+        whole = [len(self.cells[n]) for n in self.good]
+        filled = [_filled(self.cells[n]) for n in self.good]
+        if len(set(whole)) == 1 or len(set(filled)) == 1:
+            return
+        usual = max(set(filled), key=filled.count)
+        odd = next(n for n, count in zip(self.good, filled, strict=True) if count != usual)
+        line = self.lines[odd]
+        raise InputError(
+            f"Line {line.number} of {self.name}, {shorten(line.text.strip())}, has "
+            f"{_filled(self.cells[odd])} cells and most others have {usual}: correct it."
+        )
+
+    def _headings(self) -> list[Heading]:
+        """Return what stands over each column."""
+        count = max(len(self.cells[n]) for n in self.good)
+        words: list[list[str]] = [[] for _ in range(count)]
+        for n in self._above():
+            cells = [c for c in _cut(_said(self.lines[n]), self.separator) if c]
+            if len(cells) == min(count, _filled(self.cells[self.good[0]])):
+                for word, cell in zip(words, cells, strict=False):
+                    word.append(cell)
+        if any(words) or not self._above():
+            return [heading_of(" ".join(word)) for word in words]
+        known = two_headings(_said(self.lines[self._above()[-1]]))
+        return [*known, *[Heading("", "")] * (count - len(known))]
+
+    def _above(self) -> list[int]:
+        """Return the lines over the table that may be its headings."""
+        found = [
+            n
+            for n in range(self.good[0])
+            if _said(self.lines[n])
+            and not any(number_of(cell, self.decimal) is not None for cell in self.cells[n])
+        ]
+        return found[-_HEADINGS:]
+
+
+def _said(line: Line) -> str:
+    """Return the text of a line, or its comment if it is nothing else."""
+    return line.text if line.text.strip() else line.comment
+
+
+def _filled(cells: Sequence[str]) -> int:
+    return max((n for n, cell in enumerate(cells, 1) if cell), default=0)
+
+
+def _cut(line: str, separator: str) -> list[str]:
+    if separator == " ":
+        return re.split(r"[ \t]+", line.strip(" \t"))
+    if separator == "|":
+        line = line.strip().strip("|")
+    if '"' in line:
+        try:
+            (cells,) = csv.reader([line], delimiter=separator, strict=True, skipinitialspace=True)
+        except (csv.Error, ValueError):
+            cells = line.split(separator)
+    else:
+        cells = line.split(separator)
+    return [cell.strip() for cell in cells]
+
+
+def _check_cut_in_two(columns: Columns, asked: Asked) -> None:
+    """Raise InputError where commas may be decimal marks as well as separators."""
+    row = columns.rows[0]
+    if columns.separator != "," or '"' in row.text or len(row.cells) < 3:  # noqa: PLR2004 - a third
+        return
+    has_point = any("." in cell for row in columns.rows for cell in row.cells)
+    if has_point or (asked.separator == "," and asked.decimal == "."):
+        return
+    raise InputError(
+        f"Line {row.line} of {columns.name}, {shorten(row.text.strip())}, has {len(row.cells)} "
+        "whole numbers between commas, some of which may be decimal marks: give separator=',' and "
+        "decimal='.' if none is; else write the table with semicolons between the columns."
+    )
+
+
+def _check_groups(columns: Columns) -> None:
+    """Raise InputError where a mark of thousands may be a decimal mark, as in 2,400."""
+    for which, values in enumerate(columns.numbers.T):
+        cells = columns.cells(which)
+        grouped = [n for n, cell in enumerate(cells) if is_grouped(cell, columns.decimal)]
+        if any(proves_groups(cells[n], columns.decimal) for n in grouped):
+            continue
+        other = "," if columns.decimal == "." else "."
+        for n in grouped:
+            beside = [values[m] for m in (n - 1, n + 1) if 0 <= m < len(values)]
+            small = number_of(cells[n], other)
+            near = sum(beside) / len(beside) if beside else 0.0
+            if small is not None and abs(values[n] - near) >= abs(small - near):
+                raise InputError(
+                    f"{columns.where(n)}: {cells[n]!r} may be {small:.12g} or {values[n]:.12g}, "
+                    f"since other numbers have {DECIMALS[columns.decimal]}: correct the line, or "
+                    f"give decimal={columns.decimal!r} if it is {values[n]:.12g}."
+                )
