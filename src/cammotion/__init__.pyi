@@ -1,4 +1,12 @@
+from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.one_mass import OneMass
+from .dynamics.residual import (
+    dynamic_factor,
+    residual_vibration,
+    running_factor,
+    running_residual,
+)
+from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
 from .exchange.cam_files import write_cam
 from .exchange.cam_tables import read_cam_table
 from .exchange.tables import read_segments, write_curves, write_segments
@@ -73,6 +81,7 @@ from .views.explorers.scca import explore_scca
 from .views.explorers.shares import explore_shares
 from .views.explorers.ways import explore_ways
 from .views.fit_plots import plot_fit
+from .views.follower_plots import plot_residual, plot_response
 from .views.law_plots import plot_laws, plot_ranking
 from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_weight
 from .views.live.explore import explore
@@ -98,6 +107,7 @@ __all__ = [
     "Box",
     "Button",
     "CamTable",
+    "Chain",
     "ClearanceRule",
     "Control",
     "Cross",
@@ -118,6 +128,7 @@ __all__ = [
     "Motion",
     "MotionLaw",
     "Move",
+    "MoveResponse",
     "NumberControl",
     "OneMass",
     "OwnInertia",
@@ -132,6 +143,8 @@ __all__ = [
     "Say",
     "Segment",
     "SmoothedTable",
+    "StartResponse",
+    "SteadyResponse",
     "SwingingRoller",
     "TimingDiagram",
     "TranslatingRoller",
@@ -152,6 +165,7 @@ __all__ = [
     "deviation_um",
     "differences",
     "dwell",
+    "dynamic_factor",
     "explore",
     "explore_cam",
     "explore_follower",
@@ -194,6 +208,8 @@ __all__ = [
     "plot_laws",
     "plot_peaks",
     "plot_ranking",
+    "plot_residual",
+    "plot_response",
     "plot_timing",
     "plot_torque",
     "plot_weight",
@@ -202,8 +218,11 @@ __all__ = [
     "progress",
     "read_cam_table",
     "read_segments",
+    "residual_vibration",
     "return_",
     "rise",
+    "running_factor",
+    "running_residual",
     "scca",
     "size_step_mm",
     "smallest_base_radius",
@@ -212,6 +231,8 @@ __all__ = [
     "smoothed",
     "springs_in_series",
     "tolerance_unit",
+    "tuned_mass",
+    "two_masses",
     "variant",
     "widest_move",
     "with_angle",

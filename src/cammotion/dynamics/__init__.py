@@ -1,4 +1,4 @@
 """What moves beyond the law: a follower that gives way and swings.
 
-It takes the acceleration of a law as it is written, and answers in expressions too.
+A mass on a spring or a row of them, driven by a law or a motion: expressions and exact numbers.
 """

@@ -12,10 +12,10 @@ undamped, swings during the move. (w is the natural angular frequency times tm.)
 In a zone of the law, where A is a polynomial and waves, there is a motion of the same form that
 obeys the equation: the forced one. Two forced motions do not meet at a joint. What is between them
 sets off a free swing there, which makes position and velocity go on without a jump. The response
-is the forced motion of the zone less the free swings of all joints that have passed.
+is the forced motion of the zone less the free swings of all joints that have passed. Its numbers
+are those of `MoveResponse`, which needs no formula and has none that is 0/0 in resonance.
 """
 
-from collections.abc import Callable
 from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -24,19 +24,20 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
+from cammotion.dynamics.chain import tuned_mass
+from cammotion.dynamics.response import MoveResponse
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.reader import Zone, cut
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
+from cammotion.machine.kinematics import MM_PER_M, Move
+from cammotion.quantities import InputError, Numbers, Quantity
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=1.5, low=-1e6, high=1e6)
 _SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
 _DAMPING = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
-_LEAST_DAMPING = 1e-8  # undamped and in resonance the formulas are 0/0: so little changes nothing
 _SAME, _PROBES = 1e-12, (0.3123, 0.7411)  # zones that differ by less there are one
 _ACCELERATION = 2  # the highest derivative a response is asked for
-_SAMPLES = 64  # of a swing, and of the move
 tau, zeta = sympy.symbols("tau zeta", positive=True)
 
 
@@ -98,33 +99,23 @@ class OneMass:
                 f"The derivative is {derivative!r}; it has to be 0, 1 or 2, for the position, the "
                 "velocity or the acceleration of the mass."
             )
-        return plain(self._at(_TIME.array(x), derivative))
+        times = _TIME.array(x)
+        if derivative == 0:
+            return self._response.position_mm(times) / MM_PER_M
+        return (self._response.velocity, self._response.acceleration)[derivative - 1](times)
 
     @cached_property
     def peak(self) -> float:
         """The largest magnitude of the mass's acceleration, during the move and after it.
 
-        It is a factor like Ca: times hm/tm^2 it is in m/s^2. Searched for among 64 places of each
-        swing, and narrowed to the last digits. Raises InputError where a number is a symbol.
+        It is a factor like Ca: times hm/tm^2 it is in m/s^2. Raises InputError where a number is a
+        symbol.
 
         >>> print(f"{OneMass('constant acceleration', swings=5, damping=0).peak:.3f}")
         16.000
         """
-        from scipy.optimize import minimize_scalar
-
-        swings = self._numbers[0]
-        end = 1 + 1 / swings  # after the move every swing is smaller than the one before
-        places = np.linspace(0, end, int(_SAMPLES * (1 + end * max(swings, 1))) + 1)
-        sizes = np.abs(self._at(places, _ACCELERATION))
-        best = int(np.argmax(sizes))
-        around = places[max(best - 1, 0)], places[min(best + 1, len(places) - 1)]
-        found = minimize_scalar(
-            lambda place: -abs(float(self._at(np.asarray(place), _ACCELERATION))),
-            bounds=around,
-            method="bounded",
-            options={"xatol": 1e-10},
-        )
-        return float(max(-found.fun, sizes[best]))
+        end = 1 + 1 / self._number(tau)  # after the move each swing is less than the one before
+        return self._response.peak_acceleration(over=(0, end)).value
 
     @property
     def amplification(self) -> float:
@@ -138,27 +129,25 @@ class OneMass:
     def __repr__(self) -> str:
         return f"OneMass({self.law.name!r}, swings={self._of[tau]}, damping={self._of[zeta]})"
 
-    @property
-    def _numbers(self) -> tuple[float, float]:
-        swings, damping = self._of[tau], self._of[zeta]
-        if not (isinstance(swings, float) and isinstance(damping, float)):
+    @cached_property
+    def _response(self) -> MoveResponse:
+        """What it does over a move of 1 m in 1 s, in which the factors are m, m/s and m/s2."""
+        swings, damping = self._number(tau), self._number(zeta)
+        move = Move(stroke_mm=MM_PER_M, angle_deg=360, rate_per_hour=3600, law=self.law)
+        return MoveResponse(tuned_mass(swings, damping), move)
+
+    def _number(self, symbol: sympy.Symbol) -> float:
+        value = self._of[symbol]
+        if not isinstance(value, float):
             raise InputError(
                 f"{self!r} has symbols and no numbers: ask for its expressions z and a, or give "
                 "numbers for swings and damping."
             )
-        return swings, max(damping, _LEAST_DAMPING)
+        return value
 
     def _written(self, derivative: int) -> sympy.Expr:
         values = {s: v if isinstance(v, sympy.Expr) else exact(v) for s, v in self._of.items()}
         return _response(self.law, derivative).subs(values, simultaneous=True)
-
-    def _at(self, places: Floats, derivative: int) -> Floats:
-        with np.errstate(all="ignore"):  # of a swing that has not yet begun, which is not taken
-            values = _compiled(self.law, derivative)(places, *self._numbers)
-        moved = np.clip(places, 0, 1)
-        if derivative < _ACCELERATION:
-            values = values + (self.law.curve.derived(derivative)(moved))
-        return np.broadcast_to(np.asarray(values, dtype=float), places.shape)
 
 
 class _Forced(NamedTuple):
@@ -189,14 +178,6 @@ def _response(law: MotionLaw, derivative: int) -> sympy.Expr:
         given = zone.acceleration if derivative == _ACCELERATION else 0
         pieces.append((zone.motion.diff(x, derivative) + given, x <= zone.end))
     return sympy.Piecewise(*pieces, (0, True), evaluate=False) - sympy.Add(*swings)
-
-
-@lru_cache(maxsize=64)
-def _compiled(law: MotionLaw, derivative: int) -> Callable[..., Floats]:
-    """Return the same formula for numbers."""
-    return sympy.lambdify(  # type: ignore[no-any-return]
-        (x, tau, zeta), _response(law, derivative), "numpy", cse=True
-    )
 
 
 @lru_cache(maxsize=64)

@@ -86,28 +86,28 @@ class Placed(Piece):
     def __init__(
         self, inner: Piece, shift: Number, width: Number, offset: Number, factor: Number
     ) -> None:
-        self._inner, self._exact = inner, (shift, width, offset, factor)
-        self._shift, self._width = float(shift), float(width)
-        self._offset, self._factor = float(offset), float(factor)
+        self.inner, self._exact = inner, (shift, width, offset, factor)
+        self.shift, self.width = float(shift), float(width)
+        self._offset, self.factor = float(offset), float(factor)
         self.low, self.high = sorted(map(self._out, (inner.low, inner.high)))
 
     def at(self, place: float) -> float:
         """Return the value at one place."""
-        return self._offset + self._factor * self._inner.at(self._in(place))
+        return self._offset + self.factor * self.inner.at(self._in(place))
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given."""
-        if self._inner.is_constant:
+        if self.inner.is_constant:
             values = np.empty(np.shape(places)) if out is None else out
             values[...] = self.at(self.low)
             return values
-        turned = self._shift - places if self._width < 0 else places - self._shift
-        if abs(self._width) != 1:
-            turned /= abs(self._width)
-        values = self._inner.over(turned, out)
-        if self._factor == -1:
+        turned = self.shift - places if self.width < 0 else places - self.shift
+        if abs(self.width) != 1:
+            turned /= abs(self.width)
+        values = self.inner.over(turned, out)
+        if self.factor == -1:
             return np.subtract(self._offset, values, out=values)
-        values *= self._factor
+        values *= self.factor
         if self._offset:
             values += self._offset
         return values
@@ -116,46 +116,46 @@ class Placed(Piece):
     def derivative(self) -> "Piece":
         """The derivative, made once."""
         shift, width, _, factor = self._exact
-        return Placed(self._inner.derivative, shift, width, 0.0, factor / width)
+        return Placed(self.inner.derivative, shift, width, 0.0, factor / width)
 
     def torque(self) -> "Piece":
         """Return the product of the first and the second derivative."""
         shift, width, _, factor = self._exact
-        return Placed(self._inner.torque(), shift, width, 0.0, factor**2 / width**3)
+        return Placed(self.inner.torque(), shift, width, 0.0, factor**2 / width**3)
 
     @cached_property
     def expression(self) -> sympy.Expr:
         """It as an expression in `x`."""
         shift, width, offset, factor = self._exact
-        return offset + factor * self._inner.expression.xreplace({x: (x - shift) / width})
+        return offset + factor * self.inner.expression.xreplace({x: (x - shift) / width})
 
     @cached_property
     def turns(self) -> list[float]:
         """Where between its ends it turns, in order."""
-        return sorted(map(self._out, self._inner.turns))
+        return sorted(map(self._out, self.inner.turns))
 
     @cached_property
     def extremes(self) -> tuple[float, float]:
         """The least and the largest value."""
-        ends = [self._offset + self._factor * value for value in self._inner.extremes]
+        ends = [self._offset + self.factor * value for value in self.inner.extremes]
         return min(ends), max(ends)
 
     def restricted(self, low: float, high: float) -> "Placed":
         """Return the part of it between two of its places."""
         inside = sorted((self._in(low), self._in(high)))
-        return Placed(self._inner.restricted(*inside), *self._exact)
+        return Placed(self.inner.restricted(*inside), *self._exact)
 
     def solve(self, height: float, low: float, high: float) -> float:
         """Return where between two places it passes a height, if it only rises or falls there."""
         inside = sorted((self._in(low), self._in(high)))
-        return self._out(self._inner.solve((height - self._offset) / self._factor, *inside))
+        return self._out(self.inner.solve((height - self._offset) / self.factor, *inside))
 
     def _in(self, place: float) -> float:
-        inside = (place - self._shift) / self._width
-        return min(max(inside, self._inner.low), self._inner.high)
+        inside = (place - self.shift) / self.width
+        return min(max(inside, self.inner.low), self.inner.high)
 
     def _out(self, inside: float) -> float:
-        return self._shift + self._width * inside
+        return self.shift + self.width * inside
 
 
 def bisect(is_before: Callable[[float], bool], low: float, high: float) -> float:

@@ -31,7 +31,7 @@ def plot_laws(
     >>> plot_laws(["cycloidal", "modified sine"]).get_ylabel()
     'acceleration A'
     """
-    drawn = _as_laws(laws)
+    drawn = as_laws(laws)
     derivative = [*CURVES].index(one_of("curve", curve, CURVES))
     if ax is None:
         ax = blank_axes(7.5, 4.6, layout="constrained")
@@ -66,7 +66,7 @@ def plot_ranking(
     >>> [label.get_text() for label in ax.get_yticklabels()]
     ['cycloidal', 'constant acceleration']
     """
-    _as_laws(peaks)
+    as_laws(peaks)
     endless = [name for name, peak in peaks.items() if not math.isfinite(peak)]
     if endless:
         raise InputError(
@@ -97,7 +97,8 @@ def full_name(law: MotionLaw) -> str:
     return f"{law.name} ({others})" if others else law.name
 
 
-def _as_laws(laws: Any) -> list[MotionLaw]:
+def as_laws(laws: Any) -> list[MotionLaw]:
+    """Return laws, or one, or their names, as a list; raise InputError for none."""
     several = isinstance(laws, Iterable) and not isinstance(laws, str)
     given = [as_law(law) for law in (laws if several else [laws])]
     if not given:

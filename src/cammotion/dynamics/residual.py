@@ -1,0 +1,121 @@
+"""What a law leaves behind in a mass on a spring, and what it makes of the push meanwhile.
+
+Both are asked for many ratios tm/Tn at once, of a single move from rest and of a machine that has
+run for long, where each move begins with what the moves before it have left.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.dynamics.forcing import check_velocity
+from cammotion.dynamics.swing import Complexes, Swing
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.motions import Motion
+from cammotion.quantities import InputError, Numbers, Quantity, plain
+
+RATIO = Quantity("period ratio tm/Tn", "", example=4, high=1000)
+DAMPING_RATIO = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
+_RESONANT = 1e8  # times the stroke
+_ROUNDING = 1e-9  # deg
+
+
+def residual_vibration(
+    law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float = 0.0
+) -> Numbers:
+    """Return how far a mass swings after a single move, as a part of the stroke.
+
+    `law` is a law or its name; `ratios` is tm/Tn, how often the mass swings during the move, above
+    0 and at most 1000, a number or an array; the result has its shape. `damping_ratio` is from 0 to
+    0.99. The mass rests before the move; what is returned is its largest distance from the cam at
+    any time after the move. Undamped, times (2 pi tm/Tn)^2 it is the acceleration that stays, in
+    hm/tm^2. Raises InputError for other numbers, and for a law whose velocity jumps.
+
+    >>> print(f"{residual_vibration('cycloidal', 1):.6f}")  # |sin pi l|/(pi l |1 - l^2|)
+    0.500000
+    """
+    swing = _single(law, ratios, damping_ratio)
+    return plain(swing.furthest(swing.from_rest[-1]).reshape(np.shape(ratios)))
+
+
+def dynamic_factor(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float = 0.0) -> Numbers:
+    """Return how many times the cam's peak acceleration that of the mass is, during the move.
+
+    The arguments and errors are those of `residual_vibration`, the result has the shape of
+    `ratios`. What comes after the move is not in it.
+
+    >>> dynamic_factor("constant acceleration", [5, 10, 10.5]).round(2)
+    array([4.  , 2.  , 3.24])
+    """
+    swing = _single(law, ratios, damping_ratio)
+    most = swing.largest(swing.from_rest, 0, len(swing.joints) - 1)
+    return plain(most.reshape(np.shape(ratios)) / as_law(law).Ca)
+
+
+def running_residual(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.02) -> Numbers:
+    """Return how far the mass swings in the dwell after the first move of a running machine.
+
+    It is a part of that move's stroke: the largest distance from the cam after the move, as if the
+    dwell went on. `ratios` is tm/Tn of the move, above 0 and at most 1000; the result has its
+    shape. The machine has run for long: what earlier moves have left is in it. `damping_ratio` is
+    from 0 to 0.99. Raises InputError for other numbers, for a velocity that jumps, for no dwell
+    after the first move, and where nothing damps the mass and it swings a whole number of times in
+    a turn.
+
+    >>> import cammotion as cm
+    >>> once = residual_vibration("cycloidal", 2.5, 0.02)
+    >>> print(f"once {once:.4f}, in a run {running_residual(cm.EXAMPLE.die, 2.5):.4f}")
+    once 0.0203, in a run 0.0216
+    """
+    swing, v, (_, last) = _running(motion, ratios, damping_ratio)
+    number = motion.segments.index(motion.moves[0])
+    following = motion.segments[(number + 1) % len(motion.segments)]
+    if not following.is_dwell:
+        raise InputError(
+            f"After its first move the motion {motion.name!r} goes on with a {following.kind}, so "
+            "that nothing swings alone there: put a dwell between them."
+        )
+    return plain(swing.furthest(v[last]).reshape(np.shape(ratios)))
+
+
+def running_factor(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.02) -> Numbers:
+    """Return how many times the cam's peak acceleration the mass's is, in a running machine.
+
+    Both are those during the first move of the turn. The arguments and errors are those of
+    `running_residual`, but the move needs no dwell after it.
+
+    >>> import cammotion as cm
+    >>> print(f"{running_factor(cm.EXAMPLE.die, 5):.3f}")
+    1.062
+    """
+    swing, v, (first, last) = _running(motion, ratios, damping_ratio)
+    move = motion.moves[0]
+    cam = move.curve.derived(2).largest * move.angle_deg**2 / abs(move.change_mm)
+    return plain(swing.largest(v, first, last).reshape(np.shape(ratios)) / cam)
+
+
+def _single(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float) -> Swing:
+    moves = as_law(law)
+    check_velocity(moves)
+    return Swing(moves.curve, RATIO.array(ratios).ravel(), DAMPING_RATIO.number(damping_ratio))
+
+
+def _running(
+    motion: Motion, ratios: ArrayLike, damping_ratio: float
+) -> tuple[Swing, Complexes, tuple[int, int]]:
+    """Return the swing over a turn, v at its joints, and between which the first move lies."""
+    check_velocity(motion)
+    move, checked = motion.moves[0], RATIO.array(ratios).ravel()
+    damping = DAMPING_RATIO.number(damping_ratio)
+    swing = Swing(motion.curve, checked, damping, move.angle_deg, abs(move.change_mm))
+    v = swing.steady
+    endless = ~(np.abs(v).max(axis=0) < _RESONANT * swing.roots.imag)
+    if endless.any():
+        raise InputError(
+            f"At the period ratio {checked[endless][0]:g} the mass swings a whole number of times "
+            "in a turn and nothing damps it, so that it swings more with each turn: give a "
+            "damping ratio, or leave this ratio out."
+        )
+    ends = (np.argmin(np.abs(swing.joints - end)) for end in (move.from_deg, move.to_deg))
+    first, last = map(int, ends)
+    return swing, v, (first, last)

@@ -1,0 +1,317 @@
+"""What a follower of masses and springs does behind a cam: over one move, from rest, in a run.
+
+Three questions are kept apart. `MoveResponse` is a single move, from rest, and what swings after
+it. `StartResponse` is a machine that is switched on: turn after turn from rest. `SteadyResponse`
+is the machine that has run for long, where each turn is as the one before.
+"""
+
+from abc import ABC, abstractmethod
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.dynamics.chain import Chain
+from cammotion.dynamics.course import Course, Spots
+from cammotion.dynamics.forcing import Forcing, accelerations, check_velocity
+from cammotion.dynamics.peaks import Peak, extremes
+from cammotion.laws.catalogue import as_law
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, Move, cycle_time
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import CAM_ANGLE
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain, shorten
+
+_TIME = Quantity("time", "s", example=0.1, low=-1e9)
+_FOREVER = 1e12  # s that a follower is left alone after a move
+_RESONANT = 1e-8  # of what swings that a turn leaves as it is
+_MOST_TURNS = 100_000
+_ROUNDING = 1e-9  # by so much deg a place may be before the start
+
+
+class Response(ABC):
+    """What a follower does behind a cam; `MoveResponse` and its neighbours are of this kind.
+
+    All of it is asked `at` places: times in s since the beginning of a move, cam angles in deg for
+    a machine; numbers or arrays of any shape, and the result has their shape. `mass` is the number
+    of a mass, 1 for the one next to the cam; the last one unless given.
+    """
+
+    chain: Chain
+    _course: Course
+    span: tuple[float, float]
+    """From where to where it is looked at unless said: the move in s, the (first) turn in deg."""
+    _unit_s: float  # of the places
+
+    def deflection_mm(self, at: ArrayLike, mass: int | None = None) -> Numbers:
+        """Return how far a mass is from where the cam would have it, in mm."""
+        return plain(self._asked(self._of_mass(0, mass), at))
+
+    def position_mm(self, at: ArrayLike, mass: int | None = None) -> Numbers:
+        """Return the position of a mass in mm."""
+        return plain(self._cam(0, at) + self._asked(self._of_mass(0, mass), at))
+
+    def velocity(self, at: ArrayLike, mass: int | None = None) -> Numbers:
+        """Return the velocity of a mass in m/s."""
+        return plain(self._cam(1, at) + self._asked(self._of_mass(1, mass), at))
+
+    def acceleration(self, at: ArrayLike, mass: int | None = None) -> Numbers:
+        """Return the acceleration of a mass in m/s2, which goes on where that of the cam jumps."""
+        return plain(self._asked(self._of_mass(2, mass), at))
+
+    def cam_acceleration(self, at: ArrayLike) -> Numbers:
+        """Return the acceleration of the cam in m/s2; where it jumps, what comes after."""
+        return plain(self._cam(2, at))
+
+    def force_N(self, at: ArrayLike, spring: int = 1) -> Numbers:  # noqa: N802
+        """Return the force in N of a spring with its damper; 1 is the one on the cam.
+
+        It is what accelerates all masses beyond, above 0 where it pushes them up.
+        """
+        return plain(self._asked(self._of_spring(spring), at))
+
+    def peak_deflection_mm(
+        self, mass: int | None = None, *, over: tuple[float, float] | None = None
+    ) -> Peak:
+        """Return the largest magnitude of `deflection_mm` between two places, and where it is.
+
+        `over` is the `span` unless given.
+        """
+        return self._peak(self._of_mass(0, mass), over)
+
+    def peak_acceleration(
+        self, mass: int | None = None, *, over: tuple[float, float] | None = None
+    ) -> Peak:
+        """Return the largest magnitude of a mass's acceleration between two places, and where.
+
+        It is in m/s2. `over` is the `span` unless given.
+        """
+        return self._peak(self._of_mass(2, mass), over)
+
+    def force_range_N(  # noqa: N802
+        self, spring: int = 1, *, over: tuple[float, float] | None = None
+    ) -> tuple[Peak, Peak]:
+        """Return the least and the largest force of a spring in N, and where they are."""
+        return self._extremes(self._of_spring(spring), over)
+
+    @abstractmethod
+    def _located(self, at: ArrayLike) -> tuple[Floats, Spots]:
+        """Return the states where the pieces of places begin, in columns, and the places."""
+
+    @abstractmethod
+    def _cam(self, derivative: int, at: ArrayLike) -> Any:
+        """Return the position of the cam in mm, its velocity in m/s or acceleration in m/s2."""
+
+    @abstractmethod
+    def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
+        """Return samples between two places.
+
+        With each run of them is what a place in its piece is counted from, and the state there.
+        """
+
+    def _of_mass(self, derivative: int, mass: int | None) -> Floats:
+        count = len(self.chain.masses_kg)
+        number = self._number(count if mass is None else mass, "mass")
+        to_m = MM_PER_M if derivative else 1.0
+        row = self._course.system.rows(derivative)[number - 1]
+        return np.asarray(row / (to_m * self._unit_s**derivative))
+
+    def _of_spring(self, spring: int) -> Floats:
+        first = self._number(spring, "spring")
+        beyond = range(first, len(self.chain.masses_kg) + 1)
+        rows = [self.chain.masses_kg[n - 1] * self._of_mass(2, n) for n in beyond]
+        return np.asarray(np.sum(rows, axis=0))
+
+    def _number(self, number: Any, what: str) -> int:
+        count = len(self.chain.masses_kg)
+        if isinstance(number, bool) or number not in range(1, count + 1):
+            raise InputError(
+                f"The number of the {what} is {shorten(number)}; the follower has {count}: give a "
+                f"whole number from 1, at the cam, to {count}."
+            )
+        return int(number)
+
+    def _asked(self, row: Floats, at: ArrayLike) -> Floats:
+        begins, spots = self._located(at)
+        return np.asarray(self._course.seen(row, begins, spots)[0].reshape(np.shape(at)))
+
+    def _peak(self, row: Floats, over: tuple[float, float] | None) -> Peak:
+        least, most = self._extremes(row, over)
+        best = max(most, Peak(-least.value, least.at), key=lambda each: each.value)
+        return Peak(abs(best.value), best.at)
+
+    def _extremes(self, row: Floats, over: tuple[float, float] | None) -> tuple[Peak, Peak]:
+        runs = self._runs(over)
+        pieces = np.array([spots.pieces[0] for _, _, spots in runs])
+        begins = np.array([begin for _, begin, _ in runs])
+
+        def quantity(which: Any, within: Floats) -> Floats:
+            spots = Spots(pieces[which], within)
+            return self._course.seen(row, begins[which].T, spots, rates=2)
+
+        found = extremes(quantity, [spots.within for _, _, spots in runs])
+        least, most = (Peak(peak.value, float(runs[run][0] + peak.at)) for peak, run in found)
+        return least, most
+
+
+class MoveResponse(Response):
+    """A follower that a `move` drives once, from rest, and then leaves alone; `at` is in s.
+
+    Before the move it rests. Raises InputError for a law whose velocity jumps.
+
+    >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    >>> from cammotion.dynamics.chain import tuned_mass
+    >>> soft = MoveResponse(tuned_mass(12, 0.02), die)
+    >>> peak = soft.peak_acceleration()
+    >>> print(f"{peak.value:.3f} m/s2 after {peak.at:.3f} s, the cam {die.peak_acceleration:.3f}")
+    5.798 m/s2 after 0.064 s, the cam 4.154
+    """
+
+    def __init__(self, chain: Chain, move: Move) -> None:
+        law = as_law(move.law)
+        check_velocity(law)
+        self.chain, self.move, self._unit_s = chain, move, 1.0
+        self.span = 0.0, move.time_s
+        curve = law.curve.placed(0.0, move.time_s, 0.0, move.stroke_mm)
+        after = Forcing(move.time_s, move.time_s + _FOREVER)
+        self._course = Course(chain.system, [*accelerations(curve), after])
+
+    @cached_property
+    def _begins(self) -> Floats:
+        return self._course.begins(np.zeros(2 * len(self.chain.masses_kg)))
+
+    def _located(self, at: ArrayLike) -> tuple[Floats, Spots]:
+        spots = self._course.spots(np.maximum(_TIME.array(at).ravel(), 0.0))
+        return self._begins[spots.pieces].T, spots
+
+    def _cam(self, derivative: int, at: ArrayLike) -> Any:
+        times = _TIME.array(at)
+        inside = np.clip(times, 0.0, self.move.time_s)
+        if derivative == 0:
+            return self.move.displacement_mm(inside)
+        moved = self.move.velocity if derivative == 1 else self.move.acceleration
+        return np.where((times >= 0) & (times < self.move.time_s), moved(inside), 0.0)
+
+    def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
+        low, high = _ordered(_TIME, over or self.span)
+        return [
+            (self._course.lows[number], self._begins[number], spots)
+            for spots in self._course.samples(max(low, 0.0), high)
+            for number in spots.pieces[:1]
+        ]
+
+
+class _TurnResponse(Response):
+    """A follower that a motion drives turn after turn; `at` is a cam angle in deg."""
+
+    def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:
+        check_velocity(motion)
+        self.chain, self.motion = chain, motion
+        self.span = motion.start_deg, motion.start_deg + DEG_PER_TURN
+        self.rate_per_hour = RATE.number(rate_per_hour)
+        self._unit_s = float(cycle_time(self.rate_per_hour)) / DEG_PER_TURN
+        self._course = Course(chain.system.by(self._unit_s), accelerations(motion.curve))
+
+    @abstractmethod
+    def _starts(self, turns: int) -> Floats:
+        """Return the states at the beginnings of so many turns, in rows."""
+
+    def _located(self, at: ArrayLike) -> tuple[Floats, Spots]:
+        turns, phases = self._phase(CAM_ANGLE.array(at).ravel())
+        spots = self._course.spots(phases)
+        begins = self._begins(int(turns.max()) + 1)
+        return begins[turns, spots.pieces].T, spots
+
+    def _cam(self, derivative: int, at: ArrayLike) -> Any:
+        if derivative == 0:
+            return self.motion.position_mm(at)
+        return self.motion.derivative(derivative, at, self.rate_per_hour)
+
+    def _begins(self, turns: int) -> Floats:
+        return np.array([self._course.begins(state) for state in self._starts(turns)])
+
+    @abstractmethod
+    def _phase(self, angles: Floats) -> tuple[Any, Floats]:
+        """Return the number of the turn and the angle in the first one of it."""
+
+    def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
+        begin = self.motion.start_deg
+        low, high = _ordered(CAM_ANGLE, over or self.span)
+        first, last = (int((angle - begin) // DEG_PER_TURN) for angle in (low, high))
+        found = []
+        for turn in range(first, last + 1):
+            before = turn * DEG_PER_TURN
+            for spots in self._course.samples(low - before, high - before):
+                number = spots.pieces[0]
+                start = self._located(np.array([before + self._course.lows[number] + 0.0]))
+                found.append((before + self._course.lows[number], start[0][:, 0], spots))
+        return found
+
+
+class StartResponse(_TurnResponse):
+    """A follower at rest that a machine begins to drive, turn after turn; `at` is in deg.
+
+    At the angle `motion.start_deg` of the first turn the masses are where the cam has them, and as
+    fast as it. An angle before that is refused; the next turns are 360 deg further each.
+    """
+
+    @cached_property
+    def _known(self) -> list[Floats]:
+        return [np.zeros(2 * len(self.chain.masses_kg))]
+
+    def _starts(self, turns: int) -> Floats:
+        matrix, row = self._course.passage
+        while len(self._known) < turns:
+            self._known.append(self._known[-1] @ matrix + row)
+        return np.array(self._known[:turns])
+
+    def _phase(self, angles: Floats) -> tuple[Any, Floats]:
+        begin = self.motion.start_deg
+        high = begin + _MOST_TURNS * DEG_PER_TURN
+        outside = (angles < begin - _ROUNDING) | (angles > high)
+        if outside.any():
+            raise InputError(
+                f"The cam angle is {angles[outside][0]:g} deg; the machine starts at {begin:g}: "
+                f"give an angle from there on, and up to {high:g} deg."
+            )
+        turns, since = np.divmod(np.maximum(angles - begin, 0.0), DEG_PER_TURN)
+        return turns.astype(np.intp), begin + since
+
+
+class SteadyResponse(_TurnResponse):
+    """A follower in a machine that has run for long: each turn is as the one before.
+
+    `at` is any cam angle in deg. Raises InputError where nothing damps the follower and it swings
+    a whole number of times in a turn: then it swings more with each turn, without end.
+    """
+
+    def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:
+        super().__init__(chain, motion, rate_per_hour)
+        matrix, row = self._course.passage
+        left = np.eye(len(row)) - matrix
+        if np.linalg.svd(left, compute_uv=False)[-1] < _RESONANT:
+            swings = chain.natural_Hz * float(cycle_time(self.rate_per_hour))
+            nearest = swings[np.argmin(np.abs(swings - np.round(swings)))]
+            raise InputError(
+                f"At {self.rate_per_hour:g} pieces/h the follower swings {nearest:.9g} times in a "
+                "turn and nothing damps it, so that it swings more with each turn: give it some "
+                "damping, or another rate."
+            )
+        self._start = np.linalg.solve(left.T, row)
+
+    def _starts(self, turns: int) -> Floats:
+        return np.tile(self._start, (turns, 1))
+
+    def _phase(self, angles: Floats) -> tuple[Any, Floats]:
+        since = np.mod(angles - self.motion.start_deg, DEG_PER_TURN)
+        return np.zeros(since.shape, dtype=np.intp), self.motion.start_deg + since
+
+
+def _ordered(quantity: Quantity, over: Any) -> tuple[float, float]:
+    ends = quantity.array(over)
+    if ends.shape != (2,) or not ends[0] < ends[1]:
+        raise InputError(
+            f"The places to look between are {shorten(over)}: give two in order, in "
+            f"{quantity.unit}."
+        )
+    return float(ends[0]), float(ends[1])

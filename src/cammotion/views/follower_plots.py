@@ -1,0 +1,160 @@
+"""Pictures of a follower that swings: what a law leaves behind, what the masses do in a turn."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter
+from numpy.typing import ArrayLike
+
+from cammotion.dynamics.residual import (
+    dynamic_factor,
+    residual_vibration,
+    running_factor,
+    running_residual,
+)
+from cammotion.dynamics.response import MoveResponse, Response
+from cammotion.laws.catalogue import LAWS
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats, one_of
+from cammotion.views.law_plots import as_laws
+from cammotion.views.pictures import blank_axes
+from cammotion.views.plots import COLOURS, LINE_STYLES, colour, style_axes, style_line
+
+QUANTITIES = {
+    "residual": "swing after the move / stroke",
+    "factor": "peak acceleration, mass / cam",
+}
+_RATIOS = np.linspace(0.02, 8, 400)
+_FLOOR = 1e-4  # of the stroke, where the logarithmic axis begins
+_PLACES = 1441  # of a turn
+_AFTER = 1.5  # indexing times after a move
+_GAP = 0.052  # between two labels, as a share of the axis
+
+
+def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
+    laws: str | MotionLaw | Iterable[str | MotionLaw] | None = None,
+    *,
+    ratios: ArrayLike | None = None,
+    damping_ratio: float = 0.0,
+    quantity: str = "residual",
+    motion: Motion | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw for each law how far a mass swings after its move, over tm/Tn, and return the Axes.
+
+    `laws` are laws or their names, all of the catalogue whose velocity does not jump unless given;
+    `ratios` are tm/Tn, from 0.02 to 8. With the `quantity` "factor" it is the peak acceleration of
+    the mass during the move over the cam's. With a `motion` it is the machine that has run for
+    long, each law in turn being that of all its moves; else a single move. Raises InputError as
+    `residual_vibration` and `running_residual` do.
+
+    >>> plot_residual(["cycloidal", "modified sine"]).get_xlabel()
+    'tm/Tn, swings of the mass during the move'
+    """
+    drawn = as_laws([*LAWS] if laws is None else laws)
+    at = _RATIOS if ratios is None else np.asarray(ratios, dtype=float)
+    is_residual = one_of("quantity", quantity, QUANTITIES) == "residual"
+    if ax is None:
+        ax = blank_axes(8.6, 5.2, layout="constrained")
+    style_axes(ax, "tm/Tn, swings of the mass during the move", QUANTITIES[quantity])
+    ends = []
+    for number, law in enumerate(drawn):
+        if motion is None:
+            single = residual_vibration if is_residual else dynamic_factor
+            values = np.asarray(single(law, at, damping_ratio))
+        else:
+            running = running_residual if is_residual else running_factor
+            values = np.asarray(running(motion.with_law(law), at, damping_ratio))
+        line = style_line(ax.plot(at, values, label=law.name)[0], number)
+        shift = number // len(COLOURS)  # the seventh line has the first colour and other dashes
+        line.set(linestyle=LINE_STYLES[(number + shift) % len(LINE_STYLES)], linewidth=1.6)
+        late = values[at >= at[0] + 0.85 * (at[-1] - at[0])]
+        ends.append(float(late.max()))
+    if is_residual:
+        ax.set_yscale("log")
+        ax.set_ylim(_FLOOR, 2 if motion is None else None)
+        ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    ax.set_xlim(0, at[-1])
+    _label_ends(ax, [law.name for law in drawn], ends)
+    return ax
+
+
+def plot_response(
+    response: Response,
+    *,
+    over: tuple[float, float] | None = None,
+    masses: Sequence[int] | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw the accelerations of the cam and of the masses of a `response`; return the Axes.
+
+    `over` is from where to where, in s after the beginning of a move or in deg of cam angle; the
+    turn unless given, or the move and half as long again after it. `masses` are numbers, 1 at the
+    cam; all unless given. Raises InputError as the response does.
+
+    >>> import cammotion as cm
+    >>> die = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    >>> plot_response(cm.MoveResponse(cm.tuned_mass(12, 0.02), die)).get_ylabel()
+    'acceleration in m/s²'
+    """
+    is_move = isinstance(response, MoveResponse)
+    low, high = over or response.span
+    if is_move and over is None:
+        high *= 1 + _AFTER
+    if ax is None:
+        ax = blank_axes(8.6, 4.4, layout="constrained")
+    across = "time t in s" if is_move else "cam angle in deg"
+    style_axes(ax, across, "acceleration in m/s²")
+    at = np.linspace(low, high, _PLACES)
+    numbers = range(1, len(response.chain.masses_kg) + 1) if masses is None else masses
+    for number in sorted(numbers, reverse=True):  # the last mass swings most: it lies below
+        name = "mass" if len(response.chain.masses_kg) == 1 else f"mass {number}"
+        values = np.asarray(response.acceleration(at, number))
+        style_line(ax.plot(at, values, label=name)[0], number).set_linewidth(1.6)
+    cam = np.asarray(response.cam_acceleration(at))
+    ax.plot(at, cam, label="cam", color="#000000", linewidth=1.4)
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    ax.margins(x=0)
+    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=4, frameon=False)
+    return ax
+
+
+def _label_ends(ax: Axes, names: Sequence[str], heights: Sequence[float]) -> None:
+    """Write the name of each curve at its right end, moved apart where they would meet."""
+    shares = _apart(
+        ax.transAxes.inverted().transform(
+            ax.transData.transform([(0, height) for height in heights])
+        )[:, 1]
+    )
+    for number, (name, share) in enumerate(zip(names, shares, strict=True)):
+        ax.annotate(
+            name,
+            (1.01, share),
+            xycoords="axes fraction",
+            color=colour(number),
+            fontsize=10,
+            va="center",
+        )
+
+
+def _apart(shares: Floats) -> Floats:
+    """Return heights in the same order, at least a line apart and within the axis.
+
+    >>> _apart(np.array([0.5, 0.5, 0.2])).round(3)
+    array([0.474, 0.526, 0.2  ])
+    """
+    order = np.argsort(shares, kind="stable")
+    steps = np.arange(len(shares)) * _GAP
+    free = np.clip(shares[order], 0, 1) - steps  # which may not fall: pooled where they do
+    pools: list[list[float]] = []
+    for each in free:
+        pools.append([each])
+        while len(pools) > 1 and np.mean(pools[-2]) > np.mean(pools[-1]):
+            pools[-2:] = [pools[-2] + pools[-1]]
+    placed = np.concatenate([np.full(len(pool), np.mean(pool)) for pool in pools])
+    placed = np.clip(placed, 0, max(1 - steps[-1], 0)) + steps
+    found = np.empty_like(placed)
+    found[order] = placed
+    return np.asarray(found)
