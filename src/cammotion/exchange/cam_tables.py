@@ -8,7 +8,8 @@ import numpy as np
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
 from cammotion.exchange.table_meaning import check_order, evened, lift_of, master_of, shape_of
 from cammotion.exchange.table_text import read_text
-from cammotion.measured.cam_table import TURN, CamTable
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.measured.cam_table import CamTable
 from cammotion.quantities import Floats, InputError, one_of
 
 _FEWEST = 8
@@ -76,7 +77,7 @@ def read_cam_table(  # noqa: PLR0913 - what can be set of a file
     shape = shape_of(found, master, is_cycle, is_even=is_even)
     kept = slice(None, -1 if shape.is_repeated else None)
     return CamTable(
-        _tidy(angles[kept] * (TURN / master.turn)),
+        _tidy(angles[kept] * (DEG_PER_TURN / master.turn)),
         found.numbers[kept, 1] * lift.scale,
         step_mm=lift.step * lift.scale,
         is_cycle=shape.is_cycle,

@@ -123,8 +123,7 @@ def _texts(law: MotionLaw) -> Iterator[str]:
         yield _expression(pieces)
     lists = [_polynomials(piece) for piece in pieces]
     if all(lists):
-        sampled = f", sampled_at={[*law.sampled_at]}" if law.is_sampled else ""
-        yield f"polynomials({', '.join(map(str, lists))}{sampled})"
+        yield f"polynomials({', '.join(map(str, lists))})"
     if not is_short:
         yield _expression(pieces)
 
@@ -147,7 +146,7 @@ def _expression(pieces: tuple[Piece, ...]) -> str:
 
 def _inmost(piece: Piece) -> Piece:
     while isinstance(piece, Placed):
-        piece = piece._inner
+        piece = piece.inner
     return piece
 
 
@@ -185,9 +184,7 @@ def _read_scca(name: str, b: float, c: float, d: float) -> MotionLaw:
     return MotionLaw(name, scca(b, c, d).curve)
 
 
-def _read_polynomials(
-    name: str, *lists: Sequence[Sequence[float]], sampled_at: Sequence[float] = ()
-) -> MotionLaw:
+def _read_polynomials(name: str, *lists: Sequence[Sequence[float]]) -> MotionLaw:
     pieces = [
         _read_piece(name, *(np.array(row, dtype=np.float64) for row in rows)) for rows in lists
     ]
@@ -197,7 +194,7 @@ def _read_polynomials(
             f"The polynomials of the law {shorten(name)} do not follow each other from 0 to 1: let "
             "each list of knots begin where the one before it ends."
         )
-    return MotionLaw(name, Curve(pieces), sampled_at=tuple(map(float, sampled_at)))
+    return MotionLaw(name, Curve(pieces))
 
 
 def _read_piece(name: str, knots: Floats, *rows: Floats) -> Piece:

@@ -13,7 +13,7 @@ import numpy as np
 from cammotion.exchange.table_columns import Columns
 from cammotion.exchange.table_headings import DISTANCE, LENGTHS, TIME
 from cammotion.exchange.table_numbers import step_of
-from cammotion.measured.cam_table import TURN
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity, one_of
 
 CYCLE = Quantity("cycle, in units of the first column,", "", example=360, high=1e9)
@@ -228,7 +228,7 @@ def shape_of(found: Columns, master: Master, is_cycle: bool | None, *, is_even: 
     if is_cycle is None:
         is_cycle = whole and closes
     if not is_cycle:
-        first, last = values[[0, -1]] * TURN / master.turn
+        first, last = values[[0, -1]] * DEG_PER_TURN / master.turn
         return Shape(False, False, f"{way} from {first:.6g} to {last:.6g} deg")
     how = "its last row repeats the first" if master.closes else "its last row comes a step before"
     if master.closes and gap:
