@@ -4,6 +4,7 @@ A machine has 1 to 24 mechanisms. Its laws come from a pool, in which several ha
 are called like those of the catalogue, and some are solved, measured or written by hand.
 """
 
+import warnings
 from functools import cache
 from itertools import pairwise
 from typing import Any
@@ -121,10 +122,22 @@ def _sampled(rng: Rng) -> list[MotionLaw]:
         ways = (places**2 * (3 - 2 * places) + 0.001 * rng.normal(size=count)).round(4)
         ways[[0, -1]] = 0, 1
         slopes = (float(rng.choice([0, 1, rng.uniform(0, 3)])), 0.0)
-        law = cm.law_from_points(places, ways, end_slopes=slopes)
+        law = cm.law_from_points(places, ways, end_slopes=slopes, step=0)
         found += [law, law.reversed(), law.part(0, 0.83), law.part(0.21, 0.5)]
     even = np.linspace(0, 1, 25)
     mirrored = cm.law_from_points(even, even**2 * (3 - 2 * even))
+    rough = (even - np.sin(2 * np.pi * even) / (2 * np.pi)).round(4)
+    fits: list[dict[str, Any]] = [
+        {"fit": "smooth"},
+        {"fit": "smooth", "smoothing": 1e-5, "end_slopes": (0.3, 0)},
+        {"fit": "smooth", "smoothing": 0},
+        {"fit": "monotone", "end_slopes": (0, 0.2)},
+        {"fit": "periodic"},
+        {"fit": "periodic", "smoothing": 1e-6},
+        {},
+    ]
+    with warnings.catch_warnings(action="ignore"):  # of their rounding
+        found += [cm.law_from_points(even, rough, **fit) for fit in fits]
     return [*found, mirrored, mirrored.with_constant_velocity(0.3)]
 
 

@@ -2,7 +2,9 @@
 
 import csv
 import time
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -56,16 +58,32 @@ def test_a_family_is_written_with_its_parameters() -> None:
 
 
 def test_points_are_written_as_they_are() -> None:
-    places, ways = [0.0, 0.3, 0.55, 1.0], [0.0, 0.125, 0.6, 1.0]
-    law = cm.law_from_points(places, ways)
-    assert law_as_text(law).startswith(f"polynomials(([0.0, 0.3, 0.55, 1.0], {ways[:-1]}, ")
-    back = law_from_text("", law_as_text(law))
-    assert back([0.3, 0.55]).tolist() == [0.125, 0.6]
+    law = cm.law_from_points([0, 0.3, 0.55, 1], [0, 0.125, 0.6, 1], end_slopes=(0.5, 0))
+    assert law_as_text(law) == (
+        "law_from_points([0.0, 0.3, 0.55, 1.0], [0.0, 0.125, 0.6, 1.0], end_slopes=(0.5, 0.0), "
+        "fit='through', step=0.0)"
+    )
 
 
-def test_ten_thousand_points_are_read_in_seconds(tmp_path: Path) -> None:
+def test_a_law_from_points_knows_them_when_it_comes_back() -> None:
+    """Its points, their rounding and what that does, however it lies to them."""
+    sampled: list[Any] = [law for law in pool() if hasattr(law, "sampled_at")]
+    assert {(type(law.fit).__name__, law.amount > 0) for law in sampled} == {
+        *(("Through", False), ("Through", True), ("Monotone", False)),
+        *(("Periodic", False), ("Periodic", True)),
+    }
+    for law in sampled:
+        back: Any = law_from_text(law.name, law_as_text(law))
+        assert repr(back) == repr(law)
+        for what in ("sampled_at", "step", "amount", "rounding", "Ca", "Cj"):
+            assert getattr(back, what) == pytest.approx(getattr(law, what), rel=1e-12), what
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["as points", "as polynomials"])
+def test_ten_thousand_points_are_read_in_seconds(tmp_path: Path, turned: bool) -> None:
     places = np.linspace(0, 1, 10_001)
-    law = cm.law_from_points(places, places**2 * (3 - 2 * places))
+    law: MotionLaw = cm.law_from_points(places, places - np.sin(2 * np.pi * places) / (2 * np.pi))
+    law = law.reversed() if turned else law
     start = time.process_time()
     path = cm.write_segments(make_diagram(make_die(law=law)), tmp_path / "m.csv")
     back = cm.read_segments(path)
@@ -73,7 +91,8 @@ def test_ten_thousand_points_are_read_in_seconds(tmp_path: Path) -> None:
     assert is_same_law(cm.as_law(back["die"].moves[0].law), law)
     cells = [cell for row in csv.reader(path.open(newline="")) for cell in row]
     assert max(map(len, cells)) <= 30_001  # a spreadsheet cuts after 32,767
-    assert not any(cell.startswith(("=", "+", "@")) for cell in cells)
+    assert not any(cell.startswith(("=", "+", "@", "-")) for cell in cells)
+    assert any(cell.startswith("'-") for cell in cells) == turned
 
 
 def test_laws_that_differ_are_told_apart() -> None:
@@ -82,6 +101,8 @@ def test_laws_that_differ_are_told_apart() -> None:
     assert is_same_law(cubic, MotionLaw("b", x**2 * (3 - 2 * x)))
     assert not is_same_law(cubic, MotionLaw("a", 3 * x**2 - 2 * x**3 + x**2 * (1 - x) ** 2 / 10**9))
     assert not is_same_law(cubic, cm.LAWS["cycloidal"])
+    trembling = MotionLaw("a", cubic.s + 1e-14 * sympy.sin(200 * sympy.pi * x))  # 1e-7 of the jerk
+    assert not is_same_law(cubic, trembling)
 
 
 @pytest.mark.parametrize("name", ["cycloidal", "constant velocity", "dwell"])
@@ -155,6 +176,16 @@ def test_a_law_that_no_text_gives_back_is_refused(
     assert not [*tmp_path.iterdir()]
 
 
+def test_a_table_that_would_not_come_back_is_an_error_of_ours(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for wrong in (str.upper, lambda _: "", lambda name: f"a, {name}\n"):
+        monkeypatch.setattr("cammotion.exchange.tables.name_cell", wrong)
+        with pytest.raises(cm.WrongAnswerError, match=r"^write_segments has checked its answer"):
+            cm.write_segments(make_diagram(), tmp_path / "m.csv")
+    assert not [*tmp_path.iterdir()]
+
+
 @pytest.mark.parametrize(
     "expression",
     [
@@ -170,6 +201,39 @@ def test_a_law_that_no_text_gives_back_is_refused(
 )
 def test_an_expression_is_read_as_it_was(expression: sympy.Expr) -> None:
     assert expression_from_text(expression_as_text(expression)) == expression
+
+
+DAMAGE = ["-", "=", "\t", "'", '"', ";", ",", "\n", "1e9", "**", "x", "(", ")", "[", "nan", "S ="]
+DAMAGE += [
+    "scca",
+    "0",
+    " ",
+    "\0",
+    "é",
+    "1_0",
+    ".",
+    "E",
+    "sin(",
+    "Piecewise((",
+    "9" * 20,
+    "/0",
+    "inf",
+]
+
+
+def test_damaged_tables_are_read_or_refused_in_words(tmp_path: Path) -> None:
+    rng, path = np.random.default_rng(4), tmp_path / "m.csv"
+    for _ in range(25):
+        text = cm.write_segments(draw(rng, 2), path, overwrite=True).read_bytes().decode()[:20_000]
+        for _ in range(12):
+            damaged = text
+            for _ in range(int(rng.integers(1, 4))):
+                at, gone = int(rng.integers(len(damaged))), int(rng.choice([0, 1, 1, 3, 30]))
+                new = str(rng.choice(DAMAGE))
+                damaged = damaged[:at] + new + damaged[at + gone :]
+            path.write_bytes(damaged.encode())
+            with suppress(InputError):
+                assert cm.read_segments(path).motions
 
 
 ATTACKS = [
@@ -210,10 +274,14 @@ def test_what_is_no_law_is_refused_at_once(text: str) -> None:
         "polynomials(([0, 0.5], [0], [1]), ([0.6, 1], [0.5], [1]))",
         "polynomials(([0, 0.5, 0.5, 1], [0, 0, 0], [1, 1, 1]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 1, 1]))",
+        "polynomials(([0, 0.6, 0.4, 1], [0, 0.6, 0.4], [1, 1, 1]))",
         "polynomials(([0, 0.5, 1], [0, 0.7], [1, 1]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 0.9], [0, 0.2]))",
         "polynomials(([0, 0.5, 1], [0, 0.5], [1, 1], [0, 0], [0, 0], [0, 0]))",
-        "polynomials(([0, 1], [0], [1]), sampled_at=3)",
+        "law_from_points([0, 1], [0, 1])",
+        "law_from_points([0, 0.3, 0.6, 1], [0, 0.1, 0.7, 1], fit='best')",
+        "law_from_points([0, 0.3, 0.6, 1], [0, 0.1, 0.7, 1], name='other')",
+        "law_from_points()",
         "polynomials(([[0, 1]], [0], [1]))",
         f"polynomials(([0, 1], {', '.join(['[1]'] * 40)}))",
         f"polynomials({'(' * 500})",

@@ -93,6 +93,49 @@ def test_a_german_spreadsheet_is_read(tmp_path: Path, decimal: str) -> None:
     assert read_segments(path) == diagram
 
 
+def german(path: Path, rate: str, *others: str) -> Path:
+    """Save a dwell with such numbers, between semicolons."""
+    turn = ["die", "", *others, "dwell", rate]
+    return rewrite(path, [HEADING, turn], delimiter=";")
+
+
+@pytest.mark.parametrize(
+    ("rate", "others", "found"),
+    [
+        ("2.400", ["0,0", "360,0", "0,5", "0,5"], 2400),
+        ("2,400", ["0.0", "360.0", "0.5", "0.5"], 2400),
+        ("2,400", ["0,0", "360,0", "0,5", "0,5"], 2.4),
+        ("2.400", ["0.0", "360.0", "0.5", "0.5"], 2.4),
+        ("2.400,5", ["0", "360", "1", "1"], 2400.5),
+        ("1.002.400", ["0", "360", "1", "1"], 1_002_400),
+        ("2.40", ["0", "360", "1", "1"], 2.4),
+        ("2400", ["0", "360", "1", "1"], 2400),
+    ],
+)
+def test_a_mark_of_thousands_is_no_decimal_mark(
+    tmp_path: Path, rate: str, others: list[str], found: float
+) -> None:
+    assert read_segments(german(tmp_path / "m.csv", rate, *others)).rate_per_hour == found
+
+
+@pytest.mark.parametrize("rate", ["2.400", "2,400"])
+def test_a_number_that_can_be_read_in_two_ways_is_a_question(tmp_path: Path, rate: str) -> None:
+    path = german(tmp_path / "m.csv", rate, "0", "360", "1", "1")
+    match = (
+        rf"^Line 2 of m\.csv: 'machine rate in pieces/h' is '{rate}', which may be 2400 or 2\.4,"
+    )
+    with pytest.raises(cm.InputError, match=match):
+        read_segments(path)
+    german(path, f"{rate}0", "0", "360", "1", "1")
+    assert read_segments(path).rate_per_hour == 2.4
+
+
+def test_in_a_table_with_commas_between_the_cells_a_point_is_decimal(tmp_path: Path) -> None:
+    rows = [HEADING, ["die", "", "0", "360", "1.125", "1.125", "dwell", "2,400"]]
+    diagram = read_segments(rewrite(tmp_path / "m.csv", rows))
+    assert (diagram["die"].start_mm, diagram.rate_per_hour) == (1.125, 2400)
+
+
 def test_what_people_do_to_tables_is_read(tmp_path: Path) -> None:
     """Columns in another order, one more, blank lines, blanks about a cell, motions by turns."""
     rows = list(csv.reader(write(DIAGRAM, tmp_path / "m.csv").open()))
@@ -273,7 +316,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(to_mm="5"),
     ],
-    "Line 2 of bad.csv: There is no motion law 'cycloid': use one of 'constant acceleration'": [
+    "Line 2 of bad.csv: There is no motion law 'cycloid': did you mean 'cycloidal'?": [
         HEADING,
         changed(law="cycloid", to_mm="5"),
     ],
@@ -287,11 +330,11 @@ MALFORMED: dict[str, list[list[str]]] = {
         changed(from_deg="100"),
     ],
     "Line 2 of bad.csv and further: The name of a motion is ''": [HEADING, changed(motion=" ")],
-    "Line 2 of bad.csv and further: The number of stops of 'die' is 2.5; it has to be a whole": [
+    "Line 2 of bad.csv and further: The number of stops of 'die' is 2.5; it has to be a finite": [
         HEADING,
         changed(stops="2.5"),
     ],
-    "Line 2 of bad.csv and further: The number of stops of 'die' is 0; it has to be a whole": [
+    "Line 2 of bad.csv and further: The number of stops of 'die' is 0; it has to be a finite": [
         HEADING,
         changed(stops="0"),
     ],

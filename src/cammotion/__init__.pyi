@@ -9,6 +9,7 @@ from .dynamics.residual import (
 from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
 from .exchange.cam_files import write_cam
 from .exchange.cam_tables import read_cam_table
+from .exchange.cam_tables_out import write_cam_tables
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
@@ -87,6 +88,7 @@ from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_we
 from .views.live.explore import explore
 from .views.live.formulas import inverse, largest, place_of_largest
 from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, choice, pinned
+from .views.measured_plots import plot_harmonics, plot_measured
 from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
@@ -203,9 +205,11 @@ __all__ = [
     "plot_detour",
     "plot_fit",
     "plot_front",
+    "plot_harmonics",
     "plot_inverse_square",
     "plot_jerk_price",
     "plot_laws",
+    "plot_measured",
     "plot_peaks",
     "plot_ranking",
     "plot_residual",
@@ -238,6 +242,7 @@ __all__ = [
     "with_angle",
     "within",
     "write_cam",
+    "write_cam_tables",
     "write_curves",
     "write_segments",
     "x",

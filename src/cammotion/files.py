@@ -3,17 +3,17 @@
 from pathlib import Path
 from typing import Any
 
-from cammotion.arguments import checked
 from cammotion.quantities import InputError, shorten
 
 
-@checked
 def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
     """Write a text file, its line ends as they are, and return its path.
 
     A file that is there already is left as it is, with an InputError, unless `overwrite` is True.
     """
     path = as_path(path)
+    if not isinstance(overwrite, bool):
+        raise InputError(f"The overwrite is {shorten(overwrite)}: give True or False.")
     try:
         content = text.encode("utf-8")
     except UnicodeEncodeError as wrong:

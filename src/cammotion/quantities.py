@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-_TINY = 1e-50  # numbers that are smaller, or larger than 1/that, are slips: their powers overflow
+_TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
 _NONE: Mapping[str, str] = {}
 _TYPED = re.compile(r"[+-]?\d+([.,]\d+)?", re.ASCII)
@@ -74,7 +74,7 @@ class Quantity:
         if array.size == 0:
             raise InputError(f"The {self.name} is empty: give {self._example}.")
         least = array.min()  # many at once take no detour; nan is in no order
-        is_above = least > max(self.low, _TINY) or (self.low_included and least == self.low)
+        is_above = least > self._least or (self.low_included and least == self.low)
         if is_above and array.max() <= self.high < math.inf:
             return array
         inside = self._inside(array)
@@ -104,6 +104,10 @@ class Quantity:
         low = f"{'at least' if self.low_included else 'above'} {self.low:g}"
         high = "" if math.isinf(self.high) else f" and at most {self.high:g}"
         return f" {low}{high}{self._unit}"
+
+    @property
+    def _least(self) -> float:
+        return self.low or _TINY  # what has to be above 0 is not as good as 0
 
     @property
     def _unit(self) -> str:
@@ -136,10 +140,9 @@ class Quantity:
         )
 
     def _inside(self, array: Floats) -> NDArray[np.bool_]:
-        above = array >= self.low if self.low_included else array > self.low
+        above = array >= self.low if self.low_included else array > self._least
         size = np.abs(array)
-        is_number = (size <= 1 / _TINY) & ((size >= _TINY) | (array == 0))
-        inside: NDArray[np.bool_] = above & (array <= self.high) & is_number
+        inside: NDArray[np.bool_] = above & (array <= self.high) & (size <= 1 / _TINY)
         return inside
 
     def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:

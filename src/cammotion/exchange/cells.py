@@ -3,15 +3,13 @@
 import csv
 import io
 import math
-import re
 from collections.abc import Iterable
 
+from cammotion.exchange.table_numbers import number_of
 from cammotion.quantities import InputError
 
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet reckons with a cell that begins so
 _QUOTE = "'"
-_GROUPED = {mark: re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:{re.escape(mark)}\d{{3}})+") for mark in ",."}
-_OTHER = {",": ".", ".": ","}
 
 
 def cut_rows(file: str, text: str) -> tuple[list[list[str]], str]:
@@ -39,14 +37,15 @@ def rows_as_text(rows: Iterable[Iterable[object]]) -> str:
 
 
 def decimal_mark(cells: Iterable[str]) -> str:
-    """Return the decimal sign of numbers, as far as they tell; "" if both signs are possible.
+    """Return the decimal mark of numbers, as far as they tell; "" if both are possible.
 
-    A sign tells nothing where three digits follow it, since it may separate the thousands.
+    A mark tells nothing where three digits follow it, since it may separate the thousands.
 
     >>> decimal_mark(["2.400", "0,5"]), decimal_mark(["2.400", "55"])
     (',', '')
     """
-    marks = {_told_by(cell) for cell in cells} - {""}
+    possible = (_readings(cell) for cell in cells)
+    marks = {mark for found in possible if len(found) == 1 for mark in found}
     return marks.pop() if len(marks) == 1 else ""
 
 
@@ -56,26 +55,14 @@ def number_in(cell: str, decimal: str) -> float:
     >>> number_in("2.400", ","), number_in("2.400", "."), number_in("2.400", "")
     (2400.0, 2.4, nan)
     """
-    mark = _told_by(cell) or decimal
-    if (decimal and mark != decimal) or (not mark and two_readings(cell)):
-        return math.nan
-    thousands = _OTHER.get(mark, "")
-    whole, point, rest = cell.partition(mark) if mark else (cell, "", "")
-    if thousands and thousands in whole and _GROUPED[thousands].fullmatch(whole):
-        whole = whole.replace(thousands, "")
-    try:
-        number = float(whole + ("." if point else "") + rest)
-    except ValueError:
-        return math.nan
-    return number if math.isfinite(number) else math.nan
+    readings = {*_readings(cell, decimal or ".,").values()}
+    return readings.pop() if len(readings) == 1 else math.nan
 
 
-def two_readings(cell: str) -> tuple[str, str] | None:
-    """Return both numbers that a cell may stand for, like 2400 and 2.4; None for any other cell."""
-    for mark, grouped in _GROUPED.items():
-        if cell.count(mark) == 1 and grouped.fullmatch(cell):
-            return cell.replace(mark, ""), cell.replace(mark, ".")
-    return None
+def two_readings(cell: str) -> tuple[float, ...]:
+    """Return both numbers that a cell may stand for, like 2400 and 2.4; () for any other cell."""
+    readings = {*_readings(cell).values()}
+    return tuple(sorted(readings, reverse=True)) if len(readings) > 1 else ()
 
 
 def name_cell(name: str) -> str:
@@ -97,14 +84,7 @@ def _is_odd(name: str) -> bool:
     return name.startswith((*_FORMULA, _QUOTE)) or name != name.lstrip()
 
 
-def _told_by(cell: str) -> str:
-    """Return the decimal sign that a cell shows; "" if it shows none."""
-    commas, points = cell.count(","), cell.count(".")
-    if commas and points:
-        return max(",", ".", key=cell.rfind)
-    mark = "," if commas else "." if points else ""
-    if not mark:
-        return ""
-    if _GROUPED[mark].fullmatch(cell):
-        return _OTHER[mark] if max(commas, points) > 1 else ""
-    return mark
+def _readings(cell: str, marks: str = ".,") -> dict[str, float]:
+    """Return the number in a cell for each decimal mark with which it is one."""
+    numbers = ((mark, number_of(cell, mark)) for mark in marks)
+    return {mark: number for mark, number in numbers if number is not None}

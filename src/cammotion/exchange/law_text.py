@@ -1,13 +1,15 @@
 """Motion laws as text for a table, and text read as a law: what it is, not only its name.
 
-The text is one of three. `S = 3*x**2 - 2*x**3` is the expression; `scca(0.25, 0.5, 0.25)` the
-family and its parameters; `polynomials(([0, 0.5, 1], [0, 0.5], [0, 2], [2, -2]))` lists for each
+The text is one of four. `S = 3*x**2 - 2*x**3` is the expression; `scca(0.25, 0.5, 0.25)` the
+family and its parameters; `law_from_points([0, 0.3, ...], [0, 0.1, ...])` the points, and how the
+law lies to them; `polynomials(([0, 0.5, 1], [0, 0.5], [0, 2], [2, -2]))` lists for each
 piece its knots and, by rising power of x less the knot, the coefficients from each knot on, so that
 the first list beside the knots holds the points.
 """
 
 import ast
 import math
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
 from typing import Any
@@ -23,6 +25,9 @@ from cammotion.laws.scca_family import scca
 from cammotion.laws.series import Series, about
 from cammotion.laws.spline import Spline
 from cammotion.laws.symbols import exact
+from cammotion.measured.fits import Monotone, Periodic, Through
+from cammotion.measured.from_points import law_from_points
+from cammotion.measured.sampled_law import SampledLaw
 from cammotion.quantities import Floats, InputError, shorten
 
 _EXPRESSION = "S ="
@@ -115,6 +120,8 @@ def is_same_law(one: MotionLaw, other: MotionLaw) -> bool:
 def _texts(law: MotionLaw) -> Iterator[str]:
     """Yield texts that may give a law back, the plainest first."""
     pieces = law.curve.pieces
+    if isinstance(law, SampledLaw):
+        yield _points(law)
     yield from _sccas(pieces)
     is_short = len(pieces) <= _FEW and not any(
         isinstance(_inmost(piece), Spline) for piece in pieces
@@ -126,6 +133,18 @@ def _texts(law: MotionLaw) -> Iterator[str]:
         yield f"polynomials({', '.join(map(str, lists))})"
     if not is_short:
         yield _expression(pieces)
+
+
+def _points(law: SampledLaw) -> str:
+    """Return how a law from points was made."""
+    fit, kind = law.fit, "smooth" if law.fit.is_smooth else "through"
+    if not isinstance(fit, Through):
+        kind = "periodic" if isinstance(fit, Periodic) else "monotone"
+    ends = fit.slopes if isinstance(fit, Through | Monotone) else ()
+    slopes = f", end_slopes={tuple(map(float, ends))}" if ends else ""
+    smoothing = f", smoothing={float(fit.amount)}" if fit.is_smooth else ""
+    points = f"{[*law.sampled_at]}, {law.__dict__['_ways'].tolist()}"
+    return f"law_from_points({points}{slopes}, fit={kind!r}{smoothing}, step={float(law.step)})"
 
 
 def _sccas(pieces: tuple[Piece, ...]) -> Iterator[str]:
@@ -184,6 +203,11 @@ def _read_scca(name: str, b: float, c: float, d: float) -> MotionLaw:
     return MotionLaw(name, scca(b, c, d).curve)
 
 
+def _read_points(name: str, x: list[float], s: list[float], **more: Any) -> MotionLaw:
+    with warnings.catch_warnings(action="ignore"):  # whoever made the law was told
+        return law_from_points(x, s, name=name, **more)
+
+
 def _read_polynomials(name: str, *lists: Sequence[Sequence[float]]) -> MotionLaw:
     pieces = [
         _read_piece(name, *(np.array(row, dtype=np.float64) for row in rows)) for rows in lists
@@ -228,4 +252,8 @@ def _check_smooth(name: str, spline: Spline) -> None:
         curve = curve.derivative
 
 
-_FORMS: dict[str, Callable[..., MotionLaw]] = {"scca": _read_scca, "polynomials": _read_polynomials}
+_FORMS: dict[str, Callable[..., MotionLaw]] = {
+    "scca": _read_scca,
+    "law_from_points": _read_points,
+    "polynomials": _read_polynomials,
+}

@@ -122,9 +122,9 @@ class _Record:
         number = number_in(cell, self.decimal)
         if math.isnan(number) and (readings := two_readings(cell)):
             raise InputError(
-                f"{self.where}: '{column}' is {cell!r}, which may be {' or '.join(readings)}, and "
-                "no other number of the file tells which: write it without a sign for thousands, "
-                f"or with a 0 more behind ({cell}0)."
+                f"{self.where}: '{column}' is {cell!r}, which may be {readings[0]:.12g} or "
+                f"{readings[1]:.12g}, and no other number of the file tells which: write it "
+                f"without a mark of thousands, or with a 0 more behind ({cell}0)."
             )
         if math.isnan(number):
             raise InputError(

@@ -78,7 +78,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     >>> places = np.linspace(0, 1, 361)
     >>> cycloid = places - np.sin(2 * np.pi * places) / (2 * np.pi)
     >>> law_from_points(places, (50 * cycloid).round(2) / 50, fit="smooth", name="cycloid")
-    MotionLaw('cycloid', sampled at 361 points rounded to 0.0001: Ca within 0.57)
+    MotionLaw('cycloid', sampled at 361 points rounded to 0.0002: Ca within 0.57)
     """
     places, ways = _checked(x, s)
     slopes = _SLOPE.array(end_slopes)

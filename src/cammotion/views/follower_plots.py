@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.dynamics.residual import (
     dynamic_factor,
     residual_vibration,
@@ -33,6 +34,7 @@ _AFTER = 1.5  # indexing times after a move
 _GAP = 0.052  # between two labels, as a share of the axis
 
 
+@checked
 def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     laws: str | MotionLaw | Iterable[str | MotionLaw] | None = None,
     *,
@@ -81,6 +83,7 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     return ax
 
 
+@checked
 def plot_response(
     response: Response,
     *,

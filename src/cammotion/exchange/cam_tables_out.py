@@ -1,0 +1,215 @@
+"""Cam tables for a PLC or a cam programmer: the position over the cam angle, a file a mechanism."""
+
+import math
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from cammotion.exchange.table_columns import DECIMALS, SEPARATORS
+from cammotion.files import as_path, write_new
+from cammotion.machine.diagram import TimingDiagram, as_diagram
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
+
+STEP_DEG = Quantity("step of a cam table", "deg", example=1, low=1e-3, high=45, low_included=True)
+POINTS = Quantity("number of points of a cam table", "", example=361, low=8, high=400_000)
+PLACES = Quantity("number of decimals", "", example=6, high=12, low_included=True)
+FORMS = ("plain", "codesys")
+
+_ANGLE = 10  # decimals of an angle: 0.3, and not 0.30000000000000004
+_WHOLE = 1e-9  # by such a share a step may miss a whole part of the turn
+_INT = 32_767  # points that CODESYS counts in an INT
+_ORDERS = {1: "velocity", 2: "acceleration", 3: "jerk"}
+_UNITS = {"deg": "mm/deg", "s": "mm/s"}
+_NO_NAME = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f\ud800-\udfff]')  # in no name of a file
+_DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
+_LONGEST = 60  # characters of a file's name
+
+
+def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
+    diagram: TimingDiagram,
+    folder: str | Path,
+    *,
+    step_deg: float | None = None,
+    points: int | None = None,
+    form: str = "plain",
+    decimals: int = 6,
+    separator: str | None = None,
+    decimal: str = ".",
+    derivatives: str | None = None,
+    overwrite: bool = False,
+) -> dict[str, Path]:
+    r"""Write a table of each mechanism's motion into a folder; return the paths by the names.
+
+    A table goes from 0 to 360 deg, both included, in even steps of `step_deg` (1 deg if nothing is
+    said), which has to divide the turn, or with so many `points`. Its positions in mm have
+    `decimals` behind the `decimal` mark, "." or ","; `separator` is "\t", ";", "|", "," or " ".
+    With `derivatives` "deg" it lists velocity, acceleration and jerk too, in mm/deg, mm/deg2 and
+    mm/deg3, with "s" in mm/s, mm/s2 and mm/s3 at the machine rate; the largest value of each has as
+    many decimals behind its first digit. Where two segments meet, they are those of the later one.
+
+    The last position is the first; that of an indexing motion is a pitch further. The "plain"
+    `form` is a .csv file with a heading, semicolons if nothing is said; `read_cam_table` reads it.
+    "codesys" is what CODESYS SoftMotion reads as a cam from an ASCII table: a .txt file of X and Y,
+    rising, without a heading, tabs if nothing is said, at most 32,767 points. SoftMotion lays
+    polynomials of degree five through them, which may swing if there are many; its own tables have
+    128 or 256. The slave's period of an indexing motion is then the pitch.
+
+    Nothing is written over a file that is there, unless `overwrite` is True. Raises InputError
+    before anything is written.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> import cammotion as cm
+    >>> with TemporaryDirectory() as folder:
+    ...     paths = write_cam_tables(cm.EXAMPLE.diagram, folder, step_deg=0.1, decimals=4)
+    ...     print([path.name for path in paths.values()])
+    ...     print(paths["die"].read_text().splitlines()[1800])
+    ['mill.csv', 'die.csv']
+    179.9;29.3364
+    """
+    as_diagram(diagram)
+    one_of("form of a cam table", form, FORMS)
+    if derivatives is not None:
+        one_of("unit of the derivatives", derivatives, _UNITS)
+        if form == "codesys":
+            raise InputError(
+                "CODESYS reads a table of two columns: leave out the derivatives, or write the "
+                "plain form."
+            )
+    separator = (";" if form == "plain" else "\t") if separator is None else separator
+    one_of("separator", separator, SEPARATORS)
+    if one_of("decimal mark", decimal, DECIMALS) == separator:
+        raise InputError("The comma cannot be both separator and decimal mark: change one of them.")
+    places = _whole(PLACES, decimals)
+    angles = _angles(step_deg, points, _INT if form == "codesys" else None)
+    texts = {}
+    for motion in diagram.motions:
+        columns = [[_angle(angle) for angle in angles.tolist()]]
+        columns.append(_fixed(_positions(motion, angles), places))
+        heading = ["cam angle in deg", "position in mm"]
+        for order, what in _ORDERS.items() if derivatives else ():
+            values = _derivative(diagram, motion, order, angles, derivatives == "s")
+            columns.append(_fixed(values, _places_for(values, places)))
+            heading.append(f"{what} in {_UNITS[str(derivatives)]}{order if order > 1 else ''}")
+        rows = (separator.join(cells).replace(".", decimal) for cells in zip(*columns, strict=True))
+        first = [separator.join(heading)] if form == "plain" else []
+        texts[motion.name] = "\r\n".join([*first, *rows, ""])
+    return _write(texts, folder, ".csv" if form == "plain" else ".txt", overwrite=overwrite)
+
+
+def _angles(step_deg: float | None, points: int | None, most: int | None) -> Floats:
+    """Return the angles from 0 to 360 deg; raise InputError for steps that do not fill the turn."""
+    if step_deg is not None and points is not None:
+        raise InputError("Both step_deg and points are given: give one of the two.")
+    if points is not None:
+        steps = _whole(POINTS, points) - 1
+    else:
+        step = STEP_DEG.number(1 if step_deg is None else step_deg)
+        parts = DEG_PER_TURN / step
+        steps = round(parts)
+        if abs(parts - steps) > _WHOLE * parts:
+            near = (math.floor(parts), math.ceil(parts))
+            raise InputError(
+                f"The step of a cam table is {step:g} deg, which does not divide 360 deg "
+                f"({parts:.6g} steps): give points={near[0] + 1} (steps of "
+                f"{DEG_PER_TURN / near[0]:.6g} deg) or points={near[1] + 1} (steps of "
+                f"{DEG_PER_TURN / near[1]:.6g} deg)."
+            )
+    if most and steps >= most:
+        raise InputError(
+            f"A cam of CODESYS has at most {most} points, and these are {steps + 1}: give a larger "
+            "step, or points=256."
+        )
+    return np.round(DEG_PER_TURN * np.arange(steps + 1) / steps, _ANGLE)
+
+
+def _positions(motion: Motion, angles: Floats) -> Floats:
+    """Return the positions in mm over a turn that begins at 0 deg; it closes, or is a pitch on."""
+    turns, phase = _phase(motion, angles)
+    positions: Floats = motion.curve(phase) + motion.pitch_mm * turns
+    positions += motion.position_mm(0) - positions[0]
+    positions[-1] = positions[0] + motion.pitch_mm
+    return positions
+
+
+def _derivative(
+    diagram: TimingDiagram, motion: Motion, order: int, angles: Floats, per_second: bool
+) -> Floats:
+    """Return a derivative in mm by the cam angle in deg or by the time in s."""
+    values = motion.curve.derived(order)(_phase(motion, angles)[1], "right")
+    values[-1] = values[0]
+    if per_second:
+        values = np.asarray(over_time(order, values, diagram.cycle_time_s)) * MM_PER_M
+    return values
+
+
+def _phase(motion: Motion, angles: Floats) -> tuple[Floats, Floats]:
+    """Return how many turns after the first one, and the cam angle within that."""
+    turns = np.floor((angles - motion.start_deg) / DEG_PER_TURN)
+    return turns, angles - DEG_PER_TURN * turns
+
+
+def _angle(angle: float) -> str:
+    """Return an angle with one decimal at least: it shows the decimal mark."""
+    text = f"{angle:.{_ANGLE}f}".rstrip("0")
+    return text + "0" if text.endswith(".") else text
+
+
+def _fixed(values: Floats, places: int) -> list[str]:
+    return [f"{value:.{places}f}" for value in (values.round(places) + 0.0).tolist()]  # no -0.0
+
+
+def _places_for(values: Floats, places: int) -> int:
+    """Return the decimals with which the largest value has `places` behind its first digit."""
+    largest = float(np.abs(values).max())
+    return places - math.floor(math.log10(largest)) if 0 < largest < 1 else places
+
+
+def _whole(quantity: Quantity, given: Any) -> int:
+    number = quantity.number(given)
+    if not number.is_integer():
+        raise InputError(
+            f"The {quantity.name} is {number:g}; it has to be a whole number: give, for example, "
+            f"{quantity.example:g}."
+        )
+    return int(number)
+
+
+def _write(
+    texts: dict[str, str], folder: str | Path, ending: str, *, overwrite: bool
+) -> dict[str, Path]:
+    """Write the files, unless one of them is there already."""
+    place = as_path(folder)
+    if not place.is_dir():
+        raise InputError(
+            f"There is no folder {shorten(place.name)}: make it, or give another one; each "
+            "mechanism gets a file of its own in it."
+        )
+    paths = {
+        name: place / f"{stem}{ending}" for name, stem in zip(texts, _stems(texts), strict=True)
+    }
+    there = [path.name for path in paths.values() if path.exists()]
+    if there and overwrite is not True:
+        raise InputError(
+            f"The file {there[0]} is there already, and nothing was written: choose another "
+            "folder, or add overwrite=True."
+        )
+    return {name: write_new(path, texts[name], overwrite=overwrite) for name, path in paths.items()}
+
+
+def _stems(names: Iterable[str]) -> Iterator[str]:
+    """Yield for each mechanism the name of a file that every system takes, each another one."""
+    taken: set[str] = set()
+    for name in names:
+        stem = _NO_NAME.sub("_", name)[:_LONGEST].strip(". ") or "_"
+        stem = f"_{stem}" if _DEVICE.fullmatch(stem) else stem
+        number, free = 1, stem
+        while free.casefold() in taken:
+            number += 1
+            free = f"{stem} {number}"
+        taken.add(free.casefold())
+        yield free

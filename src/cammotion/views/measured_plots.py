@@ -1,0 +1,163 @@
+"""Pictures of a measured cam: its acceleration with what readings leave open, its harmonics."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import MultipleLocator
+from numpy.typing import ArrayLike
+
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.measured.cam_table import CamTable
+from cammotion.measured.differences import differences
+from cammotion.measured.inch import MM_PER_INCH
+from cammotion.measured.smoothing import SmoothedTable
+from cammotion.quantities import Floats, InputError, one_of
+from cammotion.views.pictures import blank_axes
+from cammotion.views.plots import colour, style_axes, style_line
+
+METRES = {"m": 1.0, "in": MM_PER_INCH / MM_PER_M}
+_PLACES = 1441
+_EIGHTH = DEG_PER_TURN / 8
+_WIDE = 0.8  # of the way between two ranks, for all bars of a rank
+_TOLD = 3  # of the bars have their value above them
+
+
+def plot_measured(
+    tables: Mapping[str, CamTable | SmoothedTable],
+    rate_per_hour: float,
+    *,
+    unit: str = "m",
+    error_mm: float | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw the acceleration of each table over the cam angle, and return the Axes.
+
+    Of a `CamTable` it is that of its second differences, with a point at each of them, and with a
+    bar of what readings off by at most `error_mm` leave open. Of a `SmoothedTable` it is the
+    spline's, within a band of one root mean square to both sides, of reading errors with a root
+    mean square of `error_mm`, or of the one that its points suggest. `rate_per_hour` counts the
+    turns of the camshaft. `unit` is "m", or "in" for in/s2 with m/s2 on the right. Raises
+    InputError for no table, and for another unit.
+
+    >>> angles = np.arange(0, 360, 10)
+    >>> cam = CamTable(angles, 25 - 25 * np.cos(np.radians(angles)), is_cycle=True)
+    >>> plot_measured({"cam": cam}, 900).get_ylabel()
+    'acceleration in m/s²'
+    """
+    if not isinstance(tables, Mapping) or not tables:
+        raise InputError('There is no table to draw: give each a name, as in {"cam": table}.')
+    ax = _axes(ax, "cam angle in deg", "acceleration", unit)
+    for number, (name, table) in enumerate(tables.items()):
+        is_smooth = isinstance(table, SmoothedTable)
+        curve = _curve(table, rate_per_hour, error_mm)
+        angle, values, open_by = curve[0], curve[1] / METRES[unit], curve[2] / METRES[unit]
+        (line,) = ax.plot(angle, values, label=name)
+        style_line(line, number)
+        if is_smooth:
+            low, high = values - open_by, values + open_by
+            ax.fill_between(angle, low, high, color=colour(number), alpha=0.25, lw=0)
+        else:
+            line.set(marker="o", markersize=3.5)
+            ax.errorbar(angle, values, open_by, fmt="none", ecolor=colour(number), capsize=3)
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    ax.margins(x=0.01)
+    ax.xaxis.set_major_locator(MultipleLocator(_EIGHTH))
+    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False)
+    return ax
+
+
+def plot_harmonics(
+    amplitudes: Mapping[str, ArrayLike],
+    *,
+    unit: str = "m",
+    critical: int | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw the harmonics of accelerations as bars over their rank, 1 being the first of each.
+
+    `amplitudes` are lists in m/s2, by name; `unit` "in" draws them in in/s2, with m/s2 on the
+    right. The three largest of each have their rank above them, and the `critical` rank too, in a
+    frame. Returns the Axes; raises InputError for no amplitudes, and for another unit.
+
+    >>> plot_harmonics({"cam": [3, 0, 1]}).get_xlabel()
+    'rank of the harmonic'
+    """
+    if not isinstance(amplitudes, Mapping) or not amplitudes:
+        raise InputError('There are no harmonics to draw: give a name, as in {"cam": amplitudes}.')
+    ax = _axes(ax, "rank of the harmonic", "amplitude of acceleration", unit)
+    wide = _WIDE / len(amplitudes)
+    last = 1
+    for number, (name, given) in enumerate(amplitudes.items()):
+        heights = np.asarray(given, float) / METRES[unit]
+        ranks = np.arange(1, heights.size + 1)
+        last = max(last, heights.size)
+        left = ranks - _WIDE / 2 + wide * (number + 0.5)
+        ax.bar(left, heights, wide, color=colour(number), label=name, hatch="//" if number else "")
+        told = {*(np.argsort(-heights)[:_TOLD] + 1), *([critical] if critical else [])}
+        for rank in sorted(told):
+            text = f"{rank}: {heights[rank - 1]:.2f}"
+            ax.annotate(text, (left[rank - 1], heights[rank - 1]), (0, 3), **_ABOVE)
+    if critical:
+        ax.axvspan(critical - 0.5, critical + 0.5, color="#000000", alpha=0.08, linewidth=0)
+    ax.set_xticks(np.arange(2, last + 1, 2))
+    ax.margins(x=0.01, y=0.2)
+    ax.legend(fontsize=10, loc="upper right")
+    return ax
+
+
+_ABOVE: dict[str, Any] = {
+    "textcoords": "offset points",
+    "ha": "center",
+    "va": "bottom",
+    "fontsize": 9,
+    "rotation": 90,
+}
+
+
+def _axes(ax: Axes | None, across: str, up: str, unit: str) -> Axes:
+    """Return styled axes in a unit, with metres on the right where it is the inch."""
+    metres = METRES[one_of("unit of length", unit, METRES)]
+    if ax is None:
+        ax = blank_axes(7.5, 4.2, layout="constrained")
+    style_axes(ax, across, f"{up} in {unit}/s²")
+    if unit != "m":
+        ways = (lambda y: np.asarray(y) * metres, lambda y: np.asarray(y) / metres)
+        right = ax.secondary_yaxis("right", functions=ways)
+        right.set_ylabel("in m/s²", fontsize=11)
+        right.tick_params(labelsize=10)
+    return ax
+
+
+def _curve(
+    table: CamTable | SmoothedTable, rate: float, error_mm: float | None
+) -> tuple[Floats, Floats, Floats]:
+    if isinstance(table, SmoothedTable):
+        return _spline(table, rate, error_mm)
+    return _points(table, rate, error_mm)
+
+
+def _points(table: CamTable, rate: float, error_mm: float | None) -> tuple[Floats, Floats, Floats]:
+    """Return angles, the acceleration there, and the bound of what readings leave open."""
+    found = differences(table, rate)
+    bound = found.acceleration_bound(error_mm or 0.0)
+    if table.is_cycle:
+        return _closed(found.angle_deg), _closed(found.acceleration, 0), _closed(bound, 0)
+    return found.angle_deg, found.acceleration, bound
+
+
+def _spline(
+    found: SmoothedTable, rate: float, error_mm: float | None
+) -> tuple[Floats, Floats, Floats]:
+    """Return many angles, the acceleration there, and the root mean square of what is open."""
+    places, bars = found.table.angle_deg, found.acceleration_rms(rate, error_mm)
+    if found.table.is_cycle:
+        places, bars = _closed(places), _closed(bars, 0)
+    angle = np.linspace(places[0], places[-1], _PLACES)
+    return angle, np.asarray(found.at(angle, rate, 2)), np.interp(angle, places, bars)
+
+
+def _closed(values: Floats, more: float = DEG_PER_TURN) -> Floats:
+    """Return a turn with its first value, and so much `more`, at its end again."""
+    return np.append(values, values[0] + more)
