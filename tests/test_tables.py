@@ -316,7 +316,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(to_mm="5"),
     ],
-    "Line 2 of bad.csv: There is no motion law 'cycloid': did you mean 'cycloidal'?": [
+    "Line 2 of bad.csv: There is no motion law 'cycloid': give it among the `laws`": [
         HEADING,
         changed(law="cycloid", to_mm="5"),
     ],
@@ -330,7 +330,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         changed(from_deg="100"),
     ],
     "Line 2 of bad.csv and further: The name of a motion is ''": [HEADING, changed(motion=" ")],
-    "Line 2 of bad.csv and further: The number of stops of 'die' is 2.5; it has to be a finite": [
+    "Line 2 of bad.csv and further: The number of stops of 'die' is 2.5; it has to be a whole": [
         HEADING,
         changed(stops="2.5"),
     ],

@@ -20,14 +20,18 @@ _HOW = {
     "Axes": "the axes of a picture, for example plt.subplots()[1]",
     "ClearanceRule": "a ClearanceRule, for example "
     "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
+    "Condition": "a condition, made with beyond('die', 19) or within('mill', 0.65)",
     "Fit": "a Fit, for example Fit(20, 'H7', 'h6')",
     "FlatFacedCam": "a FlatFacedCam",
     "Indexer": "an Indexer, for example Indexer(38.5, stops=8, time_s=0.75)",
+    "int": "a whole number",
     "LeastAcceleration": "what least_acceleration returned",
     "Mapping": "a dictionary",
     "Motion": "a motion, made with motion or indexing_motion, or diagram['die'] of a diagram",
     "MotionLaw": "a motion law, for example LAWS['cycloidal']",
     "Move": "a move, for example Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)",
+    "Segment": "a Segment, or make the motion with "
+    "motion('die', rise(50, over_deg=55), dwell(100), ...)",
     "TimingDiagram": "a timing diagram, for example TimingDiagram([mill, die], rate_per_hour=2000)",
     "WidestMove": "what widest_move returned",
     "bool": "True or False",

@@ -86,7 +86,14 @@ class _Laws:
         """Return the law that a line names, and says in full if `text` is not empty."""
         if not text:
             named = {law.name.strip(): law for law in self._given}
-            return None if name == DWELL else (KNOWN | named).get(name, name)
+            if name == DWELL:
+                return None
+            if name not in {*KNOWN, *named, *LAWS}:  # other names of a law may be other laws here
+                raise InputError(
+                    f"There is no motion law {shorten(name)}: give it among the `laws`, or use one "
+                    f"of {shorten(', '.join(LAWS), 400, of=str)}."
+                )
+            return named.get(name) or KNOWN.get(name, name)
         if name in RESERVED and not text.startswith(OWN):
             raise InputError(
                 f"The law is called {name!r}, but '{IN_FULL}' says another one: empty that cell "

@@ -39,6 +39,12 @@ class Curve:
         self.pieces = tuple(pieces)
         self.low, self.high = self.pieces[0].low, self.pieces[-1].high
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Curve) and self.pieces == other.pieces
+
+    def __hash__(self) -> int:
+        return hash(self.pieces)
+
     @cached_property
     def derivative(self) -> "Curve":
         """The derivative, piece by piece, made once."""

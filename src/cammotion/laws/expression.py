@@ -28,6 +28,10 @@ class Expression(Proved):
         self._expression, self.low, self.high = expression, low, high
 
     @property
+    def _key(self) -> tuple[Any, ...]:
+        return self._expression, self.low, self.high
+
+    @property
     def expression(self) -> sympy.Expr:
         """It as an expression in `x`."""
         return self._expression

@@ -248,6 +248,16 @@ class MotionLaw:
                 f"The law {self.name!r} jumps at x = {jumps[0][0]:g}: let its cases meet there."
             )
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, MotionLaw) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+    @property
+    def _key(self) -> tuple[object, ...]:
+        return type(self), self.name, self.curve
+
     def __repr__(self) -> str:
         return f"MotionLaw({self.name!r})"
 

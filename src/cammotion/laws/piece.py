@@ -3,6 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from functools import cached_property
+from types import FunctionType
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -21,6 +22,21 @@ class Piece(ABC):
     low: float
     high: float
     is_constant = False
+
+    @property
+    @abstractmethod
+    def _key(self) -> tuple[Any, ...]:
+        """What it is made of: two pieces of the same are equal."""
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash((type(self), self.low, self.high))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what another process needs; functions it makes anew."""
+        return {name: it for name, it in vars(self).items() if not isinstance(it, FunctionType)}
 
     @abstractmethod
     def at(self, place: float) -> float:
@@ -90,6 +106,10 @@ class Placed(Piece):
         self.shift, self.width = float(shift), float(width)
         self._offset, self.factor = float(offset), float(factor)
         self.low, self.high = sorted(map(self._out, (inner.low, inner.high)))
+
+    @property
+    def _key(self) -> tuple[Any, ...]:
+        return self.inner, self.shift, self.width, self._offset, self.factor
 
     def at(self, place: float) -> float:
         """Return the value at one place."""

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterable
 from functools import cached_property, partial
 from itertools import zip_longest
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
@@ -82,6 +82,14 @@ class Series(Proved):
     ) -> None:
         self.powers, self.waves, self.low, self.high, self._write = powers, waves, low, high, write
         self.is_constant = len(powers) == 1 and not waves
+
+    @property
+    def _key(self) -> tuple[Any, ...]:
+        return self.powers, self.waves, self.low, self.high
+
+    def __getstate__(self) -> dict[str, Any]:
+        made = {"expression": self.expression} if self._write else {}
+        return super().__getstate__() | {"_write": None} | made
 
     @property
     def cost(self) -> int:

@@ -23,6 +23,10 @@ class Spline(Piece):
         self.knots, self.rows = knots, rows
         self.low, self.high = float(knots[0]), float(knots[-1])
 
+    @property
+    def _key(self) -> tuple[Any, ...]:
+        return self.knots.tobytes(), self.rows.tobytes()
+
     def at(self, place: float) -> float:
         """Return the value at one place."""
         return float(self.over(np.array([place]))[0])

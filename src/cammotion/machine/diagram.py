@@ -13,14 +13,16 @@ from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, Move, cycle_time, over_time
-from cammotion.machine.motions import Motion
+from cammotion.machine.motions import HEADING, Motion
 from cammotion.machine.segments import CAM_ANGLE
-from cammotion.quantities import InputError, Numbers, Quantity, listed, one_of, plain, shorten
+from cammotion.quantities import InputError, Numbers, Quantity, one_of, plain, shorten
+from cammotion.shown import as_table
 
 TIME = Quantity("time", "s", example=0.9, low=-math.inf)
 
 
-@dataclass(frozen=True)
+@checked
+@dataclass(frozen=True, repr=False)
 class TimingDiagram:
     """The motions of any number of mechanisms, and the machine rate N in pieces/h.
 
@@ -41,19 +43,21 @@ class TimingDiagram:
     rate_per_hour: float
 
     def __post_init__(self) -> None:
-        given, motions = self.motions, listed(self.motions)
-        if not motions or not all(isinstance(motion, Motion) for motion in motions):
-            raise InputError(
-                f"The motions of the diagram are {shorten(given)}: give a list of motions, made "
-                "with motion and indexing_motion."
-            )
-        object.__setattr__(self, "motions", motions)
+        if not self.motions:
+            raise InputError("The diagram has no motion: give at least one.")
         object.__setattr__(self, "rate_per_hour", RATE.number(self.rate_per_hour))
         name, times = Counter(self.names).most_common(1)[0]
         if times > 1:
             raise InputError(
                 f"{times} motions of the diagram are called {name!r}: give each its own name."
             )
+
+    def __repr__(self) -> str:
+        names = shorten(", ".join(self.names), of=str)
+        return f"TimingDiagram({names} at {self.rate_per_hour:g} pieces/h)"
+
+    def _repr_html_(self) -> str:
+        return as_table(HEADING, [row for motion in self.motions for row in motion.rows])
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -71,6 +71,12 @@ class Segment:
         return self.law is None
 
     @property
+    def row(self) -> tuple[str | float, ...]:
+        """Its angles in deg, its positions in mm, and what it does: the name of its law."""
+        law = "dwell" if self.law is None else as_law(self.law).name
+        return self.from_deg, self.to_deg, self.from_mm, self.to_mm, law
+
+    @property
     def kind(self) -> str:
         """One of 'rise', 'return' and 'dwell'."""
         return "dwell" if self.is_dwell else "rise" if self.change_mm > 0 else "return"
