@@ -66,6 +66,14 @@ def bounded(solve: Any) -> Callable[..., Any]:
 def restarted(diagram: TimingDiagram) -> TimingDiagram:
     """Break a machine: its motions begin a little later."""
     return replace(diagram, motions=[motion.shifted(1e-5) for motion in diagram.motions])
+def shifted(read: Any) -> Callable[..., Any]:
+    """Break the reader of cam tables: it takes a row for the one before."""
+
+    def shift(*given: Any, **named: Any) -> Any:
+        table = read(*given, **named)
+        return replace(table, position_mm=np.roll(table.position_mm, 1))
+
+    return shift
 
 
 def scaled(factor: float) -> Callable[[Any], Any]:
@@ -87,6 +95,7 @@ FAULTS: dict[str, Patch] = {
     "derived": (MotionLaw, "reversed", lambda _: lambda law: law),
     "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
+    "cam_tables": (cm, "read_cam_table", shifted),
     "least": (cm, "least_acceleration", bounded),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),

@@ -29,6 +29,7 @@ from .hardware.geneva import Geneva
 from .hardware.indexer import Indexer
 from .hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
 from .hardware.loads import FollowerLoad
+from .hardware.measured_profile import ProfileLift, lift_from_profile
 from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
 from .hardware.rotor import Rotor
@@ -138,6 +139,7 @@ __all__ = [
     "Point",
     "PointMasses",
     "PrintedLimits",
+    "ProfileLift",
     "Ring",
     "RollerCam",
     "Rotor",
@@ -190,6 +192,7 @@ __all__ = [
     "law_from_points",
     "law_from_table",
     "least_acceleration",
+    "lift_from_profile",
     "limits_of",
     "mean_diameter_mm",
     "motion",

@@ -20,6 +20,7 @@ from types import FrameType
 from typing import Any
 
 from fresh import (
+    check_cam_tables,
     check_cams,
     check_indexers,
     check_laws,
@@ -46,6 +47,7 @@ CHECKS: Mapping[str, Check] = {
     "derived": check_laws.derived,
     "inverses": check_laws.inverses,
     "heights": check_laws.heights,
+    "cam_tables": check_cam_tables.cam_tables,
     "least": check_limits.least,
     "cams": check_cams.cams,
     "followers": check_cams.followers,

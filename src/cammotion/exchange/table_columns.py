@@ -19,7 +19,8 @@ from cammotion.quantities import Floats, InputError, shorten
 
 SEPARATORS = {"\t": "tabs", ";": "semicolons", "|": "bars", ",": "commas", " ": "spaces"}
 DECIMALS = {".": "decimal points", ",": "decimal commas"}
-_NO_NUMBER = re.compile(r"[+-]?(nan|inf|infinity|n/?a|null|none|nil|-+|\?+|x+)|#.*", re.IGNORECASE)
+_NO_NUMBER = re.compile(r"[+-]?(nan|inf|infinity|n/?a|null|none|nil)|#.*", re.IGNORECASE)
+_WORD_OF_DIGITS = re.compile(r"\b0\.\.1\b|\bm/s\^?2")
 _DATE = re.compile(r"\d{4}-\d\d?-\d\d?|\d\d?[./]\d\d?[./]\d{4}")
 _LETTERS = 2  # a word has so many
 _HEADINGS = 2  # lines over the table that may be headings
@@ -173,12 +174,12 @@ class _Attempt:
             return is_above and sum(map(bool, cells)) == 1 and number == len(self.good)
         if _DATE.match(first):
             return is_above
-        has_word = sum(map(str.isalpha, first)) >= _LETTERS and not _NO_NUMBER.fullmatch(first)
-        if is_above:
-            return has_word or not (
-                _NO_NUMBER.fullmatch(first) or any(map(str.isdigit, first + second))
-            )
-        return has_word and not any(map(str.isdigit, self.lines[n].text))
+        if _NO_NUMBER.fullmatch(first):
+            return False
+        has_word = sum(map(str.isalpha, first)) >= _LETTERS
+        if not is_above:
+            return has_word and not any(map(str.isdigit, self.lines[n].text))
+        return has_word or not any(map(str.isdigit, _WORD_OF_DIGITS.sub("", first + second)))
 
     def _refuse(self, n: int) -> None:
         line = self.lines[n]
@@ -242,7 +243,7 @@ def _cut(line: str, separator: str) -> list[str]:
         return re.split(r"[ \t]+", line.strip(" \t"))
     if separator == "|":
         line = line.strip().strip("|")
-    if '"' in line:
+    if '"' in (line := line if separator == "\t" else line.strip()):
         try:
             (cells,) = csv.reader([line], delimiter=separator, strict=True, skipinitialspace=True)
         except (csv.Error, ValueError):

@@ -1,7 +1,8 @@
 """What the words over a column say: what it is, and in what unit."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from cammotion.quantities import InputError
@@ -73,18 +74,31 @@ def heading_of(words: str) -> Heading:
 
 
 def two_headings(line: str) -> tuple[Heading, Heading]:
-    """Return what a line says of the first two columns if it is not cut as they are."""
-    plain, bracketed = line.lower(), re.findall(r"[\[(]([^\])]*)[\])]", line)
-    units = [unit for part in bracketed if (unit := heading_of(f"[{part}]").unit)]
-    units = units or [
-        _MEANT[token] for token in re.findall(r"[^\W\d]+|[°\"]", plain) if token in _MEANT
-    ]
-    if len(units) > 1:
-        return Heading(_KIND_OF.get(units[0], UNKNOWN), units[0]), Heading(UNKNOWN, units[1])
-    (unit,) = units or [""]
-    if unit in LENGTHS:
-        return Heading(UNKNOWN, ""), Heading(UNKNOWN, unit)
-    return Heading(_KIND_OF.get(unit, UNKNOWN), unit), Heading(UNKNOWN, "")
+    """Return what a line says of an angle and a position if it is not cut as the columns are.
+
+    >>> [heading.unit for heading in two_headings("cam angle in deg lift [inch] v [mm/s]")]
+    ['deg', 'in']
+    """
+    units = [unit for unit in _units_in(line.lower()) if unit]
+    masters = [unit for unit in units[:1] if unit in _KIND_OF]
+    lengths = [unit for unit in units if unit in LENGTHS]
+    if not masters and len(lengths) > 1:  # of the way of the master, and of the position
+        masters = [lengths.pop(0)]
+    master, length = (masters or [""])[0], (lengths or [""])[0]
+    return Heading(_KIND_OF.get(master, UNKNOWN), master), Heading(UNKNOWN, length)
+
+
+def _units_in(line: str) -> Iterator[str]:
+    """Yield the units in a line in turn; '' where there is none, or a rate."""
+    words = re.sub(r"[\[(]\s*([^\])]*?)\s*[\])]", r" _\1", line).replace("0..1", "turn").split()
+    for before, word in pairwise(["", *words]):
+        mark, _, end = word.rpartition("_") if "_" in word else word.rpartition("/")
+        if _RATE.search(word):
+            yield ""
+        elif before == "in" or mark or word.startswith(("_", "/")):
+            yield _MEANT.get(end) or _AT_THE_END.get(end, "")
+        else:
+            yield _MEANT.get(word, "")
 
 
 def pick(headings: Sequence[Heading]) -> tuple[int, int]:
@@ -117,6 +131,6 @@ def _unit(text: str, tokens: list[str]) -> str:
     for token in [*in_brackets, *tokens]:
         if token in _MEANT and token != "in.":  # noqa: S105 - a word, no secret
             return _MEANT[token]
-    last = in_brackets or (tokens[-1:] if len(tokens) > 1 else [])
+    last = in_brackets or (tokens[-1:] if tokens != ["s"] else [])  # a symbol of the way, alone
     ends = {**_AT_THE_END, "in.": "in"}
     return next((ends[token] for token in last if token in ends), "")

@@ -159,11 +159,14 @@ def evened(found: Columns, master: Master) -> Floats:
     if master.closes or master.is_open:
         span = master.turn if master.closes else master.turn * steps / (steps + 1)
     even: Floats = values[0] + span * np.arange(steps + 1) / steps
-    if np.abs(values - even).max() <= _near(master, span / steps):
-        return even
     between = np.diff(values)
     usual = float(np.median(between))
-    near = _near(master, usual)
+    near = _ALIKE * master.turn
+    is_exact = abs(usual * steps - span) <= near and np.mean(abs(between - usual) <= near) >= _HALF
+    if not is_exact:
+        near += min(_BOTH * master.rounding, _QUARTER * usual)
+    if np.abs(values - even).max() <= near:
+        return even
     n = int(np.argmax(np.abs(between - usual) > near)) + 1
     if abs(between[n - 1] - usual) <= near:  # the steps creep
         n = max(int(np.abs(values - even).argmax()), 1)
@@ -175,10 +178,6 @@ def evened(found: Columns, master: Master) -> Floats:
         f"{found.where(n)}: the first column goes from {cells[n - 1]} to {cells[n]}, and elsewhere "
         f"in steps of {usual:.6g}: {what}. Correct it, or give uneven=True if it is meant."
     )
-
-
-def _near(master: Master, step: float) -> float:
-    return min(_BOTH * master.rounding, _QUARTER * step) + _ALIKE * master.turn
 
 
 def lift_of(found: Columns, position: str | float | None) -> Lift:
@@ -223,7 +222,11 @@ def shape_of(found: Columns, master: Master, is_cycle: bool | None, *, is_even: 
         )
     gap, closes = _gap(found, master)
     way = _way(found.numbers[:, 1])
-    if not closes and (is_cycle or (is_cycle is None and whole and way not in {_RISE, _RETURN})):
+    if is_cycle is None:
+        is_wrong = whole and not closes and way not in {_RISE, _RETURN}
+    else:
+        is_wrong = is_cycle and master.closes and not closes
+    if is_wrong:
         _refuse_open(found, gap)
     if is_cycle is None:
         is_cycle = whole and closes

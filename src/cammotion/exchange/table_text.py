@@ -74,7 +74,7 @@ def _line(number: int, text: str) -> Line:
     found = None if _ERROR_CELL.match(text.strip()) else _COMMENT.search(text)
     if not found:
         return Line(number, text, "")
-    return Line(number, text[: found.start()], text[found.end() :].strip("#/%!*() \t"))
+    return Line(number, text[: found.start()], text[found.end() :].strip().lstrip("#/%!* \t"))
 
 
 def _decoded(raw: bytes, name: str, encoding: str | None) -> tuple[str, str]:

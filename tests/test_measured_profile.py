@@ -1,0 +1,216 @@
+"""Points of a profile give the lift back, whatever probe went round, and noise stays what it is."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from fresh.drawing import draw
+from machines import Array
+
+import cammotion as cm
+from cammotion import CamTable, FlatFacedCam, InputError, ProfileLift, RollerCam, lift_from_profile
+
+DIE = cm.EXAMPLE.die
+FLAT = "flat face"
+ROLLERS: list[tuple[Any, float]] = [
+    (cm.TranslatingRoller(10), 160),
+    (cm.TranslatingRoller(10, offset_mm=30), 160),
+    (cm.TranslatingRoller(10, offset_mm=-20), 160),
+    (cm.SwingingRoller(10, arm_mm=150, pivot_mm=220), 170),
+]
+UP, DOWN = (make(50, over_deg=180, law="cycloidal") for make in (cm.rise, cm.return_))
+VALVE = cm.motion("valve", UP, DOWN)
+
+
+def probed(cam: RollerCam, angles: Array, radius: float) -> Array:
+    """Return the centres of a probe of some radius that touches where the roller does."""
+    return cam.cutter_mm(angles, radius) if radius else cam.profile_mm(angles)
+
+
+def noisy(points: Array, size: float, seed: int = 0) -> Array:
+    return np.asarray(points + np.random.default_rng(seed).normal(0, size, points.shape))
+
+
+def off_um(lift: ProfileLift, motion: cm.Motion) -> Array:
+    """Return by how much a lift is off a motion, but for the lowest, which noise lowers."""
+    off = lift.position_mm - motion.position_mm(lift.angle_deg)
+    return np.asarray(1000 * (off - np.median(off)))
+
+
+@pytest.mark.parametrize("radius", [0, 2, 10, 16])
+@pytest.mark.parametrize(("follower", "prime"), ROLLERS)
+def test_the_die_comes_back(follower: Any, prime: float, radius: float) -> None:
+    cam = RollerCam(DIE, follower, prime)
+    x, y = probed(cam, np.arange(0, 360, 0.5), radius).T
+    lift = lift_from_profile(x, y, follower=follower, probe_radius_mm=radius, count=90)
+    assert lift.prime_radius_mm == pytest.approx(prime, abs=1e-5)
+    assert np.array_equal(lift.angle_deg, np.arange(0, 360, 4))
+    assert np.abs(off_um(lift, DIE)).max() < 0.01
+    assert lift.off_mm < 1e-4
+    table = CamTable(lift.angle_deg, lift.position_mm, is_cycle=True)
+    assert table.even_step_deg == 4
+
+
+@pytest.mark.parametrize("radius", [0, 2, 16])
+@pytest.mark.parametrize(("follower", "prime"), ROLLERS)
+@pytest.mark.parametrize("count", [360, 3600])
+def test_noise_of_a_micrometre_stays_one(
+    follower: Any, prime: float, radius: float, count: int
+) -> None:
+    cam = RollerCam(DIE, follower, prime)
+    x, y = noisy(probed(cam, np.arange(count) * 360 / count, radius), 1e-3).T
+    lift = lift_from_profile(x, y, follower=follower, probe_radius_mm=radius)
+    off = off_um(lift, DIE)
+    assert 0.7 < off.std() < 1.3
+    assert np.abs(off).max() < 6
+    assert lift.off_mm < 0.01
+
+
+@pytest.mark.parametrize(("motion", "base"), [(DIE, 330), (VALVE, 40)])
+@pytest.mark.parametrize("radius", [0, 3])
+@pytest.mark.parametrize("noise", [0, 1e-3])
+@pytest.mark.parametrize("count", [360, 3600])
+def test_a_flat_face(
+    motion: cm.Motion, base: float, radius: float, noise: float, count: int
+) -> None:
+    angles = np.arange(count) * 360 / count
+    cam = FlatFacedCam(motion, base)
+    outwards = np.radians(angles + 90)  # the normal of what a face touches
+    centres = cam.profile_mm(angles) + radius * np.stack([np.cos(outwards), np.sin(outwards)], 1)
+    x, y = noisy(centres, noise).T
+    lift = lift_from_profile(x, y, follower=FLAT, probe_radius_mm=radius)
+    assert lift.prime_radius_mm == pytest.approx(base, abs=1e-5 + 5 * noise)
+    assert np.abs(off_um(lift, motion)).max() < (6 if noise else 0.01)
+
+
+def test_an_eccentric_circle_is_known_in_closed_form() -> None:
+    """A circle of radius 40 about (0, 12): the centre of a roller of 8 is 48 from its middle."""
+    turned = np.radians(np.arange(0, 360, 0.25))
+    x, y = 43 * np.cos(turned), 12 + 43 * np.sin(turned)  # a probe of 3 mm
+    lift = lift_from_profile(x, y, follower=cm.TranslatingRoller(8), probe_radius_mm=3)
+    seen = np.radians(lift.angle_deg)
+    wanted = 12 * np.cos(seen) + np.sqrt(48**2 - (12 * np.sin(seen)) ** 2)
+    assert lift.position_mm == pytest.approx(wanted - 36, abs=1e-7)
+    assert lift.prime_radius_mm == pytest.approx(36, abs=1e-7)
+    face = lift_from_profile(x, y, follower=FLAT, probe_radius_mm=3)
+    assert face.position_mm == pytest.approx(12 * (1 + np.cos(seen)), abs=1e-7)
+    assert face.prime_radius_mm == pytest.approx(28, abs=1e-7)
+
+
+def test_order_closing_point_and_sense_do_not_matter() -> None:
+    cam = RollerCam(DIE, cm.TranslatingRoller(10, offset_mm=20), 160)
+    points = cam.profile_mm(np.arange(0, 360, 0.5))
+    lift = lift_from_profile(*points.T, follower=cam.follower)
+    for other in (points[::-1], np.roll(points, 100, axis=0), np.vstack([points, points[:1]])):
+        again = lift_from_profile(*other.T, follower=cam.follower)
+        assert again.position_mm == pytest.approx(lift.position_mm, abs=1e-6)
+    mirrored = lift_from_profile(
+        -points[:, 0], points[:, 1], follower=cam.follower, clockwise=False
+    )
+    assert mirrored.position_mm == pytest.approx(lift.position_mm, abs=1e-9)
+
+
+@pytest.mark.parametrize("number", range(60))
+def test_motions_of_drawn_machines_come_back(number: int) -> None:
+    """Points as uneven as a hand takes them, each with a probe of its own, and no noise."""
+    rng = np.random.default_rng([number, 7])
+    machine = draw("profile", number)
+    for motion in machine.diagram.motions:
+        travel = float(np.ptp(motion.range_mm))
+        if motion.is_indexing or motion.steps(1):
+            continue
+        roller = travel * rng.uniform(0.1, 0.4)
+        follower = cm.TranslatingRoller(roller, offset_mm=travel * float(rng.choice([0, 0.2])))
+        least = cm.smallest_prime_radius(
+            motion, follower, pressure_angle_deg=40, profile_radius_mm=roller / 2
+        )
+        if least > 20 * travel:
+            continue
+        cam = RollerCam(motion, follower, 1.2 * least)
+        if cam.cut_away() or cam.hollowest.value < 2 * roller:
+            continue
+        angles = np.sort(np.arange(2400) * 0.15 + rng.uniform(0, 0.07, 2400))
+        radius = float(rng.choice([0, 0.5, 1.3])) * roller
+        x, y = probed(cam, angles, radius).T
+        lift = lift_from_profile(x, y, follower=follower, probe_radius_mm=radius)
+        off = lift.position_mm - motion.position_mm(lift.angle_deg) + motion.range_mm[0]
+        assert np.abs(off).max() < 3e-5 * (travel + cam.prime_radius_mm), machine.code
+
+
+def let_down(profile: Array, radius: float, angles: Array) -> Array:
+    """Return where the centre of a disc of that radius is, let down on a profile by hand."""
+    turned = np.exp(1j * np.radians(angles))
+    surface = profile @ [1, 1j]
+    centres = []
+    for turn in turned:
+        seen = surface / turn
+        under = seen[np.abs(seen.real) < radius]
+        centres.append(1j * (under.imag + np.sqrt(radius**2 - under.real**2)).max() * turn)
+    return np.stack([np.real(centres), np.imag(centres)], axis=-1)
+
+
+HEART = cm.motion("heart", cm.rise(30, over_deg=50), cm.return_(30, over_deg=50), cm.dwell(260))
+
+
+def test_a_hollow_that_the_probe_does_not_reach_is_refused() -> None:
+    cam = RollerCam(HEART, cm.TranslatingRoller(4), 60)
+    profile = cam.profile_mm(np.linspace(0, 360, 40_000))
+    angles, radius = np.arange(0, 360, 0.5), cam.hollowest.value - 4
+    good = let_down(profile, 0.8 * radius, angles)
+    lift = lift_from_profile(*good.T, follower=cam.follower, probe_radius_mm=0.8 * radius)
+    assert np.abs(off_um(lift, HEART)).max() < 20
+    large = let_down(profile, 2 * radius, angles)
+    with pytest.raises(InputError, match=r"a kink inwards at .*smaller probe"):
+        lift_from_profile(*large.T, follower=cam.follower, probe_radius_mm=2 * radius)
+
+
+def test_a_hollow_that_the_roller_does_not_reach_is_refused() -> None:
+    cam = RollerCam(HEART, cm.TranslatingRoller(4), 60)
+    points = cam.profile_mm(np.arange(0, 360, 0.5))
+    for large in (cm.TranslatingRoller(90), cm.TranslatingRoller(150)):
+        with pytest.raises(
+            InputError, match=r"hollow .* into which the follower does not reach|off"
+        ):
+            lift_from_profile(*points.T, follower=large)
+    with pytest.raises(InputError, match=r"a hollow or a flat at .* does not reach"):
+        lift_from_profile(*points.T, follower=FLAT)
+
+
+CIRCLE = np.exp(1j * np.radians(np.arange(0, 360, 4.0)))
+REFUSED: list[tuple[Any, str]] = [
+    (50 * CIRCLE[::3], "has 30 points; at least 36"),
+    (50 * CIRCLE + 80, "go 0 times round the axis"),
+    (50 * np.exp(2j * np.angle(CIRCLE)) + 20 * CIRCLE, "go 2 times round the axis"),
+    (50 * CIRCLE[:60], "leave 124 deg out after position 59"),
+    (50 * np.insert(CIRCLE, 7, CIRCLE[6]), "at positions 6 and 7 are one"),
+    (
+        50 * CIRCLE * np.where(np.arange(90) == 40, 1.02, 1),
+        "The point at 70 deg lies about 1 mm off",
+    ),
+    (50 * CIRCLE[[*range(30), 34, 33, 32, 31, *range(35, 90)]], "leave 20 deg out after position 29.* put them in order"),
+    ([math.nan, *50 * CIRCLE[1:]], "points of the profile is nan"),
+]
+
+
+@pytest.mark.parametrize(("points", "said"), REFUSED, ids=[said for _, said in REFUSED])
+@pytest.mark.parametrize("follower", [cm.TranslatingRoller(10), FLAT])
+def test_points_of_no_cam_are_refused(points: Any, said: str, follower: Any) -> None:
+    with pytest.raises(InputError, match=said):
+        lift_from_profile(np.real(points), np.imag(points), follower=follower)
+
+
+def test_what_is_given_wrongly() -> None:
+    x, y = 50 * CIRCLE.real, 50 * CIRCLE.imag
+    with pytest.raises(InputError, match="arrays of shape"):
+        lift_from_profile(x, y[1:], follower=FLAT)
+    with pytest.raises(InputError, match="follower is 'round'"):
+        lift_from_profile(x, y, follower="round")
+    with pytest.raises(InputError, match="radius of the probe is -1"):
+        lift_from_profile(x, y, follower=FLAT, probe_radius_mm=-1)
+    with pytest.raises(InputError, match="count of angles is 3"):
+        lift_from_profile(x, y, follower=FLAT, count=3)
+    with pytest.raises(InputError, match="cannot be 60 mm off the axis"):
+        lift_from_profile(x, y, follower=cm.TranslatingRoller(10, offset_mm=70))
+    with pytest.raises(InputError, match="cannot be 60 mm off the axis"):
+        lift_from_profile(x, y, follower=cm.SwingingRoller(10, arm_mm=20, pivot_mm=200))
