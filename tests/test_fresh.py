@@ -100,6 +100,7 @@ FAULTS: dict[str, Patch] = {
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),
     "indexers": (cm.Indexer, "rms_torque_N_m", scaled(1.01)),
+    "responses": (cm.StartResponse, "acceleration", scaled(1 + 1e-7)),
     "questions": (again, "whole_question", lambda _: lambda one, machine: one.question(machine)),
 }
 

@@ -27,6 +27,7 @@ from fresh import (
     check_limits,
     check_machines,
     check_questions,
+    check_responses,
     check_widest,
 )
 from fresh.drawing import Machine, draw
@@ -52,6 +53,7 @@ CHECKS: Mapping[str, Check] = {
     "cams": check_cams.cams,
     "followers": check_cams.followers,
     "indexers": check_indexers.indexers,
+    "responses": check_responses.responses,
     "questions": check_questions.questions,
 }
 PROCESSES = 2

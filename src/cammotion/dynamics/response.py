@@ -213,38 +213,36 @@ class _TurnResponse(Response):
         self._course = Course(chain.system.by(self._unit_s), accelerations(motion.curve))
 
     @abstractmethod
-    def _starts(self, turns: int) -> Floats:
-        """Return the states at the beginnings of so many turns, in rows."""
+    def _start(self, turn: int) -> Floats:
+        """Return the state at the beginning of a turn, the first of which is 0."""
 
     def _located(self, at: ArrayLike) -> tuple[Floats, Spots]:
         turns, phases = self._phase(CAM_ANGLE.array(at).ravel())
         spots = self._course.spots(phases)
-        begins = self._begins(int(turns.max()) + 1)
-        return begins[turns, spots.pieces].T, spots
+        numbers, which = np.unique(turns, return_inverse=True)
+        begins = np.array([self._course.begins(self._start(int(number))) for number in numbers])
+        return begins[which, spots.pieces].T, spots
 
     def _cam(self, derivative: int, at: ArrayLike) -> Any:
         if derivative == 0:
             return self.motion.position_mm(at)
         return self.motion.derivative(derivative, at, self.rate_per_hour)
 
-    def _begins(self, turns: int) -> Floats:
-        return np.array([self._course.begins(state) for state in self._starts(turns)])
-
     @abstractmethod
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         """Return the number of the turn and the angle in the first one of it."""
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        begin = self.motion.start_deg
         low, high = _ordered(CAM_ANGLE, over or self.span)
-        first, last = (int((angle - begin) // DEG_PER_TURN) for angle in (low, high))
+        self._phase(np.array([low, high]))  # refuses what is none of its places
+        ends = (int((angle - self.motion.start_deg) // DEG_PER_TURN) for angle in (low, high))
+        first, last = ends
         found = []
         for turn in range(first, last + 1):
-            before = turn * DEG_PER_TURN
+            before, begins = turn * DEG_PER_TURN, self._course.begins(self._start(turn))
             for spots in self._course.samples(low - before, high - before):
                 number = spots.pieces[0]
-                start = self._located(np.array([before + self._course.lows[number] + 0.0]))
-                found.append((before + self._course.lows[number], start[0][:, 0], spots))
+                found.append((before + self._course.lows[number], begins[number], spots))
         return found
 
 
@@ -255,15 +253,10 @@ class StartResponse(_TurnResponse):
     fast as it. An angle before that is refused; the next turns are 360 deg further each.
     """
 
-    @cached_property
-    def _known(self) -> list[Floats]:
-        return [np.zeros(2 * len(self.chain.masses_kg))]
-
-    def _starts(self, turns: int) -> Floats:
+    def _start(self, turn: int) -> Floats:
         matrix, row = self._course.passage
-        while len(self._known) < turns:
-            self._known.append(self._known[-1] @ matrix + row)
-        return np.array(self._known[:turns])
+        turned = np.block([[matrix, np.zeros((len(row), 1))], [row, np.ones(1)]])
+        return np.asarray(np.linalg.matrix_power(turned, turn)[-1, :-1])
 
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         begin = self.motion.start_deg
@@ -297,10 +290,10 @@ class SteadyResponse(_TurnResponse):
                 "turn and nothing damps it, so that it swings more with each turn: give it some "
                 "damping, or another rate."
             )
-        self._start = np.linalg.solve(left.T, row)
+        self._repeated = np.linalg.solve(left.T, row)
 
-    def _starts(self, turns: int) -> Floats:
-        return np.tile(self._start, (turns, 1))
+    def _start(self, turn: int) -> Floats:  # noqa: ARG002 - all turns are alike
+        return self._repeated
 
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         since = np.mod(angles - self.motion.start_deg, DEG_PER_TURN)
