@@ -43,7 +43,15 @@ def test_a_solved_motion_comes_back_and_does_not_collide(tmp_path: Path) -> None
     assert cm.find_violations(back, machine.rule) == cm.find_violations(diagram, machine.rule)
 
 
-@pytest.mark.parametrize("law", [cm.scca(0.1, 0.2, 0.7), cm.scca(1, 0, 0), cm.LAWS["MCV50"]])
+@pytest.mark.parametrize(
+    "law",
+    [
+        cm.scca(0.1, 0.2, 0.7),
+        cm.scca(1, 0, 0),
+        cm.LAWS["MCV50"],
+        *(cm.Geneva(n).law for n in (3, 5)),
+    ],
+)
 def test_a_law_comes_back_to_the_last_bit(law: MotionLaw) -> None:
     back = law_from_text("my", law_as_text(law))
     places = np.linspace(0, 1, 999)
@@ -242,7 +250,15 @@ ATTACKS = [
     *("sin(x, x)", "sin(x=x)", "y", "x & x", "x // x", "x % 2", "x @ x", "~x", "not x", "x < 1"),
     *("True", "None", "'x'", "1j", "...", "", "x +", "(" * 10**4, "-" * 10**5 + "x", "9" * 10**5),
     *("9**9**9", "x**10**9", "(((9**999)**999)**999)", "10**(10**5)", "exp(exp(exp(9)))"),
-    *("sin(10**900)", "(1 + x)**10001", "2.0**5000", "tan(exp(800))", "+".join(["x"] * 10**5)),
+    *(
+        "sin(10**900)",
+        "(1 + x)**10001",
+        "2.0**5000",
+        "tan(exp(800))",
+        "+".join(["x"] * 10**5),
+        "(x+" * 200 + "x" + ")" * 200,
+        "x" + "/2" * 400,
+    ),
     *("Piecewise()", "Piecewise((x, True), (x, True))", "2*Piecewise((x, x <= 1/2), (x, True))"),
     *("Piecewise((x, x <= 0.7), (x, x <= 0.2), (x, True))", "Piecewise((x, x**2 <= 0.5), (x, 1))"),
     *("Piecewise((x, x <= x), (x, True))", "Piecewise((x, x <= 2), (x, True))", "1e999*x", "\x00"),
@@ -259,6 +275,19 @@ def test_what_is_no_law_is_refused_at_once(text: str) -> None:
         with pytest.raises(InputError):
             law_from_text("evil", form.format(text)).check_way()
     assert time.process_time() - start < 3
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["(x+" * 200 + "0" + ")" * 200 + "-199*x", "x" + " + x - x" * 12_000],
+    ids=["deep", "long"],
+)
+def test_an_expression_has_an_end(text: str) -> None:
+    """Both are x, in too many words."""
+    with pytest.raises(
+        InputError, match=r"^The expression (has more than 150 levels or|'x \+ x - )"
+    ):
+        expression_from_text(text)
 
 
 @pytest.mark.parametrize(
@@ -291,6 +320,14 @@ def test_what_is_no_law_is_refused_at_once(text: str) -> None:
 def test_lists_that_are_no_law_are_refused(text: str) -> None:
     with pytest.raises(InputError):
         law_from_text("my", text)
+
+
+def test_a_law_that_is_given_takes_the_place_of_none_but_itself(tmp_path: Path) -> None:
+    law, same, other = (MotionLaw("my", s) for s in (x**2, x * x, x**3))
+    path = cm.write_segments(make_diagram(make_die(law=law)), tmp_path / "m.csv")
+    assert cm.read_segments(path, laws=[other, same])["die"].moves[0].law is same
+    found = cm.read_segments(path, laws=[other])["die"].moves[0].law
+    assert is_same_law(cm.as_law(found), law)
 
 
 @pytest.mark.parametrize("laws", [["cubic"], "cubic", 3, None, [MotionLaw("a", x), None]])

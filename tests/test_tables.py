@@ -161,14 +161,20 @@ def test_an_older_table_is_read_with_the_laws_that_it_names(tmp_path: Path) -> N
         read_segments(path)
 
 
+def test_a_name_that_begins_with_a_quote_may_be_typed(tmp_path: Path) -> None:
+    rows = [[*HEADING, "law in full"], [*changed(motion="'tis"), ""]]
+    assert read_segments(rewrite(tmp_path / "m.csv", rows)).names == ("'tis",)
+
+
 def test_names_of_an_older_table_are_read_as_they_are(tmp_path: Path) -> None:
     rows = [HEADING, changed(motion="'=die")]
     assert read_segments(rewrite(tmp_path / "m.csv", rows)).names == ("'=die",)
 
 
-def test_a_law_of_ones_own_goes_before_the_catalogue(tmp_path: Path) -> None:
-    own = MotionLaw("cycloidal", cm.x)
-    path = old_table(write(make_diagram(make_die()), tmp_path / "m.csv"))
+@pytest.mark.parametrize("known", [cm.LAWS["cycloidal"], cm.CONSTANT_VELOCITY])
+def test_a_law_of_ones_own_goes_before_the_catalogue(tmp_path: Path, known: MotionLaw) -> None:
+    own = MotionLaw(known.name, cm.x**2)
+    path = old_table(write(make_diagram(make_die(law=known)), tmp_path / "m.csv"))
     assert read_segments(path, laws=[own])["die"].moves[0].law is own
 
 

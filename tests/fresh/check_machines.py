@@ -115,12 +115,21 @@ def tables(machine: Machine) -> None:
         path = Path(folder) / "machine.csv"
         cm.write_segments(machine.diagram, path)
         back = cm.read_segments(path)
+        steps = int(machine.rng.choice([8, 360, 720, 1001]))
+        paths = cm.write_cam_tables(machine.diagram, folder, points=steps + 1, decimals=9)
+        cams = {
+            motion.name: cm.read_cam_table(paths[motion.name])
+            for motion in machine.diagram.motions
+            if not motion.is_indexing
+        }
     angles = machine.rng.uniform(-400, 400, 100)
     assert back.names == machine.diagram.names
     assert back.rate_per_hour == machine.diagram.rate_per_hour
     for name in back.names:
         one, other = machine.diagram[name], back[name]
         same(other.position_mm(angles), one.position_mm(angles), 1e-9)
+        if cam := cams.get(name):
+            same(cam.position_mm, one.position_mm(cam.angle_deg), 1.1e-9)
         for order in (1, 2, 3):
             peaks = one.peak(order), other.peak(order)
             assert peaks[0] == peaks[1] or np.isclose(*peaks, rtol=1e-9, atol=0), f"peaks {peaks}"

@@ -49,8 +49,8 @@ def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
     said), which has to divide the turn, or with so many `points`. Its positions in mm have
     `decimals` behind the `decimal` mark, "." or ","; `separator` is "\t", ";", "|", "," or " ".
     With `derivatives` "deg" it lists velocity, acceleration and jerk too, in mm/deg, mm/deg2 and
-    mm/deg3, with "s" in mm/s, mm/s2 and mm/s3 at the machine rate; the largest value of each has as
-    many decimals behind its first digit. Where two segments meet, they are those of the later one.
+    mm/deg3, with "s" in mm/s, mm/s2 and mm/s3 at the machine rate, the largest value of each with
+    as many digits behind its first one, at least; where two segments meet, as the later one has it.
 
     The last position is the first; that of an indexing motion is a pitch further. The "plain"
     `form` is a .csv file with a heading, semicolons if nothing is said; `read_cam_table` reads it.

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from cammotion.exchange.table_numbers import number_of
 from cammotion.quantities import InputError
 
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet reckons with a cell that begins so
 _QUOTE = "'"
+_ODD = ("=", "+", "-", "@", _QUOTE)  # a spreadsheet reckons with a cell that begins so
 
 
 def cut_rows(file: str, text: str) -> tuple[list[list[str]], str]:
@@ -81,7 +81,7 @@ def name_in(cell: str) -> str:
 
 
 def _is_odd(name: str) -> bool:
-    return name.startswith((*_FORMULA, _QUOTE)) or name != name.lstrip()
+    return name.startswith(_ODD) or name != name.lstrip()
 
 
 def _readings(cell: str, marks: str = ".,") -> dict[str, float]:

@@ -5,7 +5,6 @@ Piecewise((2*x**2, x <= 1/2), (1 - 2*(1 - x)**2, True)).
 """
 
 import ast
-import operator
 import warnings
 from collections.abc import Callable, Iterator
 from itertools import pairwise
@@ -28,14 +27,6 @@ ALLOWED = f"x, numbers, pi, E, + - * / **, {', '.join(FUNCTIONS)} and Piecewise"
 
 _NAMES = {"x": x, "pi": sympy.pi, "E": sympy.E}
 _FORMS = (sympy.Add, sympy.Mul, sympy.Pow, *list(FUNCTIONS.values())[:-1])
-_SIGNS: dict[type[ast.AST], Callable[..., Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.USub: operator.neg,
-    ast.UAdd: operator.pos,
-}
 _DEEPEST, _MOST_PARTS = 150, 50_000  # levels and parts of an expression
 _LARGEST = 1000  # exponent, and number of which a function is taken: more could take for ever
 _BITS = 20_000  # of a whole number
@@ -97,15 +88,30 @@ def _other_numbers(expression: sympy.Basic) -> Iterator[sympy.Expr]:
 
 
 def _check_size(tree: ast.AST) -> None:
-    level, parts, depth = [tree], 0, 0
-    while level:
-        parts, depth = parts + len(level), depth + 1
-        level = [child for node in level for child in ast.iter_child_nodes(node)]
-    if depth > _DEEPEST or parts > _MOST_PARTS:
-        raise InputError(
-            f"The expression has {parts} parts in {depth} levels: give a shorter one, or a table "
-            "of its points to law_from_points."
-        )
+    waiting, parts = [(tree, 0)], 0
+    while waiting:
+        node, depth = waiting.pop()
+        parts += 1
+        if depth > _DEEPEST or parts > _MOST_PARTS:
+            raise InputError(
+                f"The expression has more than {_DEEPEST} levels or {_MOST_PARTS} parts: give a "
+                "shorter one, or a table of its points to law_from_points."
+            )
+        for child in ast.iter_child_nodes(node):  # a sum is one level, however long it is
+            waiting.append((child, depth + (not (_is_sum(node) and _is_sum(child)))))
+
+
+def _is_sum(node: ast.AST) -> bool:
+    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub)
+
+
+def _terms(node: Any) -> Iterator[Any]:
+    """Yield the terms of a sum, the last one first."""
+    while _is_sum(node):
+        term = _read(node.right)
+        yield term if isinstance(node.op, ast.Add) else -term
+        node = node.left
+    yield _read(node)
 
 
 def _read(node: ast.AST) -> Any:
@@ -115,12 +121,10 @@ def _read(node: ast.AST) -> Any:
             return sympy.sympify(number)
         case ast.Name(id=name) if name in _NAMES:
             return _NAMES[name]
-        case ast.UnaryOp(op=sign, operand=inner) if type(sign) in _SIGNS:
-            return _SIGNS[type(sign)](_read(inner))
-        case ast.BinOp(left=left, op=ast.Pow(), right=right):
-            return _power(_read(left), _read(right))
-        case ast.BinOp(left=left, op=sign, right=right) if type(sign) in _SIGNS:
-            return _SIGNS[type(sign)](_read(left), _read(right))
+        case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=inner):
+            return -_read(inner) if isinstance(sign, ast.USub) else _read(inner)
+        case ast.BinOp(op=sign) if type(sign) in _SIGNS:
+            return _SIGNS[type(sign)](node)
         case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in FUNCTIONS:
             return FUNCTIONS[name](_tame(_read(inner)))
     raise InputError(
@@ -159,13 +163,22 @@ def _case(node: ast.AST, kind: type[ast.AST]) -> tuple[Any, Any]:
     )
 
 
-def _power(base: Any, exponent: Any) -> Any:
-    number = _tame(exponent)
-    if base.is_Rational and number.is_number:
+def _product(node: ast.BinOp) -> Any:
+    left, right = _read(node.left), _read(node.right)
+    return left * right if isinstance(node.op, ast.Mult) else left / right
+
+
+def _power(node: ast.BinOp) -> Any:
+    base, exponent = _read(node.left), _tame(_read(node.right))
+    if base.is_Rational and exponent.is_number:
         bits = max(base.p.bit_length(), base.q.bit_length())
-        if bits * abs(number) > _BITS:
+        if bits * abs(exponent) > _BITS:
             raise InputError(f"The expression holds a number of more than {_BITS} bits.")
-    return base**number
+    return base**exponent
+
+
+def _sum(node: ast.BinOp) -> Any:
+    return sympy.Add(*_terms(node))
 
 
 def _tame(number: Any) -> Any:
@@ -176,3 +189,12 @@ def _tame(number: Any) -> Any:
             f"keep such numbers below {_LARGEST}."
         )
     return number
+
+
+_SIGNS: dict[type[ast.operator], Callable[[ast.BinOp], Any]] = {
+    ast.Add: _sum,
+    ast.Sub: _sum,
+    ast.Mult: _product,
+    ast.Div: _product,
+    ast.Pow: _power,
+}
