@@ -146,7 +146,8 @@ def assert_sound(exercise: Exercise, answer: Any) -> None:
         right = exercise.solution(MACHINE)
         off = abs(read(answer) - right)
         rounded = [float(f"{right:.{digits}g}") for digits in (2, 3, 4)]
-        is_rounded = read(answer) in rounded and off <= ROUNDED * right
+        is_rounded = min(abs(read(answer) - one) for one in rounded) <= 1e-9 * right
+        is_rounded &= off <= ROUNDED * right
         assert is_rounded or off <= exercise.tolerance * right / (1 - exercise.tolerance)
     if verdict.state == "right" and isinstance(exercise, ChoiceExercise):
         assert exercise.answer in str(answer).casefold()

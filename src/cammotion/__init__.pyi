@@ -77,6 +77,7 @@ from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
 from .views.explorers.cam import explore_cam
 from .views.explorers.follower import explore_follower
+from .views.explorers.measured import explore_measured
 from .views.explorers.move import explore_move
 from .views.explorers.overlap import explore_overlap
 from .views.explorers.scca import explore_scca
@@ -173,6 +174,7 @@ __all__ = [
     "explore",
     "explore_cam",
     "explore_follower",
+    "explore_measured",
     "explore_move",
     "explore_overlap",
     "explore_scca",

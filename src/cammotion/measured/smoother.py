@@ -41,7 +41,7 @@ class EvenCycle:
     def __init__(self, number: int) -> None:
         step = 2 * np.pi / number
         sine = np.sin(np.pi * np.arange(number) / number) ** 2
-        self._bend = -12 * sine / (step**2 * (3 - 2 * sine))
+        self.bends = -12 * sine / (step**2 * (3 - 2 * sine))
         self.eigenvalues = 48 * sine**2 / (step**4 * (3 - 2 * sine))
 
     def modes(self, values: Floats) -> Any:
@@ -55,7 +55,7 @@ class EvenCycle:
 
     def spreads(self, amount: float) -> Floats:
         """Return the root of the sum of squares of what each reading adds to f'', at each point."""
-        shares = self._bend / (1 + amount * self.eigenvalues)
+        shares = self.bends / (1 + amount * self.eigenvalues)
         return np.full(shares.size, np.sqrt(np.mean(shares**2)))
 
 

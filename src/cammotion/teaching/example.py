@@ -11,6 +11,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
 from cammotion.teaching.fit_numbers import FitNumbers
 from cammotion.teaching.law_numbers import LawNumbers
+from cammotion.teaching.measured_numbers import MeasuredNumbers
 from cammotion.teaching.table_numbers import TableNumbers
 
 QUIET_SHARE = 0.1
@@ -42,6 +43,7 @@ class MillAndDie:
     fits: FitNumbers = field(default_factory=FitNumbers)
     laws: LawNumbers = field(default_factory=LawNumbers)
     table: TableNumbers = field(default_factory=TableNumbers)
+    measured: MeasuredNumbers = field(default_factory=MeasuredNumbers)
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""

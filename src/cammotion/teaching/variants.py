@@ -18,6 +18,7 @@ from cammotion.quantities import InputError, shorten
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
 from cammotion.teaching.law_numbers import LawNumbers
+from cammotion.teaching.measured_numbers import MEASURED_CHOICES, MeasuredNumbers
 from cammotion.teaching.table_numbers import TABLE_CHOICES, TableNumbers
 
 NAMELESS = MillAndDie(
@@ -53,6 +54,18 @@ NAMELESS = MillAndDie(
         angle_deg=110,
         slots=6,
         per_minute=36,
+    ),
+    measured=MeasuredNumbers(
+        points=72,
+        per_minute=42,
+        limit=0.15,
+        gives_mm=(0.05, 0.16, 0.42),
+        load_N=600,
+        mass_kg=52,
+        folded=(30, 49),
+        left=(20, 8, 13),
+        stroke_mm=34,
+        rank=7,
     ),
 )
 """The machine of who gives no name; no number of a lesson is taken for one of its answers."""
@@ -133,6 +146,7 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
     fits = _choices(f"{seed}|fits", FIT_CHOICES)
     laws = _choices(f"{seed}|laws", LAW_CHOICES)  # apart, so that they move no other number
     tables = _choices(f"{seed}|table", TABLE_CHOICES)
+    measured = _choices(f"{seed}|measured", MEASURED_CHOICES)
     for chosen in _choices(seed, _CHOICES):
         machine = MillAndDie(who=who, **chosen)
         if _is_sensible(machine):
@@ -140,6 +154,7 @@ def drawn(seed: str, who: str) -> Iterator[MillAndDie]:
                 machine,
                 laws=LawNumbers(**next(laws)),
                 table=TableNumbers(**next(tables)),
+                measured=MeasuredNumbers(**next(measured)),
                 fits=FitNumbers(**next(fits)),
             )
 

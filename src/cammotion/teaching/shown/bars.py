@@ -1,6 +1,7 @@
 """An answer that is compared: a bar for what is asked for, and one for what the answer makes."""
 
 import math
+from collections.abc import Callable
 
 from cammotion.machine.kinematics import cycle_time, peak_acceleration
 from cammotion.teaching.example import MillAndDie
@@ -88,6 +89,22 @@ def push_of_force(asked: float, mass_kg: Measure) -> Shows:
         names = (f"asked for: {asked:g} m/s²", "what your force gives to die and motor")
         return _draw_bars(
             names, (asked, made), f"This force accelerates die and motor {said} it has to."
+        )
+
+    return show
+
+
+def error_of_reading(limit: Measure, made: Callable[[MillAndDie, float], float]) -> Shows:
+    """Show an answer in um, a step of readings, by what it does to an acceleration in m/s2."""
+
+    def show(machine: MillAndDie, step_um: float) -> Shown | None:
+        asked, off = limit(machine), made(machine, step_um)
+        if off <= 0:
+            return None
+        said = _compare(off, asked, "more than it may.", "just as much as it may.", "less.")
+        names = (f"allowed: {asked:g} m/s²", "what the rounding to your step can make")
+        return _draw_bars(
+            names, (asked, off), f"With your step the rounding changes an acceleration by {said}"
         )
 
     return show
