@@ -87,7 +87,7 @@ def _other_numbers(expression: sympy.Basic) -> Iterator[sympy.Expr]:
         yield from _other_numbers(part)
 
 
-def _check_size(tree: ast.AST) -> None:
+def _check_size(tree: Any) -> None:
     waiting, parts = [(tree, 0)], 0
     while waiting:
         node, depth = waiting.pop()
@@ -98,7 +98,8 @@ def _check_size(tree: ast.AST) -> None:
                 "shorter one, or a table of its points to law_from_points."
             )
         for child in ast.iter_child_nodes(node):  # a sum is one level, however long it is
-            waiting.append((child, depth + (not (_is_sum(node) and _is_sum(child)))))
+            goes_on = _is_sum(node) and _is_sum(child) and child is node.left
+            waiting.append((child, depth + (not goes_on)))
 
 
 def _is_sum(node: ast.AST) -> bool:
