@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from explored import table_figure, weight_figure, zones_figure
+from measured_cam import CAM, RATE
 
 import cammotion as cm
 from cammotion.quantities import Floats
@@ -69,6 +70,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     "explore_scca": cm.explore_scca,
     "explore_cam": lambda: cm.explore_cam(cm.EXAMPLE.die),
     "explore_follower": cm.explore_follower,
+    "explore_measured": lambda: cm.explore_measured(CAM, RATE, unit="in"),
     "explore_overlap": lambda: cm.explore_overlap(
         cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20
     ),

@@ -104,6 +104,8 @@ class Course:
         (folder / "marks.py").write_text(block("grades.csv"), "utf-8")
         for lesson, original in ORIGINALS.items():
             write(read(original), folder / "source" / lesson / original.name)
+        tables = ORIGINALS["09"].parent / "data"
+        shutil.copytree(tables, folder / "source" / "09" / "data")
 
     def run(self, command: str) -> str:
         """Run a command of the teacher's page, as it stands there."""

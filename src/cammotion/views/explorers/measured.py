@@ -27,6 +27,7 @@ _ANGLE = sp.Symbol("theta", real=True)
 _MOST = 72  # points: each is a wave in every formula
 _STEPS = 20  # so many errors of half a digit is the largest on the slider
 _USUAL_MM = 0.01
+_TICK_DEG = 45
 _NOTHING = 1e-12
 
 
@@ -66,6 +67,7 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
     low = _sum(waves, bends, sp.Integer(lowest))
     twice = [*[2] * (half - 1), 1]  # but for the last rank, k and -k are two
     squares = sp.Add(*(two * bend**2 for two, bend in zip(twice, bends, strict=True)))
+    missed = [1000 * (part - 1) for part in kept]
     finest = table.step_mm / 2 or _USUAL_MM
     return explore(
         [
@@ -75,12 +77,15 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
                     Line(y=_joined(waves, bends, number), colour=0),
                 ],
                 y=f"acceleration in {unit}/s²",
-                height=190,
+                x="cam angle in deg",
+                x_ticks=_TICK_DEG,
+                height=150,
             ),
             Panel(
-                lines=[Line(y=_joined(waves, [part - 1 for part in kept], number), colour=1)],
-                y=f"off the readings in {small}",
+                lines=[Line(y=_joined(waves, missed, number), colour=1)],
+                y=f"difference in {'0.001 in' if is_inch else 'µm'}",
                 x="cam angle in deg",
+                x_ticks=_TICK_DEG,
             ),
         ],
         (_ANGLE, 0, DEG_PER_TURN),
@@ -94,7 +99,7 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
                 unit=small,
             ),
             EXPONENT: Control(
-                low=-7, high=-2, step=0.05, start=-7, name="smoothing, exponent of 10", unit=""
+                low=-7, high=-2, step=0.05, start=-7, name="smoothing, exponent", unit=""
             ),
             HARMONICS: Control(
                 low=1, high=half - 1, step=1, start=half - 1, name="harmonics", unit=""

@@ -1,0 +1,131 @@
+"""Pictures and the live figure of a measured cam show what NumPy finds, in either unit."""
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import matplotlib as mpl
+import measured_picture
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+from measured_cam import CAM, HALF, INCH_M, RATE, turn
+
+import cammotion as cm
+from cammotion.views.explorers.measured import ERROR, EXPONENT, HARMONICS
+from cammotion.views.live.figure import LiveFigure
+
+mpl.use("agg")
+
+
+@pytest.fixture(autouse=True)
+def _close_figures() -> Iterator[None]:
+    yield
+    plt.close("all")
+
+
+BENT = (np.roll(CAM.position_mm, 1) - 2 * CAM.position_mm + np.roll(CAM.position_mm, -1)) / (
+    4 / 36
+) ** 2
+"""The second differences of the cam in mm/s2."""
+
+
+@pytest.mark.parametrize(("unit", "scale"), [("m", 1e-3), ("in", 1 / 25.4)])
+def test_the_differences_are_drawn_in_a_unit_and_closed(unit: str, scale: float) -> None:
+    ax = cm.plot_measured({"cam": CAM}, RATE, unit=unit, error_mm=0.0127)
+    line = ax.lines[0]
+    assert np.asarray(line.get_ydata()) == pytest.approx(scale * np.append(BENT, BENT[0]))
+    assert np.asarray(line.get_xdata())[[0, -1]] == pytest.approx([0, 360])
+    assert ax.get_ylabel() == f"acceleration in {unit}/s²"
+    (bars,) = ax.containers
+    ends = np.array([segment[:, 1] for segment in bars[2][0].get_segments()])
+    assert np.ptp(ends, axis=1) / 2 == pytest.approx([4 * 0.0127 * 81 * scale] * 37)
+
+
+def test_half_a_cam_is_not_closed() -> None:
+    line = cm.plot_measured({"cam": HALF}, RATE).lines[0]
+    assert np.asarray(line.get_xdata()) == pytest.approx(np.arange(10, 180, 10))
+
+
+def test_a_spline_is_drawn_within_its_band() -> None:
+    smooth = cm.smoothed(CAM, 1e-4)
+    ax = cm.plot_measured({"cam": CAM, "spline": smooth}, RATE, error_mm=0.02)
+    x, values = (np.asarray(each) for each in ax.lines[-2].get_data())
+    assert values == pytest.approx(np.asarray(smooth.at(x, RATE, 2)))
+    (band,) = [one for one in ax.collections if "FillBetween" in type(one).__name__] or [
+        ax.collections[-1]
+    ]
+    high = np.max(np.asarray(band.get_paths()[0].vertices)[:, 1])
+    assert high == pytest.approx(
+        max(smooth.acceleration(RATE) + smooth.acceleration_rms(RATE, 0.02)), rel=1e-3
+    )
+
+
+def test_bars_have_their_rank_and_the_critical_one_too() -> None:
+    found = cm.harmonics(CAM).acceleration(RATE, "differences")
+    ax = cm.plot_harmonics({"cam": found}, unit="in", critical=18)
+    assert [bar.get_height() for bar in ax.containers[0]] == pytest.approx(found / INCH_M)
+    assert [text.get_text() for text in ax.texts] == ["1: 4.84", "3: 5.14", "4: 6.03", "18: 1.30"]
+
+
+@pytest.mark.parametrize(
+    ("draw", "said"),
+    [
+        (lambda: cm.plot_measured({}, RATE), "There is no table to draw"),
+        (lambda: cm.plot_measured({"cam": CAM}, RATE, unit="ft"), "There is no unit of length"),
+        (lambda: cm.plot_harmonics({}), "There are no harmonics to draw"),
+        (lambda: cm.explore_measured(HALF, RATE), r"is no cycle; the harmonics of the figure are"),
+        (lambda: cm.explore_measured(wave(9), RATE), r"has 9 points from 0 deg on; .* at most, f"),
+        (lambda: cm.explore_measured(wave(74), RATE), r"has 74 points from 0 deg on"),
+        (lambda: cm.explore_measured(CAM, 0), "machine rate is 0"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused(draw: Any, said: str) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        draw()
+
+
+def wave(number: int) -> cm.CamTable:
+    return cm.CamTable(turn(number), np.cos(np.radians(turn(number))), is_cycle=True)
+
+
+@pytest.fixture(scope="module")
+def figure() -> LiveFigure:
+    return cm.explore_measured(CAM, RATE, unit="in")
+
+
+def said(figure: LiveFigure) -> list[float]:
+    return [float(n) for n in re.findall(r"-?\d+\.\d+", figure.text.replace("−", "-"))]
+
+
+@pytest.mark.parametrize("exponent", [-7.0, -4.5, -2.0])
+@pytest.mark.parametrize("kind", [0, 1, 2])
+def test_it_says_what_the_smoothing_spline_makes(
+    figure: LiveFigure, exponent: float, kind: int
+) -> None:
+    (errors,) = {*figure.values} - {ERROR, EXPONENT, HARMONICS}
+    figure.values = {ERROR: 0.01, EXPONENT: exponent, HARMONICS: 18, errors: kind}
+    wrong = [
+        np.where(np.arange(36) % 2, -1, 1),
+        np.where(np.arange(36) == 9, 1, 0),
+        np.ones(36),
+    ][kind] * 0.01
+    readings = cm.CamTable(CAM.angle_deg, CAM.position_mm + 25.4 * wrong, is_cycle=True)
+    smooth = cm.smoothed(readings, 10**exponent)
+    lowest = smooth.acceleration(RATE)[17]
+    bars = smooth.acceleration_rms(RATE, 0.254 / np.sqrt(3))[0] / INCH_M
+    assert said(figure) == pytest.approx([lowest / INCH_M, lowest, bars], abs=0.051)
+
+
+@pytest.mark.parametrize("number", [1, 4, 17])
+def test_it_keeps_so_many_harmonics(figure: LiveFigure, number: int) -> None:
+    figure.values = {ERROR: 0, EXPONENT: -7, HARMONICS: number}
+    found = np.fft.rfft(CAM.position_mm)
+    found[number + 1 :] = 0
+    few = cm.CamTable(CAM.angle_deg, np.fft.irfft(found), is_cycle=True)
+    lowest = cm.smoothed(few, 1e-7).acceleration(RATE)[17]
+    assert said(figure)[:2] == pytest.approx([lowest / INCH_M, lowest], abs=0.051)
+
+
+def test_the_moving_picture_is_drawn_anew_as_it_is_stored() -> None:
+    assert measured_picture.PICTURE.read_text("utf-8") == measured_picture.drawn()
