@@ -66,6 +66,8 @@ def bounded(solve: Any) -> Callable[..., Any]:
 def restarted(diagram: TimingDiagram) -> TimingDiagram:
     """Break a machine: its motions begin a little later."""
     return replace(diagram, motions=[motion.shifted(1e-5) for motion in diagram.motions])
+
+
 def shifted(read: Any) -> Callable[..., Any]:
     """Break the reader of cam tables: it takes a row for the one before."""
 

@@ -188,7 +188,10 @@ REFUSED: list[tuple[Any, str]] = [
         50 * CIRCLE * np.where(np.arange(90) == 40, 1.02, 1),
         "The point at 70 deg lies about 1 mm off",
     ),
-    (50 * CIRCLE[[*range(30), 34, 33, 32, 31, *range(35, 90)]], "leave 20 deg out after position 29.* put them in order"),
+    (
+        50 * CIRCLE[[*range(30), 34, 33, 32, 31, *range(35, 90)]],
+        "leave 20 deg out after position 29.* put them in order",
+    ),
     ([math.nan, *50 * CIRCLE[1:]], "points of the profile is nan"),
 ]
 
