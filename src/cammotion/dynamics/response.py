@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.dynamics.chain import Chain
 from cammotion.dynamics.course import Course, Spots
 from cammotion.dynamics.forcing import Forcing, accelerations, check_velocity
@@ -154,6 +155,7 @@ class Response(ABC):
         return least, most
 
 
+@checked
 class MoveResponse(Response):
     """A follower that a `move` drives once, from rest, and then leaves alone; `at` is in s.
 
@@ -193,7 +195,7 @@ class MoveResponse(Response):
         return np.where((times >= 0) & (times < self.move.time_s), moved(inside), 0.0)
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = _ordered(_TIME, over or self.span)
+        low, high = _ordered(_TIME, self.span if over is None else over)
         return [
             (self._course.lows[number], self._begins[number], spots)
             for spots in self._course.samples(max(low, 0.0), high)
@@ -204,6 +206,7 @@ class MoveResponse(Response):
 class _TurnResponse(Response):
     """A follower that a motion drives turn after turn; `at` is a cam angle in deg."""
 
+    @checked
     def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:
         check_velocity(motion)
         self.chain, self.motion = chain, motion
@@ -233,7 +236,7 @@ class _TurnResponse(Response):
         """Return the number of the turn and the angle in the first one of it."""
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = _ordered(CAM_ANGLE, over or self.span)
+        low, high = _ordered(CAM_ANGLE, self.span if over is None else over)
         self._phase(np.array([low, high]))  # refuses what is none of its places
         ends = (int((angle - self.motion.start_deg) // DEG_PER_TURN) for angle in (low, high))
         first, last = ends
@@ -278,6 +281,7 @@ class SteadyResponse(_TurnResponse):
     a whole number of times in a turn: then it swings more with each turn, without end.
     """
 
+    @checked
     def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:
         super().__init__(chain, motion, rate_per_hour)
         matrix, row = self._course.passage

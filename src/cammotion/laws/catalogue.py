@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy
 
+from cammotion.arguments import checked
 from cammotion.laws.curve import mirrored
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.reader import read
@@ -21,6 +22,7 @@ _half, _pi, _ROUNDING = sympy.Rational(1, 2), sympy.pi, 1e-9
 _BOUNDARY = Quantity("boundary value", "", example=0, low=-1e9)
 
 
+@checked
 def polynomial(
     start: Sequence[float],
     end: Sequence[float],
@@ -57,6 +59,7 @@ def polynomial(
     return law
 
 
+@checked
 def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
     """Return a straight line in the middle, joined at both ends by polynomials of degree five.
 

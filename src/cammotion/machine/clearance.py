@@ -8,7 +8,7 @@ between samples.
 """
 
 import math
-from collections.abc import Iterable, Sized
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -220,7 +220,7 @@ def as_rules(
     as_diagram(diagram)
     anything: Any = [rules] if isinstance(rules, ClearanceRule) else rules
     given = listed(anything)
-    is_none = isinstance(rules, Sized) and not len(rules) and not isinstance(rules, str)
+    is_none = isinstance(rules, list | tuple) and not rules
     if not (given or is_none) or not all(isinstance(rule, ClearanceRule) for rule in given):
         raise InputError(
             f"The clearance rules are {shorten(rules)}: give one or a list, for example "

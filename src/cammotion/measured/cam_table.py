@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
 
@@ -17,6 +18,7 @@ _FEWEST = 8  # points
 _EVEN = 1e-6  # by such a share of their mean the steps of even angles may differ
 
 
+@checked
 @dataclass(frozen=True, eq=False)
 class CamTable:
     """Positions of a follower over the cam angle, from a measurement, a drawing or a program.

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.fits import Fit, Monotone, Periodic, Through
 from cammotion.measured.sampled_law import SampledLaw
@@ -108,6 +109,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     return law
 
 
+@checked
 def law_from_table(
     table: CamTable,
     *,

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
 from cammotion.dynamics.residual import (
+    RATIO,
     dynamic_factor,
     residual_vibration,
     running_factor,
@@ -56,7 +57,7 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     'tm/Tn, swings of the mass during the move'
     """
     drawn = as_laws([*LAWS] if laws is None else laws)
-    at = _RATIOS if ratios is None else np.asarray(ratios, dtype=float)
+    at = _RATIOS if ratios is None else np.atleast_1d(RATIO.array(ratios))
     is_residual = one_of("quantity", quantity, QUANTITIES) == "residual"
     if ax is None:
         ax = blank_axes(8.6, 5.2, layout="constrained")
@@ -103,7 +104,7 @@ def plot_response(
     'acceleration in m/s²'
     """
     is_move = isinstance(response, MoveResponse)
-    low, high = over or response.span
+    low, high = response.span if over is None else over
     if is_move and over is None:
         high *= 1 + _AFTER
     if ax is None:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.differences import differences
@@ -31,6 +32,7 @@ _TICK_DEG = 45
 _NOTHING = 1e-12
 
 
+@checked
 def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") -> LiveFigure:
     """Return a live figure of a cam's acceleration: with reading errors, smoothed, few harmonics.
 
