@@ -1,5 +1,7 @@
 """What pytest collects, and what nbval compares."""
 
+import os
+import sys
 from typing import Any
 
 import pytest
@@ -8,6 +10,8 @@ from nbval.plugin import IPyNbCell, IPyNbFile  # type: ignore[import-untyped]
 from starter.refresh import keep_as_png
 
 collect_ignore = ["tests/data"]
+# What a test answers is nobody's progress; in a folder of copies it is kept all the same.
+os.environ["CAMMOTION_PROGRESS"] = "off"
 
 
 def pytest_collectstart(collector: pytest.Collector) -> None:
@@ -27,3 +31,9 @@ def pytest_itemcollected(item: pytest.Item) -> None:
             return compare(outputs, *rest, **named)
 
         item.compare_outputs = compare_stored
+
+
+def pytest_runtest_teardown() -> None:
+    """Close the pictures of each test: Matplotlib warns of more than twenty, whoever drew them."""
+    if pyplot := sys.modules.get("matplotlib.pyplot"):
+        pyplot.close("all")

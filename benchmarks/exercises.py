@@ -18,8 +18,8 @@ import cammotion as cm
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.places import FILE
 from cammotion.teaching.shown.choosing import show_answer
-from cammotion.teaching.store import FILE
 from cammotion.teaching.variants import machine_for
 
 MS = 1000

@@ -12,6 +12,7 @@ from accessibility import measure_accessibility
 from animation import measure_animation
 from cams import measure_cams, measure_rival_cams
 from curves import measure_factors, measure_lines
+from dynamics import measure_residuals, measure_response
 from exercises import measure_exercises, measure_shown
 from findings import Finding
 from laws import measure_first_use, measure_laws, measure_rival
@@ -41,6 +42,8 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "overlap": measure_overlap,
     "round-trip": measure_round_trips,
     "setup": measure_setup,
+    "residuals": measure_residuals,
+    "response": measure_response,
     "shown": measure_shown,
     "test": measure_test,
 }

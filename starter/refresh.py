@@ -1,5 +1,6 @@
 """Execute the workbook's own notebooks anew."""
 
+import os
 import re
 import subprocess
 import tempfile
@@ -43,6 +44,7 @@ def execute(path: Path, folder: Path) -> dict[str, Any]:
             *(f"--ExecutePreprocessor.{option}" for option in EXECUTION),
             *(f"--output-dir={folder}", f"--output={path.name}", str(path)),
         ],
+        env={**os.environ, "CAMMOTION_PROGRESS": "off"},  # it begins as if nobody had been there
         capture_output=True,
         encoding="utf-8",
         errors="replace",

@@ -9,8 +9,9 @@ import pytest
 
 import cammotion as cm
 from cammotion.teaching import session
+from cammotion.teaching.places import FILE, GRADING, SWITCH, find_place
 from cammotion.teaching.session import Session
-from cammotion.teaching.store import FILE, GRADING, LOCK, Store, work_folder
+from cammotion.teaching.store import LOCK, Store
 
 STRANGERS = {
     "empty": b"",
@@ -33,7 +34,10 @@ def sit_down(parent: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     folder.mkdir(parents=True)
     (folder.parent / "workbook.py").touch()
     monkeypatch.chdir(folder)
-    monkeypatch.delenv(GRADING, raising=False)
+    for name in (GRADING, SWITCH):
+        monkeypatch.delenv(name, raising=False)
+    for name in ("HOME", "USERPROFILE"):
+        monkeypatch.setenv(name, str(parent / "home"))
     before = session._SESSION
     restart()
     yield folder
@@ -42,7 +46,7 @@ def sit_down(parent: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 def restart() -> Session:
     """Begin anew, as a new kernel does."""
-    session._SESSION = Session(Store(work_folder))
+    session._SESSION = Session(Store(find_place))
     return session._SESSION
 
 

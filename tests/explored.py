@@ -29,6 +29,11 @@ def table_figure() -> LiveFigure:
     return made_by_cells("08", "explore-symbols", "explore-figure")
 
 
+def nyquist_figure() -> LiveFigure:
+    """Return the live figure of a wave at Nyquist's limit, as the cells of 09 make it."""
+    return made_by_cells("09", "nyquist-symbols", "nyquist-figure")
+
+
 def made_by_cells(lesson: str, symbols: str, call: str) -> LiveFigure:
     """Return the live figure that two cells of a lesson make."""
     (path,) = LESSONS.glob(f"{lesson}_*.ipynb")

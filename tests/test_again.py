@@ -19,7 +19,7 @@ from cammotion.teaching.classroom.page import write
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Slip
 from cammotion.teaching.lessons import EXERCISES
-from cammotion.teaching.store import FILE, GRADING
+from cammotion.teaching.places import FILE, GRADING
 from cammotion.teaching.variants import machine_for
 
 ASKED = [one for one in EXERCISES.values() if not isinstance(one, ChoiceExercise)]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from machines import Array
 
-from cammotion.hardware.bracketed import largest, samples, where_positive
+from cammotion.bracketed import largest, samples, where_positive
 from cammotion.laws.piece import Piece
 from cammotion.teaching.example import EXAMPLE
 

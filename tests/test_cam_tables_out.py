@@ -148,6 +148,12 @@ def test_the_last_position_is_the_first_to_the_last_digit(tmp_path: Path) -> Non
         assert lines[0].split()[1] == lines[-1].split()[1]
 
 
+def test_no_zero_has_a_sign(tmp_path: Path) -> None:
+    still = cm.TimingDiagram([cm.motion("still", cm.dwell(360), start_mm=-1e-8)], 2000)
+    path = write_cam_tables(still, tmp_path)["still"]
+    assert "-" not in path.read_text()
+
+
 @pytest.mark.parametrize(
     ("asked", "match"),
     [

@@ -112,7 +112,7 @@ def test_springs_in_series_of_the_handbook() -> None:
 def test_springs_that_are_none_are_refused() -> None:
     with pytest.raises(cm.InputError, match=r"stiffness of a spring is 0 N/mm \(at position 1\)"):
         cm.springs_in_series([20, 0])
-    with pytest.raises(cm.InputError, match="mass on the spring is -1 kg"):
+    with pytest.raises(cm.InputError, match="The mass is -1 kg"):
         cm.natural_frequency(20, -1)
     with pytest.raises(cm.InputError, match="natural frequency is 0 Hz"):
         cm.critical_harmonic(0, 900)

@@ -14,20 +14,21 @@ from cammotion.teaching.controls import ChoiceControl
 from cammotion.teaching.exercise import ChoiceExercise, Verdict
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.messages import _COLOURS, Feedback, Outcome, Progress
+from cammotion.teaching.places import GRADING, Place
 from cammotion.teaching.session import Session
-from cammotion.teaching.store import GRADING, Store
+from cammotion.teaching.store import Store
 
 
 @pytest.fixture(autouse=True)
 def _own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Keep what is done in a folder of this test's own."""
     monkeypatch.delenv(GRADING, raising=False)
-    monkeypatch.setattr(session, "_SESSION", Session(Store(lambda: tmp_path)))
+    monkeypatch.setattr(session, "_SESSION", Session(Store(lambda: Place(tmp_path))))
 
 
 def restart() -> None:
     """Begin anew, as a new kernel does."""
-    session._SESSION = Session(Store(session._SESSION.store._find_folder))
+    session._SESSION = Session(Store(session._SESSION.store.find_place))
 
 
 def html_of(thing: Any) -> BeautifulSoup:
@@ -119,7 +120,9 @@ def test_progress_is_a_table_with_heads() -> None:
     cm.check("01.1", 70)
     cm.check("01.2", 7)
     page = html_of(cm.progress())
-    assert only(page, "p").get_text() == f"1 of {len(EXERCISES)} exercises are right."
+    summary, where = page("p")
+    assert summary.get_text() == f"1 of {len(EXERCISES)} exercises are right."
+    assert where.get_text() == f"Your progress is kept in {session._SESSION.store.file}."
     assert [head.get_text() for head in page.find_all("th", scope="col")] == ["exercise", "state"]
     assert [head.get_text() for head in page.find_all("th", scope="row")] == [*EXERCISES]
     assert [cell.get_text() for cell in page.find_all("td")][:3] == [
@@ -141,7 +144,7 @@ def test_nothing_is_chosen_beforehand(exercise: ChoiceExercise) -> None:
     assert control.answer is None
     assert control.buttons.index is None
     assert feedback_of(control) == ""
-    assert cm.progress().text.count("open") == len(EXERCISES)
+    assert cm.progress().text.count("  open\n") == len(EXERCISES)
 
 
 @each_choice

@@ -15,8 +15,8 @@ from cammotion.teaching.carried import after, link
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import YOURS, NumberExercise, Slip
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.places import FILE
 from cammotion.teaching.reasons import short_name
-from cammotion.teaching.store import FILE
 from cammotion.teaching.variants import machine_for
 
 GOING_ON = [exercise for exercise in NUMBERS if exercise.goes_on_from]

@@ -15,7 +15,7 @@ from desk import STRANGERS, files_in, line_of, read_file, restart, sit_down
 import cammotion as cm
 from cammotion.teaching import session
 from cammotion.teaching.lessons import EXERCISES
-from cammotion.teaching.store import FILE, GRADING, work_folder
+from cammotion.teaching.places import FILE, GRADING
 
 
 @pytest.fixture(autouse=True)
@@ -274,22 +274,6 @@ def test_two_kernels_when_the_disk_was_full_for_one(monkeypatch: pytest.MonkeyPa
     assert cm.progress().right == 3
 
 
-@pytest.mark.parametrize("place", ["notebooks", "elsewhere", "."])
-def test_elsewhere_nothing_is_written(
-    work: Path, monkeypatch: pytest.MonkeyPatch, place: str
-) -> None:
-    folder = work.parent / place
-    folder.mkdir(exist_ok=True)
-    monkeypatch.chdir(folder)
-    restart()
-    cm.check("01.1", 70)
-    cm.hint("01.2")
-    cm.predict("01.half", "mm").field.value = "3"
-    assert cm.progress().right == 1
-    assert cm.predict("01.half", "mm").prediction == "3"
-    assert not [*work.parent.rglob("*progress*")]
-
-
 @pytest.mark.parametrize("place", ["work/deeper", "work-anna", "work2/solutions"])
 def test_every_folder_of_copies_has_its_own(
     work: Path, monkeypatch: pytest.MonkeyPatch, place: str
@@ -300,14 +284,6 @@ def test_every_folder_of_copies_has_its_own(
     restart()
     cm.check("01.1", 70)
     assert (work.parent / Path(place).parts[0] / FILE).is_file()
-
-
-def test_a_folder_named_work_without_the_workbook_beside_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "work").mkdir()
-    monkeypatch.chdir(tmp_path / "work")
-    assert work_folder() is None
 
 
 def test_while_nbgrader_grades_an_answer_that_is_not_right_raises(

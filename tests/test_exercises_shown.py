@@ -18,10 +18,11 @@ from cammotion.teaching import session
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.places import GRADING, Place
 from cammotion.teaching.shown import frame
 from cammotion.teaching.shown.choosing import show_answer
 from cammotion.teaching.shown.frame import Frame, Shown
-from cammotion.teaching.store import GRADING, Store
+from cammotion.teaching.store import Store
 from cammotion.views.animation.svg import text_px
 from cammotion.views.plots import COLOURS
 
@@ -186,7 +187,7 @@ def test_the_colours_are_those_of_all_pictures() -> None:
 @pytest.fixture
 def _own_session(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv(GRADING, raising=False)
-    monkeypatch.setattr(session, "_SESSION", session.Session(Store(lambda: tmp_path)))
+    monkeypatch.setattr(session, "_SESSION", session.Session(Store(lambda: Place(tmp_path))))
 
 
 @pytest.mark.usefixtures("_own_session")

@@ -193,6 +193,12 @@ def test_bars() -> None:
         assert ("does not get" in shown.line) == (made < 1)
         if not math.isclose(made, 12):  # a whole turn of 12 steps is as long as a bar gets
             assert_bars(shown, made)
+    for machine, step, shown in wrong("09.1"):
+        between = 60 / machine.measured.per_minute / machine.measured.points
+        made = 2 * step / 1e6 / between**2 / machine.measured.limit
+        assert ("more than it may" in shown.line) == (made > 1)
+        assert (" by less." in shown.line) == (made < 1)
+        assert_bars(shown, made)
 
 
 def label_at(shown: Shown, words: str) -> tuple[float, float]:

@@ -1,12 +1,7 @@
-"""What is kept of an answer, by which names; and two processes that write at once."""
+"""What is kept of an answer, and by which names."""
 
 import ast
-import errno
 import json
-import subprocess
-import sys
-import time
-import types
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -16,12 +11,11 @@ from desk import files_in, line_of, read_file, restart, sit_down
 from judging import each_exercise
 
 import cammotion as cm
-from cammotion.teaching import lock
 from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.places import FILE
 from cammotion.teaching.reasons import NO_ANSWER, short_name
-from cammotion.teaching.store import FILE, LOCK
 from cammotion.teaching.variants import machine_for
 
 
@@ -29,82 +23,6 @@ from cammotion.teaching.variants import machine_for
 def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """Sit down in the folder of the copies of a workbook."""
     yield from sit_down(tmp_path, monkeypatch)
-
-
-BUSY = """
-import os, sys
-from pathlib import Path
-from cammotion.teaching.session import Session
-from cammotion.teaching.store import Store, work_folder
-from cammotion.teaching import session
-import cammotion as cm
-session._SESSION = Session(Store(work_folder))
-print("ready", flush=True)
-sys.stdin.readline()
-for i in range(60):
-    cm.check("01.1", 140)
-    cm.predict(f"{sys.argv[1]}.{i}", "mm").field.value = str(i)
-"""
-"""Checks one answer again and again, the same as its twin does, and makes its own predictions."""
-
-
-def test_two_processes_that_write_at_once_lose_nothing(work: Path) -> None:
-    twins = [
-        subprocess.Popen(
-            [sys.executable, "-c", BUSY, name],
-            cwd=work,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        for name in ("one", "other")
-    ]
-    for twin in twins:
-        assert twin.stdout is not None
-        assert twin.stdout.readline() == "ready\n"
-    for twin in twins:
-        assert twin.stdin is not None
-        twin.stdin.write("go\n")
-        twin.stdin.flush()
-    for twin in twins:
-        twin.communicate(timeout=60)
-        assert twin.returncode == 0
-    content = read_file(work)
-    assert content["exercises"]["01.1"]["tries"] == 120
-    assert [*content["exercises"]["01.1"]["slips"].values()] == [120]
-    assert len(content["predictions"]) == 120
-    assert files_in(work) == [FILE]
-
-
-def test_a_lock_is_waited_for_and_not_for_ever(work: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    waited: list[float] = []
-    with lock.only_one(work / LOCK):
-        monkeypatch.setattr(lock, "_PATIENCE_S", 0.05)
-        monkeypatch.setattr(time, "sleep", waited.append)
-        assert cm.check("01.1", 70).is_right
-        assert waited
-    waited.clear()
-    restart()
-    assert cm.progress().right == 1
-    assert not waited  # nobody holds it
-
-
-def test_on_windows_the_lock_is_one_byte_of_the_file(
-    work: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """With a stand-in for msvcrt, as there is no Windows here: first refused, then granted."""
-    taken: list[tuple[int, int]] = []
-
-    def locking(_: int, mode: int, size: int) -> None:
-        taken.append((mode, size))
-        if len(taken) == 1:
-            raise PermissionError(errno.EACCES, "Permission denied")
-
-    windows = types.SimpleNamespace(LK_NBLCK=2, locking=locking)
-    monkeypatch.setitem(sys.modules, "msvcrt", windows)
-    monkeypatch.setattr(lock, "sys", types.SimpleNamespace(platform="win32"))
-    with lock.only_one(work / LOCK):
-        assert taken == [(2, 1), (2, 1)]
 
 
 def test_each_reason_is_counted_by_its_short_name(work: Path) -> None:

@@ -12,6 +12,7 @@ from fresh.runner import CHECKS, examine, main, run
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
+from cammotion.measured.fits import Through
 from cammotion.teaching import again
 
 SEED, SOUND = "cam", range(6)
@@ -63,11 +64,6 @@ def bounded(solve: Any) -> Callable[..., Any]:
     return promise
 
 
-def restarted(diagram: TimingDiagram) -> TimingDiagram:
-    """Break a machine: its motions begin a little later."""
-    return replace(diagram, motions=[motion.shifted(1e-5) for motion in diagram.motions])
-
-
 def shifted(read: Any) -> Callable[..., Any]:
     """Break the reader of cam tables: it takes a row for the one before."""
 
@@ -76,6 +72,11 @@ def shifted(read: Any) -> Callable[..., Any]:
         return replace(table, position_mm=np.roll(table.position_mm, 1))
 
     return shift
+
+
+def restarted(diagram: TimingDiagram) -> TimingDiagram:
+    """Break a machine: its motions begin a little later."""
+    return replace(diagram, motions=[motion.shifted(1e-5) for motion in diagram.motions])
 
 
 def scaled(factor: float) -> Callable[[Any], Any]:
@@ -98,9 +99,14 @@ FAULTS: dict[str, Patch] = {
     "inverses": (MotionLaw, "inverse", scaled(1 - 1e-4)),
     "heights": (MotionLaw, "where_above", lambda _: lambda *_: []),
     "cam_tables": (cm, "read_cam_table", shifted),
+    "differences": (cm.Differences, "acceleration_bound", scaled(1.01)),
+    "harmonics": (cm.Harmonics, "rebuilt", scaled(1 + 1e-5)),
+    "smoothings": (cm.SmoothedTable, "acceleration_rms", scaled(1.001)),
+    "roundings": (Through, "effects", lambda _: lambda *_: 2 * (np.ones(1),)),
     "least": (cm, "least_acceleration", bounded),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),
+    "contacts": (cm.FollowerLoad, "where_loose", lambda right: lambda *given: right(*given)[1:]),
     "indexers": (cm.Indexer, "rms_torque_N_m", scaled(1.01)),
     "responses": (cm.StartResponse, "acceleration", scaled(1 + 1e-7)),
     "questions": (again, "whole_question", lambda _: lambda one, machine: one.question(machine)),

@@ -10,7 +10,7 @@ import node
 import numpy as np
 import pytest
 import sympy as sp
-from explored import table_figure, weight_figure, zones_figure
+from explored import nyquist_figure, table_figure, weight_figure, zones_figure
 from measured_cam import CAM, RATE
 
 import cammotion as cm
@@ -83,6 +83,7 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     "searches": lambda: own_figure(SEARCHES, says=[]),
     "the weight of notebook 06": weight_figure,
     "the table of notebook 08": table_figure,
+    "the wave of notebook 09": nyquist_figure,
     "the zones of notebook 11": zones_figure,
 }
 COMPUTE = """

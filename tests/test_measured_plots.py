@@ -55,7 +55,10 @@ def test_a_spline_is_drawn_within_its_band() -> None:
     (band,) = [one for one in ax.collections if "FillBetween" in type(one).__name__] or [
         ax.collections[-1]
     ]
-    high = np.max(np.asarray(band.get_paths()[0].vertices)[:, 1])
+    edges = np.asarray(band.get_paths()[0].vertices)[:, 1]
+    high = np.max(edges)
+    bars = smooth.acceleration_rms(RATE, 0.02)
+    assert np.min(edges) == pytest.approx(min(smooth.acceleration(RATE) - bars), rel=1e-3)
     assert high == pytest.approx(
         max(smooth.acceleration(RATE) + smooth.acceleration_rms(RATE, 0.02)), rel=1e-3
     )

@@ -89,7 +89,7 @@ def test_what_is_true(key: str, value: float) -> None:
         ("08.geneva", "0.895 times."),
         ("09.error", "0.162 in/s². That is 1 percent of the largest acceleration."),
         ("09.finer", "16.2 in/s², nearly as much as the largest acceleration itself."),
-        ("09.rank", "Place 8. In front are numbers 4, 3 and 1."),
+        ("09.place", "Place 8. In front are numbers 4, 3 and 1."),
         ("11.play", "0.143 degrees of cam angle."),
         ("11.press", "40 H7/p6: interference, 1 to 42 µm."),
         ("11.errors", "8 lines: E7 over 315 to 400 mm"),

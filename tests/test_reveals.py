@@ -11,9 +11,10 @@ import cammotion as cm
 from cammotion.teaching import session
 from cammotion.teaching.controls import Reveal
 from cammotion.teaching.lessons import PREDICTIONS
+from cammotion.teaching.places import GRADING, Place
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.session import Session
-from cammotion.teaching.store import GRADING, Store
+from cammotion.teaching.store import Store
 
 HALF = PREDICTIONS["01.half"]
 ANSWER = ("It is 92.5 & no more.", "Not <b>110</b>.")
@@ -25,7 +26,7 @@ FOLDED = "The answer is folded: you made no prediction yet."
 def _own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Keep what is done in a folder of this test's own."""
     monkeypatch.delenv(GRADING, raising=False)
-    monkeypatch.setattr(session, "_SESSION", Session(Store(lambda: tmp_path)))
+    monkeypatch.setattr(session, "_SESSION", Session(Store(lambda: Place(tmp_path))))
 
 
 def details(page: str) -> Tag:
@@ -75,14 +76,14 @@ def test_a_prediction_counts_in_each_run_of_its_cell_and_after_a_restart() -> No
     reveal = cm.predict(HALF.key, HALF.asked).reveal(*ANSWER)
     cm.predict(HALF.key, HALF.asked).field.value = "60"
     assert_open(reveal, "You predicted 60: 35 % too little.")
-    session._SESSION = Session(Store(session._SESSION.store._find_folder))
+    session._SESSION = Session(Store(session._SESSION.store.find_place))
     again = cm.predict(HALF.key, HALF.asked).reveal(*ANSWER)
     assert_open(again, "You predicted 60: 35 % too little.")
 
 
 def test_what_another_notebook_has_kept_is_shown() -> None:
     reveal = cm.predict(HALF.key, HALF.asked).reveal(*ANSWER)
-    other = Session(Store(session._SESSION.store._find_folder))
+    other = Session(Store(session._SESSION.store.find_place))
     other.prediction(HALF.key, HALF.asked).field.value = "92"
     assert_folded(reveal)
     assert cm.predict(HALF.key, HALF.asked).prediction == "92"

@@ -85,9 +85,9 @@ def test_random_rounding_stays_within_what_is_said() -> None:
     assert np.sqrt(np.mean(np.square(errors))) == pytest.approx(law.rounding.rms, rel=0.03)
 
 
-@pytest.mark.parametrize("number", [12, 63, 64, 65, 200, 129])
+@pytest.mark.parametrize("number", [12, 39, 40, 41, 200, 129])
 def test_probing_many_points_at_once_is_exact(number: int) -> None:
-    """64 at a time and the closed form, whatever is left over."""
+    """40 at a time and the closed form, whatever is left over."""
     x = np.linspace(0, 1, number + 1)
     law = quietly(x, x**2 * (3 - 2 * x), fit="periodic", step=1e-6)
     if number % 2 == 0:
@@ -127,6 +127,7 @@ def test_a_repeated_law_goes_on_as_it_began() -> None:
         abs=1e-4,
     )
     smooth = cm.law_from_points(x, s, fit="periodic", smoothing=1e-6)
+    assert (smooth(0.0), smooth(1.0)) == (0, pytest.approx(1, abs=1e-15))
     wave = 0.05 / (1 + 1e-6 * (2 * np.pi) ** 4)
     assert smooth(0.25) - smooth(0.75) + 0.5 == pytest.approx(2 * wave, rel=1e-4)
 
@@ -216,8 +217,8 @@ def test_other_fits_are_refused(given: Any, said: str) -> None:
 
 
 def test_too_many_points_to_smooth_are_refused() -> None:
-    x = np.linspace(0, 1, 2002)
-    with pytest.raises(cm.InputError, match="There are 2002 points to be smoothed"):
+    x = np.linspace(0, 1, 1001)
+    with pytest.raises(cm.InputError, match="There are 1001 points to be smoothed"):
         cm.law_from_points(x, x**2 * (3 - 2 * x), fit="smooth")
 
 

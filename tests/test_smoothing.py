@@ -190,6 +190,17 @@ def test_the_reading_error_is_found_again() -> None:
     assert np.std(raw) > 100 * np.std(off)
 
 
+def test_the_error_is_over_what_noise_would_lose() -> None:
+    """The share is 1 less the weight of each point in its own value, which unit readings tell."""
+    weights = [
+        cm.smoothed(cm.CamTable(CAM.angle_deg, unit, is_cycle=True), 1e-4).position_mm[n]
+        for n, unit in enumerate(np.eye(36))
+    ]
+    found = cm.smoothed(CAM, 1e-4)
+    left = np.sum((found.position_mm - CAM.position_mm) ** 2)
+    assert found.error_mm == pytest.approx(np.sqrt(left / (36 - sum(weights))))
+
+
 def test_points_of_a_smooth_curve_are_left_as_they_are() -> None:
     angle = turn(36)
     found = cm.smoothed(cm.CamTable(angle, np.cos(np.radians(angle)), is_cycle=True))
@@ -217,8 +228,8 @@ def test_velocity_and_angles_between_the_points() -> None:
         (lambda: cm.smoothed(CAM, 1).at(0, RATE, 3), "derivative is 3; it has to be 0, 1 or 2"),
         (lambda: cm.smoothed(CAM, 1).at(0, 0, 1), "machine rate is 0"),
         (
-            lambda: cm.smoothed(cm.CamTable(np.arange(2001.0), np.arange(2001.0))),
-            "There are 2001 points to be smoothed; .* at most 2000",
+            lambda: cm.smoothed(cm.CamTable(np.arange(1001.0), np.arange(1001.0))),
+            "There are 1001 points to be smoothed; .* at most 1000",
         ),
     ],
 )

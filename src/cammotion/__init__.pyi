@@ -1,5 +1,8 @@
 from .dynamics.chain import Chain, tuned_mass, two_masses
+from .dynamics.contact import Flights, follower_flights
+from .dynamics.loads import FollowerLoad
 from .dynamics.one_mass import OneMass
+from .dynamics.polydyne import Polydyne, polydyne
 from .dynamics.residual import (
     dynamic_factor,
     residual_vibration,
@@ -7,6 +10,8 @@ from .dynamics.residual import (
     running_residual,
 )
 from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
+from .dynamics.springs import critical_harmonic, natural_frequency, springs_in_series
+from .dynamics.turns import Flight
 from .exchange.cam_files import write_cam
 from .exchange.cam_tables import read_cam_table
 from .exchange.cam_tables_out import write_cam_tables
@@ -28,7 +33,6 @@ from .hardware.followers import SwingingRoller, TranslatingRoller
 from .hardware.geneva import Geneva
 from .hardware.indexer import Indexer
 from .hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
-from .hardware.loads import FollowerLoad
 from .hardware.measured_profile import ProfileLift, lift_from_profile
 from .hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from .hardware.roller_cam import RollerCam
@@ -66,13 +70,13 @@ from .measured.harmonics import Harmonics, harmonics
 from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
 from .measured.sampled_law import SampledLaw
 from .measured.smoothing import SmoothedTable, smoothed
-from .measured.springs import critical_harmonic, natural_frequency, springs_in_series
 from .quantities import InputError, WrongAnswerError
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
+from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
 from .views.explorers.cam import explore_cam
@@ -120,6 +124,9 @@ __all__ = [
     "Disc",
     "Fit",
     "FlatFacedCam",
+    "Flight",
+    "Flights",
+    "FollowerAnimation",
     "FollowerLoad",
     "Geneva",
     "Harmonics",
@@ -139,6 +146,7 @@ __all__ = [
     "Panel",
     "Point",
     "PointMasses",
+    "Polydyne",
     "PrintedLimits",
     "ProfileLift",
     "Ring",
@@ -158,6 +166,7 @@ __all__ = [
     "WrongAnswerError",
     "again",
     "animate",
+    "animate_follower",
     "as_law",
     "ask",
     "beyond",
@@ -183,6 +192,7 @@ __all__ = [
     "fifth_degree_linear",
     "find_clearances",
     "find_violations",
+    "follower_flights",
     "grade_um",
     "harmonics",
     "hertz_pressure",
@@ -222,6 +232,7 @@ __all__ = [
     "plot_timing",
     "plot_torque",
     "plot_weight",
+    "polydyne",
     "polynomial",
     "predict",
     "progress",

@@ -43,16 +43,7 @@ def read_text(path: str | Path) -> str:
 
     Raises InputError for a file that is not there, that cannot be read, or is no such text.
     """
-    path = as_path(path)
-    try:
-        content = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"There is no file {path.name}: give the path of one.") from None
-    except OSError as wrong:
-        raise InputError(
-            f"The file {path.name} cannot be read ({wrong.strerror}): give a file that you may "
-            "read."
-        ) from None
+    path, content = as_path(path), read_bytes(path)
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as wrong:
@@ -60,6 +51,20 @@ def read_text(path: str | Path) -> str:
         raise InputError(
             f"The file {path.name} cannot be read: its line {line} has the byte {byte:#04x}, which "
             "is no character in UTF-8. Save it in the spreadsheet as 'CSV UTF-8'."
+        ) from None
+
+
+def read_bytes(path: str | Path) -> bytes:
+    """Return what a file holds; raise InputError for one that is not there or cannot be read."""
+    path = as_path(path)
+    try:
+        return path.read_bytes()
+    except (FileNotFoundError, NotADirectoryError):
+        raise InputError(f"There is no file {path.name}: give the path of one.") from None
+    except OSError as wrong:
+        raise InputError(
+            f"The file {path.name} cannot be read ({wrong.strerror}): give a file that you may "
+            "read."
         ) from None
 
 

@@ -92,6 +92,22 @@ class Quantity:
             )
         return float(array)
 
+    def whole(self, value: Any) -> int:
+        """Return `value`, a single whole number such as 8 or 8.0, as an int.
+
+        Raises InputError like `number`, and for a number that is not whole.
+
+        >>> Quantity("number of stops", "", example=8).whole(24.0)
+        24
+        """
+        number = self.number(value)
+        if number != int(number):
+            raise InputError(
+                f"The {self.name} is {number:g}; it has to be a whole number: give for example "
+                f"{self.example:g}."
+            )
+        return int(number)
+
     @property
     def allowed(self) -> str:
         """The range in words, after 'a finite number': ' above 0 and at most 360 deg'.
@@ -157,16 +173,6 @@ class Quantity:
             f"The {self.name} is {array[position]:g}{self._unit}{where}; it has to be a "
             f"{kind}{self.allowed}: give {self._example}."
         )
-
-    def whole(self, value: Any) -> int:
-        """Return `value`, a whole number in range such as 8, 8.0 or np.int64(8), as an int."""
-        number = self.number(value)
-        if number != int(number):
-            raise InputError(
-                f"The {self.name} is {number:g}; it has to be a whole number: give for example "
-                f"{self.example:g}."
-            )
-        return int(number)
 
 
 def one_of(what: str, name: Any, known: Iterable[str], also: Mapping[str, str] = _NONE) -> str:

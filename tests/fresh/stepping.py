@@ -52,9 +52,14 @@ def drives_of_law(
     return [between(*ends) for ends in pairwise([0.0, *joints_of(law), 1.0])]
 
 
-def fastest_of(row: "Row") -> float:
+def swings_of(row: "Row") -> float:
     """Return an angular frequency in 1/s above all of the row's."""
     return float(2 * np.sqrt(np.max(row.springs) / np.min(row.masses)))
+
+
+def fastest_of(row: "Row") -> float:
+    """Return a rate in 1/s above all of the row's, of swings and of what its dampers stop."""
+    return max(swings_of(row), float(4 * np.max(row.dampers) / np.min(row.masses)))
 
 
 class Row:
@@ -86,7 +91,7 @@ class Row:
         count = len(self.masses)
         state = np.concatenate([away, rates])
         found = np.empty((len(times), 2 * count))
-        atol = RTOL * size * np.repeat([1.0, fastest_of(self)], count)
+        atol = RTOL * size * np.repeat([1.0, swings_of(self)], count)
         for low, high, given in drives:
 
             def rate(at: float, state: Array, given: Any = given) -> Array:

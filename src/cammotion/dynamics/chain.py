@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from cammotion.machine.kinematics import MM_PER_M
 from cammotion.quantities import Floats, InputError, Quantity, shorten
 
 MASS = Quantity("mass", "kg", example=12)
@@ -28,7 +29,6 @@ STIFFNESS = Quantity("stiffness of a spring", "N/mm", example=50)
 DAMPING = Quantity("damping", "N s/mm", example=0.05, low_included=True)
 NATURAL = Quantity("natural frequency", "Hz", example=12)
 DAMPING_RATIO = Quantity("damping ratio", "", example=0.02, low_included=True)
-_MM_PER_M = 1000.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,8 +171,8 @@ class Chain:
         """Its modes by the second, in kg, N/m and m."""
         masses = np.sqrt(np.array(self.masses_kg))
         differences = np.eye(len(masses)) - np.eye(len(masses), k=-1)
-        springs = np.sqrt(_MM_PER_M * np.array(self.stiffnesses_N_per_mm))[:, None]
-        dampers = np.sqrt(_MM_PER_M * np.array(self.dampings_N_s_per_mm))[:, None]
+        springs = np.sqrt(MM_PER_M * np.array(self.stiffnesses_N_per_mm))[:, None]
+        dampers = np.sqrt(MM_PER_M * np.array(self.dampings_N_s_per_mm))[:, None]
         _, frequencies, across = np.linalg.svd(springs * differences / masses)
         modes = across[::-1].T / masses[:, None]
         losses = dampers * differences @ modes
@@ -182,7 +182,7 @@ class Chain:
     def _in_a_row(self, each: Any) -> Floats:
         size = len(each)
         differences = np.eye(size) - np.eye(size, k=-1)
-        return np.asarray(differences.T * (_MM_PER_M * np.array(each)) @ differences)
+        return np.asarray(differences.T * (MM_PER_M * np.array(each)) @ differences)
 
 
 def two_masses(  # noqa: PLR0913 - the source's six
@@ -216,13 +216,14 @@ def tuned_mass(natural_Hz: float, damping_ratio: float = 0.0, *, mass_kg: float 
     """
     w, mass = 2 * math.pi * NATURAL.number(natural_Hz), MASS.number(mass_kg)
     ratio = DAMPING_RATIO.number(damping_ratio)
-    return Chain([mass], [mass * w**2 / _MM_PER_M], [2 * ratio * mass * w / _MM_PER_M])
+    return Chain([mass], [mass * w**2 / MM_PER_M], [2 * ratio * mass * w / MM_PER_M])
 
 
 def _numbers(quantity: Quantity, values: Any) -> tuple[float, ...]:
-    if isinstance(values, str) or not isinstance(values, Iterable):
+    is_alone = isinstance(values, np.ndarray) and not values.ndim  # iterable by its kind alone
+    if isinstance(values, str) or is_alone or not isinstance(values, Iterable):
         raise InputError(
-            f"The {quantity.name} of each mass is wanted, not {shorten(values)}: give a list, for "
-            f"example [{quantity.example:g}]."
+            f"Of the {quantity.name} a list is wanted, a number for each mass, and not "
+            f"{shorten(values)}: give for example [{quantity.example:g}]."
         )
     return tuple(quantity.number(value) for value in values)

@@ -35,8 +35,8 @@ from cammotion.quantities import InputError, Numbers, Quantity
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=1.5, low=-1e6, high=1e6)
 _ORDER = Quantity("derivative", "", example=2, high=2, low_included=True)
-_SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
-_DAMPING = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
+SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
+DAMPING = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
 _SAME, _PROBES = 1e-12, (0.3123, 0.7411)  # zones that differ by less there are one
 _ACCELERATION = 2  # the highest derivative a response is asked for
 tau, zeta = sympy.symbols("tau zeta", positive=True)
@@ -59,7 +59,7 @@ class OneMass:
 
     def __init__(self, law: str | MotionLaw, swings: Any, damping: Any = 0.02) -> None:
         self.law = as_law(law)
-        given = {tau: (_SWINGS, swings), zeta: (_DAMPING, damping)}
+        given = {tau: (SWINGS, swings), zeta: (DAMPING, damping)}
         self._of = {
             s: v if isinstance(v, sympy.Expr) else q.number(v) for s, (q, v) in given.items()
         }

@@ -6,12 +6,12 @@ these lead out. All turns that can be the least or the largest are narrowed at o
 """
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cammotion.quantities import Floats
+from cammotion.quantities import Floats, InputError, Quantity, shorten
 
 _STEPS = 60
 _CLOSE = 1e-9  # of the way between two samples: the value is off by the square of that
@@ -25,11 +25,11 @@ class Peak(NamedTuple):
 
 
 Integers = NDArray[np.intp]
-Quantity = Callable[[Integers, Floats], Floats]
+Asked = Callable[[Integers, Floats], Floats]
 """Of runs by number and places in them: value, slope, and its slope, in three rows."""
 
 
-def extremes(quantity: Quantity, runs: Sequence[Floats]) -> tuple[tuple[Peak, int], ...]:
+def extremes(quantity: Asked, runs: Sequence[Floats]) -> tuple[tuple[Peak, int], ...]:
     """Return the least and the largest value and place over runs of samples, each with its run."""
     which = np.repeat(np.arange(len(runs)), [len(run) for run in runs])
     places = np.concatenate(runs)
@@ -49,7 +49,7 @@ def extremes(quantity: Quantity, runs: Sequence[Floats]) -> tuple[tuple[Peak, in
     return tuple((Peak(float(values[n]), float(places[n])), int(which[n])) for n in ends)
 
 
-def narrowed(quantity: Quantity, which: Integers, lows: Floats, highs: Floats) -> Floats:
+def narrowed(quantity: Asked, which: Integers, lows: Floats, highs: Floats) -> Floats:
     """Return where between two places each a slope is zero that changes its sign there."""
     if not len(which):
         return lows
@@ -68,3 +68,14 @@ def narrowed(quantity: Quantity, which: Integers, lows: Floats, highs: Floats) -
             return following
         places = following
     return places
+
+
+def ordered(quantity: Quantity, over: Any) -> tuple[float, float]:
+    """Return two places to look between; raise InputError unless they are two in order."""
+    ends = quantity.array(over)
+    if ends.shape != (2,) or not ends[0] < ends[1]:
+        raise InputError(
+            f"The places to look between are {shorten(over)}: give two in order, in "
+            f"{quantity.unit}."
+        )
+    return float(ends[0]), float(ends[1])

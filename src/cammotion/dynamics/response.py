@@ -16,7 +16,7 @@ from cammotion.arguments import checked
 from cammotion.dynamics.chain import Chain
 from cammotion.dynamics.course import Course, Spots
 from cammotion.dynamics.forcing import Forcing, accelerations, check_velocity
-from cammotion.dynamics.peaks import Peak, extremes
+from cammotion.dynamics.peaks import Peak, extremes, ordered
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, Move, cycle_time
 from cammotion.machine.motions import Motion
@@ -125,7 +125,7 @@ class Response(ABC):
 
     def _number(self, number: Any, what: str) -> int:
         count = len(self.chain.masses_kg)
-        if isinstance(number, bool) or number not in range(1, count + 1):
+        if isinstance(number, bool | np.ndarray) or number not in range(1, count + 1):
             raise InputError(
                 f"The number of the {what} is {shorten(number)}; the follower has {count}: give a "
                 f"whole number from 1, at the cam, to {count}."
@@ -195,7 +195,7 @@ class MoveResponse(Response):
         return np.where((times >= 0) & (times < self.move.time_s), moved(inside), 0.0)
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = _ordered(_TIME, self.span if over is None else over)
+        low, high = ordered(_TIME, self.span if over is None else over)
         return [
             (self._course.lows[number], self._begins[number], spots)
             for spots in self._course.samples(max(low, 0.0), high)
@@ -236,7 +236,7 @@ class _TurnResponse(Response):
         """Return the number of the turn and the angle in the first one of it."""
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = _ordered(CAM_ANGLE, self.span if over is None else over)
+        low, high = ordered(CAM_ANGLE, self.span if over is None else over)
         self._phase(np.array([low, high]))  # refuses what is none of its places
         ends = (int((angle - self.motion.start_deg) // DEG_PER_TURN) for angle in (low, high))
         first, last = ends
@@ -297,18 +297,8 @@ class SteadyResponse(_TurnResponse):
         self._repeated = np.linalg.solve(left.T, row)
 
     def _start(self, turn: int) -> Floats:  # noqa: ARG002 - all turns are alike
-        return self._repeated
+        return np.asarray(self._repeated)
 
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         since = np.mod(angles - self.motion.start_deg, DEG_PER_TURN)
         return np.zeros(since.shape, dtype=np.intp), self.motion.start_deg + since
-
-
-def _ordered(quantity: Quantity, over: Any) -> tuple[float, float]:
-    ends = quantity.array(over)
-    if ends.shape != (2,) or not ends[0] < ends[1]:
-        raise InputError(
-            f"The places to look between are {shorten(over)}: give two in order, in "
-            f"{quantity.unit}."
-        )
-    return float(ends[0]), float(ends[1])

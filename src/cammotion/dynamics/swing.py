@@ -7,7 +7,7 @@ and its conjugate. With the complex number v = z' - conj(r) z that is one equati
     v' = r v - A,    z = Im v / Im r,    z' = Im(r v) / Im r,
 
 which takes v over a way h to exp(r h) v less the integral of exp(r (h - u)) A(u). The integral is
-taken by Gauss's rule with eight places, over ways so short that all digits of it are right.
+taken by Gauss's rule with six places, over ways so short that all digits of it are right.
 """
 
 from functools import cached_property
@@ -22,9 +22,9 @@ from cammotion.dynamics.peaks import narrowed
 from cammotion.laws.curve import Curve
 from cammotion.quantities import Floats
 
-_PER_SWING = 16  # ways
+_PER_SWING = 12  # ways
 _FEWEST = 32  # ways in a move
-_GAUSS = leggauss(8)
+_GAUSS = leggauss(6)
 _PLACES, _WEIGHTS = (_GAUSS[0] + 1) / 2, _GAUSS[1] / 2  # for a way from 0 to 1
 Complexes = NDArray[np.complex128]
 

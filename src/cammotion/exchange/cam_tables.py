@@ -6,7 +6,14 @@ from typing import Any
 import numpy as np
 
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
-from cammotion.exchange.table_meaning import check_order, evened, lift_of, master_of, shape_of
+from cammotion.exchange.table_meaning import (
+    check_not_counted,
+    check_order,
+    evened,
+    lift_of,
+    master_of,
+    shape_of,
+)
 from cammotion.exchange.table_text import read_text
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.measured.cam_table import CamTable
@@ -64,6 +71,8 @@ def read_cam_table(  # noqa: PLR0913 - what can be set of a file
             f"The table of {text.name} has {len(found.rows)} rows, from line {found.rows[0].line} "
             f"on; at least {_FEWEST} are needed: measure or print the cam at more angles."
         )
+    if not asked.columns:
+        check_not_counted(found)
     check_order(found)
     master = master_of(found, first, cycle)
     angles, is_even = found.numbers[:, 0], True

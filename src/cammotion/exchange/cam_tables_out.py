@@ -4,7 +4,6 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -84,7 +83,7 @@ def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
     one_of("separator", separator, SEPARATORS)
     if one_of("decimal mark", decimal, DECIMALS) == separator:
         raise InputError("The comma cannot be both separator and decimal mark: change one of them.")
-    places = _whole(PLACES, decimals)
+    places = PLACES.whole(decimals)
     angles = _angles(step_deg, points, _INT if form == "codesys" else None)
     texts = {}
     for motion in diagram.motions:
@@ -106,7 +105,7 @@ def _angles(step_deg: float | None, points: int | None, most: int | None) -> Flo
     if step_deg is not None and points is not None:
         raise InputError("Both step_deg and points are given: give one of the two.")
     if points is not None:
-        steps = _whole(POINTS, points) - 1
+        steps = POINTS.whole(points) - 1
     else:
         step = STEP_DEG.number(1 if step_deg is None else step_deg)
         parts = DEG_PER_TURN / step
@@ -167,16 +166,6 @@ def _places_for(values: Floats, places: int) -> int:
     """Return the decimals with which the largest value has `places` behind its first digit."""
     largest = float(np.abs(values).max())
     return places - math.floor(math.log10(largest)) if 0 < largest < 1 else places
-
-
-def _whole(quantity: Quantity, given: Any) -> int:
-    number = quantity.number(given)
-    if not number.is_integer():
-        raise InputError(
-            f"The {quantity.name} is {number:g}; it has to be a whole number: give, for example, "
-            f"{quantity.example:g}."
-        )
-    return int(number)
 
 
 def _write(

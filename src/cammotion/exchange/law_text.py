@@ -143,7 +143,7 @@ def _points(law: SampledLaw) -> str:
     ends = fit.slopes if isinstance(fit, Through | Monotone) else ()
     slopes = f", end_slopes={tuple(map(float, ends))}" if ends else ""
     smoothing = f", smoothing={float(fit.amount)}" if fit.is_smooth else ""
-    points = f"{[*law.sampled_at]}, {law.__dict__['_ways'].tolist()}"
+    points = f"{[*law.sampled_at]}, {[*law.ways]}"
     return f"law_from_points({points}{slopes}, fit={kind!r}{smoothing}, step={float(law.step)})"
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from cammotion.measured.inch import MM_PER_INCH
 from cammotion.quantities import InputError
 
 ANGLE, TIME, DISTANCE, POSITION = "angle", "time", "distance", "position"
@@ -42,7 +43,7 @@ _MEANT = {token: unit for unit, tokens in _SURE.items() for token in tokens}
 _KINDS = {token: kind for kind, tokens in _WORDS.items() for token in tokens}
 _RATE = re.compile(r"(?:mm|cm|\bm|in|inch|deg|rad|°)\W*(?:/|\bper\b|·|\bs\^?-)|[²³]|\^[23]")
 _KIND_OF = {"deg": ANGLE, "rad": ANGLE, "turn": ANGLE, "percent": ANGLE, "ms": TIME, "s": TIME}
-LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1e-3, "in": 25.4}  # mm
+LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1e-3, "in": MM_PER_INCH}  # mm
 
 
 class Heading(NamedTuple):

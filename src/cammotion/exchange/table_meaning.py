@@ -35,6 +35,7 @@ _HALF, _BOTH = 0.51, 1.01  # of the rounding: of one number, and of two
 _QUARTER = 0.25  # of the step of the angles: a row too few or too many is more than that off
 _CLOSED = 1e-6  # of the stroke: so much is missing at the end for a program's own rounding
 _ALIKE = 1e-9  # of a turn: steps that differ by less are alike
+_COUNTED = 0.05  # of a step: a column that rises so evenly is counted, not measured
 _MOST_MM = 1e6
 
 
@@ -88,10 +89,24 @@ def check_order(found: Columns) -> None:
     )
 
 
+def check_not_counted(found: Columns) -> None:
+    """Raise InputError where both columns rise evenly, and a third may be the position."""
+    if len(found.rows[0].cells) < 3:  # noqa: PLR2004 - a third
+        return
+    steps = np.diff(found.numbers, axis=0)
+    if (steps > 0).all() and (np.ptp(steps, axis=0) <= _COUNTED * steps.mean(axis=0)).all():
+        one, other = (place + 1 for place in found.chosen)
+        raise InputError(
+            f"Columns {one} and {other} of {found.name} both rise in even steps, as numbers of "
+            f"rows, angles and times do: give the two that you mean, for example columns=(2, 3), "
+            f"or columns=({one}, {other}) if the position does so."
+        )
+
+
 def master_of(found: Columns, first: str | None, cycle: float | None) -> Master:
     """Return what the first column is; raise InputError where nothing says so."""
     values, rounding = found.numbers[:, 0], step_of(found.cells(0), found.decimal)
-    kind, why = _kind(found, first, cycle)
+    kind, why = _kind(found, rounding, first, cycle)
     turn = _turn(found, kind, cycle)
     closes, is_open = _ends(values, rounding, turn)
     said = f"{WORDS[kind]} ({why})"
@@ -100,11 +115,13 @@ def master_of(found: Columns, first: str | None, cycle: float | None) -> Master:
     return Master(turn, rounding, closes, is_open, said)
 
 
-def _kind(found: Columns, first: str | None, cycle: float | None) -> tuple[str, str]:
+def _kind(
+    found: Columns, rounding: float, first: str | None, cycle: float | None
+) -> tuple[str, str]:
     """Return what the first column is, and who says so."""
     if first is not None:
         return one_of("kind of a first column", first, WORDS), "as set"
-    values, rounding = found.numbers[:, 0], step_of(found.cells(0), found.decimal)
+    values = found.numbers[:, 0]
     seen = next((unit for unit in _SEEN if any(_ends(values, rounding, TURNS[unit]))), "")
     named = _named(found)
     ends = f"goes from {found.cells(0)[0]} to {found.cells(0)[-1]}"

@@ -2,9 +2,9 @@
 
 import codecs
 import re
-from pathlib import Path
 from typing import Any, NamedTuple
 
+from cammotion.files import as_path, read_bytes
 from cammotion.quantities import InputError, shorten
 
 _MARKS = {  # at the start of a file; the longer ones first
@@ -43,15 +43,7 @@ def read_text(path: Any, encoding: str | None = None) -> Text:
 
     UTF-8 and UTF-16 with a mark or without, or else cp1252, if no `encoding` is given.
     """
-    if not isinstance(path, str | Path):
-        raise InputError(f"The path of the file is {shorten(path)}: give one like 'cam.csv'.")
-    name = Path(path).name
-    try:
-        raw = Path(path).read_bytes()
-    except (FileNotFoundError, NotADirectoryError):
-        raise InputError(f"There is no file {name}: give the path of one.") from None
-    except (OSError, ValueError) as wrong:
-        raise InputError(f"The file {name} cannot be read ({wrong}).") from None
+    name, raw = as_path(path).name, read_bytes(path)
     for start, what in _BINARY.items():
         if raw.startswith(start):
             raise InputError(f"The file {name} is {what}: save the sheet as CSV, and read that.")

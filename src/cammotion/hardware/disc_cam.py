@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.hardware.bracketed import Function, largest, where_positive
+from cammotion.bracketed import Function, largest, where_positive
 from cammotion.hardware.envelope import Lift
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import unwrap

@@ -5,7 +5,7 @@ from functools import cached_property
 
 from numpy.typing import ArrayLike
 
-from cammotion.hardware.bracketed import Extreme, largest
+from cammotion.bracketed import Extreme, largest
 from cammotion.hardware.disc_cam import (
     PER_RAD,
     DiscCam,

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.hardware.bracketed import cuts, largest
+from cammotion.bracketed import cuts, largest
 from cammotion.hardware.rotor import Rotor
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw

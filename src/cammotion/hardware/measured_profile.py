@@ -85,7 +85,7 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
             f"The follower is {shorten(follower)}: give a TranslatingRoller, a SwingingRoller or "
             "'flat face'."
         )
-    places = int(COUNT.number(count))
+    places = COUNT.whole(count)
     traced = Traced(_checked(x_mm, y_mm, clockwise=clockwise), away, follower)
     traced.refuse_kinks()
     traced.refuse_strays()

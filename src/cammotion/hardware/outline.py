@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cammotion.hardware.bracketed import cuts
+from cammotion.bracketed import cuts
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity

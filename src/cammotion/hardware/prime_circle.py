@@ -10,7 +10,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cammotion.arguments import checked
-from cammotion.hardware.bracketed import samples, summit
+from cammotion.bracketed import samples, summit
 from cammotion.hardware.disc_cam import check_motion, lift_of, travel_mm
 from cammotion.hardware.envelope import Lift, curvature, pressure_angle
 from cammotion.hardware.flat_faced_cam import FlatFacedCam

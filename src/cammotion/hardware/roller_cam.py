@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
 from cammotion.arguments import checked
-from cammotion.hardware.bracketed import Extreme, largest
+from cammotion.bracketed import Extreme, largest
 from cammotion.hardware.disc_cam import (
     DiscCam,
     Undercut,

@@ -10,7 +10,6 @@ from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
 
-TURN = DEG_PER_TURN
 _ANGLE = Quantity("cam angle of the table", "deg", example=10, low=-1e6, high=1e6)
 _POSITION = Quantity("position of the table", "mm", example=5, low=-1e6, high=1e6)
 _STEP = Quantity("step of the positions", "mm", example=0.01, high=1e6, low_included=True)
@@ -60,7 +59,7 @@ class CamTable:
         >>> CamTable([0, 1, 2, 3, 4, 5, 6, 8], [0, 1, 2, 3, 3, 2, 1, 0]).even_step_deg is None
         True
         """
-        closing = [self.angle_deg[0] + TURN] if self.is_cycle else []
+        closing = [self.angle_deg[0] + DEG_PER_TURN] if self.is_cycle else []
         steps = np.diff([*self.angle_deg, *closing])
         is_even = np.ptp(steps) <= _EVEN * np.mean(steps)
         return float(np.mean(steps)) if is_even else None
@@ -76,12 +75,12 @@ class CamTable:
         CamTable(36 points every 10 deg, a whole turn, 0 to 50 mm in steps of 0.01)
         """
         span = self.angle_deg[-1] - self.angle_deg[0]
-        if self.is_cycle or span > TURN / 2 * (1 + _EVEN):
+        if self.is_cycle or span > DEG_PER_TURN / 2 * (1 + _EVEN):
             raise InputError(
                 f"The table {'is a cycle' if self.is_cycle else f'goes over {span:g} deg'} and "
                 "cannot be mirrored: give a table without its return, over 180 deg at most."
             )
-        is_cycle = span >= TURN / 2 * (1 - _EVEN)
+        is_cycle = span >= DEG_PER_TURN / 2 * (1 - _EVEN)
         back = slice(-2, 0, -1) if is_cycle else slice(-2, None, -1)
         angles = [*self.angle_deg, *(2 * self.angle_deg[-1] - self.angle_deg[back])]
         positions = [*self.position_mm, *self.position_mm[back]]
@@ -114,7 +113,7 @@ def _check_order(angles: Floats, is_cycle: bool) -> None:
             f"{angles[n]:g} deg; it has to rise from point to point: sort the points by their "
             "angle, and give each angle once."
         )
-    if is_cycle and angles[-1] - angles[0] >= TURN:
+    if is_cycle and angles[-1] - angles[0] >= DEG_PER_TURN:
         raise InputError(
             f"The cycle goes from {angles[0]:g} to {angles[-1]:g} deg; a turn is 360 deg, and its "
             "first point comes again at the end: leave out the last point, or give is_cycle=False."

@@ -16,7 +16,7 @@ from cammotion.laws.spline import Spline
 from cammotion.measured.smoother import AnyPoints, chosen_amount
 from cammotion.quantities import Floats
 
-_APART = 64  # points; what one adds to A over there is less than the last bit
+_APART = 40  # points; half-way, what one adds to A has fallen to 4e-12 of it
 _DRAWS = 64  # of random errors, where there is no formula
 
 

@@ -46,7 +46,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     at both ends, dimensionless. `fit` is one of
 
     - "through": the cubic spline through all points;
-    - "smooth": the smoothing spline between the two end points, at most 2000 points;
+    - "smooth": the smoothing spline between the two end points, at most 1000 points;
     - "periodic": a law that is repeated without rest, as of a wheel that never stops: it ends with
       the velocity and the acceleration with which it begins, and has no `end_slopes`;
     - "monotone": PCHIP, which never swings over its points: between two that rise it rises.

@@ -3,6 +3,7 @@
 from functools import cached_property
 from typing import NamedTuple
 
+import numpy as np
 import sympy
 
 from cammotion.laws.motion_law import MotionLaw
@@ -26,19 +27,20 @@ class Rounding(NamedTuple):
 class SampledLaw(MotionLaw):
     """A law from points. `law_from_points` makes it.
 
-    `sampled_at` are the places of the points in x, `step` the step to which their S is rounded,
-    0 for exact ones, and `amount` how much they were smoothed. Reversed, or with a share of
-    constant velocity, it is a law like any other and no longer one of points.
+    `sampled_at` are the places of the points in x and `ways` their S, `step` the step to which S is
+    rounded, 0 for exact ones, and `amount` how much they were smoothed. Reversed, or with a share
+    of constant velocity, it is a law like any other and no longer one of points.
     """
 
     sampled_at: tuple[float, ...]
+    ways: tuple[float, ...]
     step: float
     fit: Fit
 
     def __init__(self, name: str, places: Floats, ways: Floats, fit: Fit, step: float) -> None:
         super().__init__(name, fit.curve(ways))
-        known = {"sampled_at": tuple(places.tolist()), "fit": fit, "step": step, "_ways": ways}
-        self.__dict__.update(known)
+        points = {"sampled_at": tuple(places.tolist()), "ways": tuple(ways.tolist())}
+        self.__dict__.update(points | {"fit": fit, "step": step})
 
     @property
     def amount(self) -> float:
@@ -54,7 +56,7 @@ class SampledLaw(MotionLaw):
         """
         if not self.step:
             return Rounding(0.0, 0.0, 0.0)
-        bound, rms = self.fit.effects(self.__dict__["_ways"], self.step / 2)
+        bound, rms = self.fit.effects(np.array(self.ways), self.step / 2)
         return Rounding(self.step, float(rms.max()), float(bound.max()))
 
     def __repr__(self) -> str:

@@ -22,7 +22,6 @@ The amount can be chosen by generalised cross-validation (Craven and Wahba): the
 which estimates how well a point that was left out would have been foretold.
 """
 
-from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -30,9 +29,9 @@ import numpy as np
 from cammotion.quantities import Floats, InputError
 
 Ends = Literal["natural", "clamped", "periodic"]
-MOST = 2000  # points, of which every eigenvector is reckoned
+MOST = 1000  # points, of which every eigenvector is reckoned
 _SCAN = 400  # amounts
-_FLAT = 1e-12  # an eigenvalue, as a share of the largest, that is one of a line
+_LINES = {"natural": 2, "clamped": 0, "periodic": 1}  # modes that do not bend
 
 
 class EvenCycle:
@@ -60,7 +59,7 @@ class EvenCycle:
 
 
 class AnyPoints:
-    """The smoother of at most 2000 points at any places.
+    """The smoother of at most 1000 points at any places.
 
     With "natural" ends the spline ends straight. With "clamped" ones it keeps the first and the
     last value and has the slopes that are given there. A "periodic" one closes after the `period`.
@@ -81,20 +80,16 @@ class AnyPoints:
             )
         number, length = places.size, period or float(places[-1] - places[0])
         r, q = _matrices(places, period if ends == "periodic" else None)
-        known = np.zeros(number)
-        self._free = slice(1, -1) if ends == "clamped" else slice(None)
-        if ends == "clamped":
-            known[[0, -1]] = -slopes[0], slopes[1]
         if ends == "natural":
-            r, q, known = r[1:-1, 1:-1], q[1:-1], known[1:-1]
-        self._bends, self._known = np.linalg.solve(r, q), np.linalg.solve(r, known)
-        self._ends = ends
+            r, q = r[1:-1, 1:-1], q[1:-1]
+        self._bends = np.linalg.solve(r, q)
+        self._ends, self._places, self._slopes = ends, places, slopes
+        self._free = slice(1, -1) if ends == "clamped" else slice(None)
         rough = q.T @ self._bends
         free, count = self._free, len(range(number)[self._free])
         values, self._vectors = np.linalg.eigh((rough + rough.T)[free, free] / 2)
-        values[values < _FLAT * values[-1]] = 0.0
-        self.eigenvalues = values * count / length
-        self._rough, self._pull = rough, q.T @ self._known
+        values[: _LINES[ends]] = 0.0
+        self.eigenvalues = np.maximum(values, 0.0) * count / length
 
     def modes(self, values: Floats) -> Floats:
         """Return the parts of the points, measured from the smoothest curve with these ends."""
@@ -118,17 +113,16 @@ class AnyPoints:
         return np.asarray(np.sqrt(np.sum(self.shares(amount) ** 2, axis=1)))
 
     def _smoothest(self, values: Floats) -> Floats:
-        """Return what an endless amount leaves of clamped points; else 0, as lines are modes."""
-        result = np.zeros(values.size)
-        if self._ends == "clamped":
-            result[[0, -1]] = values[[0, -1]]
-            pull = (self._rough @ result + self._pull)[self._free]
-            result[self._free] = -np.linalg.solve(self._inner, pull)
-        return result
-
-    @cached_property
-    def _inner(self) -> Floats:
-        return np.asarray(self._rough[self._free, self._free])
+        """Return what an endless amount leaves: a line, the mean, or a cubic between the ends."""
+        if self._ends == "natural":
+            return np.asarray(np.polyval(np.polyfit(self._places, values, 1), self._places))
+        if self._ends == "periodic":
+            return np.full(values.size, values.mean())
+        length = self._places[-1] - self._places[0]
+        u = (self._places - self._places[0]) / length
+        early = values[0] * (1 + 2 * u) + length * self._slopes[0] * u
+        late = values[-1] * (3 - 2 * u) - length * self._slopes[1] * (1 - u)
+        return np.asarray((1 - u) ** 2 * early + u**2 * late)
 
 
 Smoother = EvenCycle | AnyPoints

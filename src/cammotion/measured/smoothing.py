@@ -92,7 +92,7 @@ def smoothed(table: CamTable, amount: float | None = None) -> SmoothedTable:
     is the tenth. 0 is the spline through all points. Without an amount it is chosen by generalised
     cross-validation, which takes what neighbours do not have in common for reading error: a table
     of few points and a motion with corners can deceive it, so look at what it has chosen. Raises
-    InputError for an amount below 0, and for over 2000 points that are no cycle of even angles.
+    InputError for an amount below 0, and for over 1000 points that are no cycle of even angles.
 
     >>> turn = np.arange(36) * 10
     >>> reading = (25 - 25 * np.cos(np.radians(turn))).round(1)

@@ -160,10 +160,11 @@ class Outcome:
 
 @dataclass(frozen=True, repr=False)
 class Progress(Card):
-    """What is done and what is open, over all notebooks."""
+    """What is done and what is open, over all notebooks, and where that is kept."""
 
     lines: tuple[Outcome, ...]
     note: str = ""
+    where: str = ""
 
     @property
     def right(self) -> int:
@@ -179,7 +180,7 @@ class Progress(Card):
     def text(self) -> str:
         """The plain text."""
         lines = (f"{line.number}  {line.said}" for line in self.lines)
-        return "\n".join(filter(None, [self.summary, *lines, self.note]))
+        return "\n".join(filter(None, [self.summary, *lines, self.note, self.where]))
 
     @property
     def html(self) -> str:
@@ -190,8 +191,8 @@ class Progress(Card):
             for line in self.lines
         )
         head = '<tr><th scope="col">exercise</th><th scope="col">state</th></tr>'
-        note = f"<p>{escape(self.note)}</p>" if self.note else ""
-        return f"<p>{self.summary}</p><table>{head}{rows}</table>{note}"
+        notes = "".join(f"<p>{escape(said)}</p>" for said in (self.note, self.where) if said)
+        return f"<p>{self.summary}</p><table>{head}{rows}</table>{notes}"
 
 
 def box(state: State, content: str) -> str:

@@ -12,9 +12,10 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
+from cammotion.teaching.places import GRADING, find_place
 from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.shown.choosing import show_answer
-from cammotion.teaching.store import GRADING, Record, Store, count, counts, work_folder
+from cammotion.teaching.store import Record, Store, count, counts
 from cammotion.teaching.variants import machine_for
 
 _FRESH = 'cm.again("{}") asks it with fresh numbers.'
@@ -116,7 +117,7 @@ class Session:
         return machine
 
 
-_SESSION = Session(Store(work_folder))
+_SESSION = Session(Store(find_place))
 
 
 def variant(who: str | int = "") -> MillAndDie:
@@ -244,12 +245,14 @@ def predict(key: str, asked: str) -> PredictionControl:
 def progress() -> Progress:
     """Return what is done and what is open, over all notebooks and since the first day.
 
+    It says where that is kept: with the learner's copies, or where the notebook is.
+
     >>> progress().text.splitlines()[0]  # doctest: +ELLIPSIS
     '... exercises are right.'
     """
     records = _SESSION.store.records("exercises")
     lines = tuple(Outcome.of(number, records.get(number, {})) for number in EXERCISES)
-    return Progress(lines, _SESSION.store.complaint)
+    return Progress(lines, _SESSION.store.complaint, _SESSION.store.where)
 
 
 def _judge(number: str, answer: Any) -> Feedback:
@@ -271,7 +274,9 @@ def _judge(number: str, answer: Any) -> Feedback:
     elif verdict.state != "open":
         more = _SESSION.note(number, answer, verdict)
     shown = show_answer(exercise, answer, machine)
-    return Feedback(number, verdict, _SESSION.store.complaint, shown, more)
+    store = _SESSION.store
+    note = store.complaint if verdict.state == "open" else store.tell()
+    return Feedback(number, verdict, note, shown, more)
 
 
 def _letter(exercise: Exercise, record: Record) -> str:

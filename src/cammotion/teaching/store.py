@@ -1,8 +1,7 @@
-"""What the learner has done, in a small file beside the learner's copies.
+"""What the learner has done, in a small file where the learner's notebooks are.
 
-The file is `progress.json` in the folder of the copies, `work` or another. Where a notebook runs
-elsewhere, as in a test or when it is graded, nothing is written and all is forgotten at the end.
-It holds records by kind and key, fields that are not known are left as they are:
+The file is `progress.json`; `places` says in which folder. It holds records by kind and key,
+fields that are not known are left as they are:
 
 exercises    "01.1": state; tries; hints, the furthest one; who, whose numbers were asked for;
              given, the last number; choice, a letter; slips, how often each reason was given, by
@@ -13,37 +12,47 @@ learner      "variant": name, as it was given to cm.variant
 
 import json
 import os
+import shutil
 import tempfile
 import time
-from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext, suppress
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, nullcontext, suppress
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from cammotion.teaching.lock import only_one
+from cammotion.teaching.places import FILE, Place
 
-FILE = "progress.json"
 LOCK = ".progress.lock"
-GRADING = "NBGRADER_EXECUTION"  # nbgrader sets it while it executes a notebook
+_PATIENCE_S, _WHEN_TRIED_S = 5.0, 0.1  # so long waits nobody: who holds it is not at work
 _MOST = 10**6
 _STALE_S = 60  # a part that is older was left behind by a kernel that was killed
 
 Record = dict[str, Any]
 Content = dict[str, dict[str, Record]]
+Change = Callable[[Record], Record]
 
 
 class Store:
     """Records by kind ("exercises", "predictions") and key; read anew before each change.
 
-    Between reading and writing no other process does either, so that no change is lost.
+    Between reading and writing no other process does either, so that no change is lost. A change
+    that cannot be written is kept, and made again on what the file then holds.
     """
 
-    def __init__(self, find_folder: Callable[[], Path | None]) -> None:
-        self._find_folder = find_folder
+    def __init__(self, find_place: Callable[[], Place]) -> None:
+        self.find_place = find_place
         self._known: Content = {}
-        self._unwritten: Content = {}
-        self._kept_aside = ""
-        self._not_written = ""
+        self._unwritten: list[tuple[str, str, Change]] = []
+        self._kept_aside = self._not_written = self._obstacle = ""
+        self._patience_s = _PATIENCE_S
+        self._has_told = False
+
+    @cached_property
+    def place(self) -> Place:
+        """Where the file is: found once, so that it stays where a notebook changes its folder."""
+        return self.find_place()
 
     @property
     def complaint(self) -> str:
@@ -51,10 +60,21 @@ class Store:
         return " ".join(filter(None, [self._kept_aside, self._not_written]))
 
     @property
+    def where(self) -> str:
+        """Where the file is, or why there is none, in a sentence."""
+        kept = f"kept in {self.file}" if self.file else "not kept"
+        return self.place.remark or f"Your progress is {kept}."
+
+    def tell(self) -> str:
+        """Return the complaint, and once what the learner would not expect of the place."""
+        remark = "" if self._has_told else self.place.remark
+        self._has_told = True
+        return " ".join(filter(None, [self.complaint, remark]))
+
+    @property
     def file(self) -> Path | None:
         """The file, None where nothing is written."""
-        folder = self._find_folder()
-        return folder / FILE if folder else None
+        return self.place.folder / FILE if self.place.folder else None
 
     def records(self, kind: str) -> dict[str, Record]:
         """Return all records of a kind, from this kernel and from earlier ones."""
@@ -65,27 +85,54 @@ class Store:
         """Change fields of one record, and write the file."""
         self.change(kind, key, lambda _: changes)
 
-    def change(self, kind: str, key: str, how: Callable[[Record], Record]) -> None:
-        """Change the fields of one record that `how` returns for what it is now; write the file."""
+    def change(self, kind: str, key: str, how: Change) -> None:
+        """Change the fields of one record that `how` returns for what it is now; write the file.
+
+        `how` is called again whenever a change that could not be written is made anew.
+        """
+        self._unwritten.append((kind, key, how))
         with self._alone():
-            before = self._load().get(kind, {}).get(key, {})
-            _change(self._unwritten, {kind: {key: how(before)}})
-            self._known = self._load()
-            self._save(self._known)
+            self._save(self._load())
 
     def _is_there(self) -> bool:
         with suppress(OSError):
             return self.file is not None and self.file.exists()
         return False
 
-    def _alone(self) -> AbstractContextManager[None]:
-        """Keep other processes from the file; Windows replaces no file that another one reads."""
-        return only_one(self.file.with_name(LOCK)) if self.file else nullcontext()
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        """Keep other processes from the file; Windows replaces no file that another one reads.
+
+        Where that cannot be, `_obstacle` says why, and nothing is written.
+        """
+        self._obstacle = ""
+        with ExitStack() as held:
+            try:
+                if self.file:
+                    self._make_folder()
+                    lock = _target(self.file).with_name(LOCK)
+                    held.enter_context(only_one(lock, self._patience_s))
+                self._patience_s = _PATIENCE_S
+            except TimeoutError:
+                self._patience_s = _WHEN_TRIED_S
+                self._obstacle = "another notebook has been writing to it for seconds"
+            except OSError as wrong:
+                self._obstacle = str(wrong.strerror or wrong)
+            yield
+
+    def _make_folder(self) -> None:
+        """Make the folder where it is ours to make; that of copies which are gone is not."""
+        if self.place.folder and self.place.remark:
+            self.place.folder.mkdir(parents=True, exist_ok=True)
 
     def _load(self) -> Content:
         """Return what the file holds, with the changes that could not be written to it."""
-        content = self._read()
-        _change(content, self._unwritten)
+        self._known = self._read()
+        content = {kind: dict(records) for kind, records in self._known.items()}
+        for kind, key, how in self._unwritten:
+            records = content.setdefault(kind, {})
+            before = records.get(key, {})
+            records[key] = {**before, **how(before)}
         return content
 
     def _read(self) -> Content:
@@ -93,7 +140,9 @@ class Store:
         try:
             if file is None or not file.exists():
                 return self._known
-            content = json.loads(file.read_text(encoding="utf-8"))
+            if not file.is_file():
+                raise ValueError("a folder, or nothing that ends")
+            content = json.loads(file.read_bytes())  # in any UTF, with or without a mark of it
             if not all(
                 isinstance(record, dict) for kind in content.values() for record in kind.values()
             ):
@@ -105,39 +154,58 @@ class Store:
 
     def _save(self, content: Content) -> None:
         """Write the file whole or not at all; what cannot be written stays in memory."""
-        file, part = self.file, ""
-        if file is None:
-            return
         try:
-            with tempfile.NamedTemporaryFile(
-                "w", encoding="utf-8", dir=file.parent, prefix=f".{FILE}.", delete=False
-            ) as new:
-                part = new.name
-                json.dump(content, new, indent=1, sort_keys=True)
-            Path(part).replace(file)
+            if self.file and self._obstacle:
+                raise OSError(self._obstacle)
+            if self.file:
+                _write(content, _target(self.file))
         except OSError as wrong:
             self._not_written = (
                 f"Your progress could not be written ({wrong.strerror or wrong}); it is kept until "
                 "this notebook is closed."
             )
         else:
-            self._not_written, self._unwritten = "", {}
-        finally:
-            _remove_parts(file.parent, part)
+            self._known = content
+            self._not_written, self._unwritten = "", []
 
     def _keep_aside(self, file: Path | None) -> None:
         """Keep a file that cannot be read under another name, and go on with a new one."""
-        if file is None:
+        if file is None or self._obstacle:
             return
         names = (file.with_name(f"progress-unreadable-{number}.json") for number in range(1, 1000))
         with suppress(OSError):
-            aside = next((name for name in names if not name.exists()), None)
+            aside = next((name for name in names if not os.path.lexists(name)), None)
             if aside:
                 file.replace(aside)
                 self._kept_aside = (
                     f"Your file {FILE} could not be read. It was kept as {aside.name}, and a new "
                     "one was begun."
                 )
+
+
+def _target(file: Path) -> Path:
+    """Return the file that a link leads to, which is then the one to be replaced."""
+    with suppress(OSError, RuntimeError):  # a link to itself
+        return file.resolve() if file.is_symlink() else file
+    return file
+
+
+def _write(content: Content, file: Path) -> None:
+    """Write a file whole or not at all, and through to the disk."""
+    part = ""
+    try:
+        with tempfile.NamedTemporaryFile(
+            "w", encoding="utf-8", dir=file.parent, prefix=f".{FILE}.", delete=False
+        ) as new:
+            part = new.name
+            json.dump(content, new, indent=1, sort_keys=True)
+            new.flush()
+            os.fsync(new.fileno())
+        with suppress(OSError):
+            shutil.copymode(file, part)  # a class may be allowed to read it
+        Path(part).replace(file)
+    finally:
+        _remove_parts(file.parent, part)
 
 
 def count(record: Any, field: str) -> int:
@@ -151,14 +219,6 @@ def counts(record: Any) -> dict[str, int]:
     return {name: value for name, value in fields if type(value) is int and 0 < value < _MOST}
 
 
-def _change(content: Content, changes: Content) -> None:
-    """Change fields of records, where they are or not."""
-    for kind, records in changes.items():
-        known = content.setdefault(kind, {})
-        for key, fields in records.items():
-            known[key] = {**known.get(key, {}), **fields}
-
-
 def _remove_parts(folder: Path, part: str) -> None:
     """Remove a half-written file, and those that killed kernels left behind."""
     old = time.time() - _STALE_S
@@ -166,15 +226,3 @@ def _remove_parts(folder: Path, part: str) -> None:
         for left in folder.glob(f".{FILE}.*"):
             if str(left) == part or left.stat().st_mtime < old:
                 left.unlink()
-
-
-def work_folder() -> Path | None:
-    """Return the folder of the learner's copies in which this kernel runs, if it is in one."""
-    if GRADING in os.environ:
-        return None
-    with suppress(OSError):  # the folder may be gone
-        here = Path.cwd()
-        for folder in (here, *here.parents):
-            if folder.name.startswith("work") and (folder.parent / "workbook.py").is_file():
-                return folder
-    return None

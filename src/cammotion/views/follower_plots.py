@@ -1,6 +1,7 @@
 """Pictures of a follower that swings: what a law leaves behind, what the masses do in a turn."""
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,7 +20,7 @@ from cammotion.dynamics.response import MoveResponse, Response
 from cammotion.laws.catalogue import LAWS
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, one_of
+from cammotion.quantities import Floats, Quantity, one_of
 from cammotion.views.law_plots import as_laws
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, LINE_STYLES, colour, style_axes, style_line
@@ -28,6 +29,7 @@ QUANTITIES = {
     "residual": "swing after the move / stroke",
     "factor": "peak acceleration, mass / cam",
 }
+_MASS = Quantity("number of a mass", "", example=1)
 _RATIOS = np.linspace(0.02, 8, 400)
 _FLOOR = 1e-4  # of the stroke, where the logarithmic axis begins
 _PLACES = 1441  # of a turn
@@ -112,11 +114,13 @@ def plot_response(
     across = "time t in s" if is_move else "cam angle in deg"
     style_axes(ax, across, "acceleration in m/s²")
     at = np.linspace(low, high, _PLACES)
-    numbers = range(1, len(response.chain.masses_kg) + 1) if masses is None else masses
+    count = len(response.chain.masses_kg)
+    asked = range(1, count + 1) if masses is None else masses
+    numbers: list[Any] = _MASS.array(asked).ravel().tolist()
     for number in sorted(numbers, reverse=True):  # the last mass swings most: it lies below
-        name = "mass" if len(response.chain.masses_kg) == 1 else f"mass {number}"
+        name = "mass" if count == 1 else f"mass {number:g}"
         values = np.asarray(response.acceleration(at, number))
-        style_line(ax.plot(at, values, label=name)[0], number).set_linewidth(1.6)
+        style_line(ax.plot(at, values, label=name)[0], int(number)).set_linewidth(1.6)
     cam = np.asarray(response.cam_acceleration(at))
     ax.plot(at, cam, label="cam", color="#000000", linewidth=1.4)
     ax.axhline(0, color="#000000", linewidth=0.8)
@@ -127,15 +131,16 @@ def plot_response(
 
 def _label_ends(ax: Axes, names: Sequence[str], heights: Sequence[float]) -> None:
     """Write the name of each curve at its right end, moved apart where they would meet."""
-    shares = _apart(
-        ax.transAxes.inverted().transform(
-            ax.transData.transform([(0, height) for height in heights])
-        )[:, 1]
-    )
+    ends = ax.transData.transform([(0, height) for height in heights])
+    shares = _apart(ax.transAxes.inverted().transform(ends)[:, 1])
+    lines = {line.get_label(): line for line in ax.lines}
     for number, (name, share) in enumerate(zip(names, shares, strict=True)):
+        sample = ax.plot([1.01, 1.06], [share, share], transform=ax.transAxes, clip_on=False)[0]
+        sample.update_from(lines[name])  # its dashes, since two may have one colour
+        sample.set(transform=ax.transAxes, clip_on=False, label=f"_{name}")
         ax.annotate(
             name,
-            (1.01, share),
+            (1.07, share),
             xycoords="axes fraction",
             color=colour(number),
             fontsize=10,

@@ -20,6 +20,7 @@ from cammotion.views.plots import colour, style_axes, style_line
 
 METRES = {"m": 1.0, "in": MM_PER_INCH / MM_PER_M}
 _PLACES = 1441
+_DOTS = 100  # more points are a line
 _EIGHTH = DEG_PER_TURN / 8
 _WIDE = 0.8  # of the way between two ranks, for all bars of a rank
 _TOLD = 3  # of the bars have their value above them
@@ -61,8 +62,10 @@ def plot_measured(
             low, high = values - open_by, values + open_by
             ax.fill_between(angle, low, high, color=colour(number), alpha=0.25, lw=0)
         else:
-            line.set(marker="o", markersize=3.5)
-            ax.errorbar(angle, values, open_by, fmt="none", ecolor=colour(number), capsize=3)
+            if angle.size <= _DOTS:
+                line.set(marker="o", markersize=3.5)
+            if error_mm:
+                ax.errorbar(angle, values, open_by, fmt="none", ecolor=colour(number), capsize=3)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0.01)
     ax.xaxis.set_major_locator(MultipleLocator(_EIGHTH))

@@ -12,7 +12,8 @@ from typing import Any
 
 from cammotion.quantities import InputError
 from cammotion.teaching.classroom.clean import clean
-from cammotion.teaching.store import FILE, Record
+from cammotion.teaching.places import FILE
+from cammotion.teaching.store import Record
 
 _LARGEST_BYTES = 5_000_000  # a hundred times what all lessons fill
 _KINDS = ("exercises", "predictions", "learner")

@@ -10,8 +10,8 @@ from cammotion.teaching.classroom.clean import plural
 from cammotion.teaching.classroom.collect import SchoolClass, Student
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS
 from cammotion.teaching.messages import Outcome
+from cammotion.teaching.places import FILE
 from cammotion.teaching.prediction import Prediction
-from cammotion.teaching.store import FILE
 from cammotion.teaching.variants import machine_for
 
 _SIGNS = {"right": "✓", "wrong": "✗", "open": "–"}

@@ -441,7 +441,7 @@ PREDICTIONS = (
         "they are now divided by the square of a tenth of the time: a hundred times the error.",
     ),
     Prediction(
-        "09.rank",
+        "09.place",
         "place, 1 to 18",
         8,
         "The source calls it strong, and who looks for it finds it. The table has it eighth, with "

@@ -60,6 +60,7 @@ class Chart:
     heading: str
     lanes: Sequence[Lane]
     width: float
+    alarm: str = "rule broken"
 
     @property
     def height(self) -> float:
@@ -143,7 +144,7 @@ class Chart:
     def _draw_key(self) -> Iterable[Any]:
         right = LEFT_PX + self.width
         yield svg.alarm_area(right - 96, 1, 18, 11)
-        yield svg.label("rule broken", right - 74, 11, size=svg.SMALL, fill=svg.ALARM)
+        yield svg.label(self.alarm, right - 74, 11, size=svg.SMALL, fill=svg.ALARM)
 
 
 def timing_lanes(curves: Sequence[LabelledCurve], height: float) -> list[Lane]:

@@ -7,11 +7,9 @@ notebook's stored output. In the lab a player pauses, scrubs and slows down the 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 from cammotion.arguments import checked
-from cammotion.files import write_new
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, Quantity, shorten
@@ -19,9 +17,10 @@ from cammotion.views.animation import svg
 from cammotion.views.animation.columns import INNER_PX, Design, Layout
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.magnifier import MAGNIFICATION
-from cammotion.views.animation.player import SHOWN_ANGLE, Player
+from cammotion.views.animation.moving_picture import MovingPicture
+from cammotion.views.animation.player import SHOWN_ANGLE
 from cammotion.views.animation.scene import Scene
-from cammotion.views.animation.still import Still, as_image, stopped
+from cammotion.views.animation.still import Still, stopped
 
 TURN = Quantity("time of a turn in the animation", "s", example=9)
 COLUMNS = 2  # more designs come below: smaller, they could not be read
@@ -33,7 +32,7 @@ UNTITLED = "One turn of the camshaft"
 
 
 @dataclass(frozen=True)
-class Animation:
+class Animation(MovingPicture):
     """Designs in motion on one clock; made by `animate`.
 
     As the last line of a cell it is a player; without a kernel it is the moving picture.
@@ -101,28 +100,10 @@ class Animation:
             return []
         return [f"Both edges of a die at the rim are shown {self.magnify:g} times as large too."]
 
-    def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
-        """Write the SVG to a file and return its path.
-
-        A file that is there already is left as it is, with an InputError, unless `overwrite` is
-        True.
-        """
-        return write_new(path, self.svg, overwrite=overwrite)
-
-    def player(self) -> Player:
-        """Return the SVG with a clock to play, pause and scrub, for the lab."""
-        return Player(
-            self.svg,
-            turn_s=self.turn_s,
-            cycle_s=self.designs[0].diagram.cycle_time_s,
-            reader={
-                "text/html": as_image(self.svg, self.description),
-                "text/plain": self.description,
-            },
-        )
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        return self.player()._repr_mimebundle_(**kwargs)
+    @property
+    def cycle_s(self) -> float:
+        """How long a turn takes in the machine, in s."""
+        return float(self.designs[0].diagram.cycle_time_s)
 
 
 @checked

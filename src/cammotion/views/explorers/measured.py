@@ -50,7 +50,7 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
     >>> figure.values = {ERROR: 0.1}
     >>> print(figure.text)
     at 180°: −0.159 m/s²
-    random errors of this size: ±0.028 m/s², root mean square
+    random errors up to this size: ±0.028 m/s², root mean square
     """
     number = _checked(table)
     is_inch = one_of("unit of length", unit, METRES) == "in"
@@ -114,7 +114,7 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
                 {"low": low, "si": low * METRES[unit]} if is_inch else {"low": low},
             ),
             Say(
-                f"random errors of this size: ±{{by:.{2 if is_inch else 3}f}} {unit}/s², "
+                f"random errors up to this size: ±{{by:.{2 if is_inch else 3}f}} {unit}/s², "
                 "root mean square",
                 {"by": ERROR / sp.sqrt(3) * sp.sqrt(squares / number)},
             ),

@@ -5,11 +5,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.dynamics.chain import MASS, NATURAL, STIFFNESS
 from cammotion.machine.kinematics import MM_PER_M, RATE, cycle_time
-from cammotion.quantities import Quantity
-
-STIFFNESS = Quantity("stiffness of a spring", "N/mm", example=70)
-_MASS = Quantity("mass on the spring", "kg", example=80)
 
 
 def springs_in_series(stiffness_N_per_mm: ArrayLike) -> float:  # noqa: N803 - newton
@@ -33,7 +30,7 @@ def natural_frequency(stiffness_N_per_mm: float, mass_kg: float) -> float:  # no
     31.623 Hz
     """
     stiffness = STIFFNESS.number(stiffness_N_per_mm) * MM_PER_M
-    return math.sqrt(stiffness / _MASS.number(mass_kg)) / (2 * math.pi)
+    return math.sqrt(stiffness / MASS.number(mass_kg)) / (2 * math.pi)
 
 
 def critical_harmonic(frequency_Hz: float, rate_per_hour: float) -> float:  # noqa: N803
@@ -46,5 +43,4 @@ def critical_harmonic(frequency_Hz: float, rate_per_hour: float) -> float:  # no
     >>> critical_harmonic(4.5, 900)
     18.0
     """
-    frequency = Quantity("natural frequency", "Hz", example=4.5).number(frequency_Hz)
-    return float(frequency * cycle_time(RATE.number(rate_per_hour)))
+    return float(NATURAL.number(frequency_Hz) * cycle_time(RATE.number(rate_per_hour)))

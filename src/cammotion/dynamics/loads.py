@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
-from cammotion.hardware.bracketed import Extreme, largest
+from cammotion.bracketed import Extreme, Function, largest, where_positive
 from cammotion.laws.piece import Piece
-from cammotion.machine.kinematics import RATE, cycle_time
+from cammotion.machine.arcs import Arc
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, Numbers, Quantity, plain
 
@@ -18,7 +19,6 @@ STIFFNESS = Quantity("stiffness of the spring", "N/mm", example=5, low_included=
 PRELOAD = Quantity("preload of the spring", "N", example=100, low_included=True)
 WEIGHT = Quantity("weight on the cam", "N", example=117.7, low=-math.inf)
 
-_MM_PER_M = 1000.0
 _LEAST_N = 1e-12
 
 
@@ -58,17 +58,35 @@ class FollowerLoad:
         """Return the force in N between follower and cam at a cam angle; below 0 it has left it."""
         lift = np.asarray(motion.position_mm(angle_deg)) - motion.range_mm[0]
         push = self.mass_kg * motion.derivative(2, angle_deg, rate_per_hour)
-        return plain(push + self._standing(lift))
+        return plain(push + self.standing_N(lift))
+
+    def standing_N(self, lift_mm: Numbers) -> Numbers:  # noqa: N802
+        """Return the force in N of spring and weight at a height in mm over the lowest position.
+
+        >>> FollowerLoad(mass_kg=2, stiffness_N_per_mm=5, preload_N=100).standing_N(10)
+        150.0
+        """
+        return self.stiffness_N_per_mm * lift_mm + self.preload_N + self.weight_N
+
+    def where_loose(self, motion: Motion, rate_per_hour: float) -> list[Arc]:
+        """Return the arcs of the turn, in deg, over which spring and weight are too weak at a rate.
+
+        There the force on a follower that stayed on the cam would be below 0. The ends are
+        bracketed to 1e-9 deg.
+
+        >>> import cammotion as cm
+        >>> load = FollowerLoad(mass_kg=12, preload_N=10)
+        >>> for start, end in load.where_loose(cm.EXAMPLE.die, 2000):
+        ...     print(f"{start:.2f} to {end:.2f} deg")
+        179.27 to 203.23 deg
+        306.77 to 330.73 deg
+        """
+        return where_positive(self._lack(motion, rate_per_hour), motion.curve.pieces)
 
     @checked
     def least_force(self, motion: Motion, rate_per_hour: float) -> Extreme:
         """Return the least force in N between follower and cam in a turn, and where it is."""
-        per_deg = self._inertia(rate_per_hour)
-
-        def relief(piece: Piece, places: Floats) -> Floats:
-            return -(per_deg * _bend(piece, places) + self._standing_at(motion, piece, places))
-
-        found = largest(relief, motion.curve.pieces)
+        found = largest(self._lack(motion, rate_per_hour), motion.curve.pieces)
         return Extreme(-found.value, found.at_deg)
 
     @checked
@@ -106,16 +124,22 @@ class FollowerLoad:
             return 0.0
         return 1 / math.sqrt(largest(share, pieces).value)
 
+    def _lack(self, motion: Motion, rate_per_hour: float) -> Function:
+        """Return the force in N that is lacking to stay on the cam, below 0 where there is one."""
+        per_deg = self._inertia(rate_per_hour)
+
+        def lack(piece: Piece, places: Floats) -> Floats:
+            return -(per_deg * _bend(piece, places) + self._standing_at(motion, piece, places))
+
+        return lack
+
     def _inertia(self, rate_per_hour: float) -> float:
         """Return the force in N that a second derivative of 1 mm/deg² asks for at a rate."""
-        per_second = 360 / cycle_time(RATE.number(rate_per_hour))
-        return float(self.mass_kg * per_second**2 / _MM_PER_M)
-
-    def _standing(self, lift: Floats) -> Floats:
-        return self.stiffness_N_per_mm * lift + self.preload_N + self.weight_N
+        per_second = DEG_PER_TURN / cycle_time(RATE.number(rate_per_hour))
+        return float(self.mass_kg * per_second**2 / MM_PER_M)
 
     def _standing_at(self, motion: Motion, piece: Piece, places: Floats) -> Floats:
-        return self._standing(piece.over(places.copy()) - motion.range_mm[0])
+        return np.asarray(self.standing_N(piece.over(places.copy()) - motion.range_mm[0]))
 
 
 def _bend(piece: Piece, places: Floats) -> Floats:

@@ -11,7 +11,6 @@ from contextlib import suppress
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
 
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc, arcs
@@ -91,6 +90,8 @@ def cuts(piece: Piece) -> list[float]:
 
 def _positive(function: Function, piece: Piece, places: Floats) -> Iterator[Arc]:
     """Yield arcs in order over which a function is above 0 at all of the places in them."""
+    from scipy.optimize import brentq  # it takes a second to load
+
     is_above = function(piece, places) > 0
     start = piece.low
     for number in np.flatnonzero(is_above[1:] != is_above[:-1]):
@@ -116,6 +117,8 @@ def _summits(function: Function, piece: Piece, values: Floats, least: float) -> 
 
 
 def _searched(function: Function, piece: Piece, bounds: tuple[float, float]) -> Extreme:
+    from scipy.optimize import minimize_scalar
+
     found = minimize_scalar(
         lambda place: -float(function(piece, np.array([place]))[0]),
         bounds=bounds,
