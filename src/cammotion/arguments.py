@@ -2,8 +2,6 @@
 
 import functools
 import inspect
-import math
-import numbers
 import types
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -16,6 +14,7 @@ from cammotion.quantities import InputError, shorten
 T = TypeVar("T", bound=Callable[..., Any])
 _Reader = Callable[[Any], Any]  # returns what it takes a value for; raises TypeError if it can't
 
+_ANY = (Any, float, int, np.ndarray, object, Callable)  # a number is its Quantity's to refuse
 _HOW = {
     "Axes": "the axes of a picture, for example plt.subplots()[1]",
     "ClearanceRule": "a ClearanceRule, for example "
@@ -35,7 +34,7 @@ _HOW = {
     "TimingDiagram": "a timing diagram, for example TimingDiagram([mill, die], rate_per_hour=2000)",
     "WidestMove": "what widest_move returned",
     "bool": "True or False",
-    "float": "a finite number",
+    "float": "a number",
     "str": "a text in quotes",
 }
 
@@ -43,9 +42,9 @@ _HOW = {
 def checked(thing: T) -> T:
     """Let a function or a dataclass refuse arguments of another kind than its annotations say.
 
-    Classes, texts, numbers, True and False, and lists and dictionaries of them are checked; a list
-    may be anything that can be gone through, and comes in as a tuple. What range a number may have
-    is said by its `Quantity`.
+    Classes, texts, True and False, and lists and dictionaries of them are checked; a list may be
+    anything that can be gone through, and comes in as a tuple. A number is its `Quantity`'s to
+    refuse, which knows its unit and its range.
 
     >>> @checked
     ... def greet(name: str, loudly: bool = False) -> str:
@@ -106,9 +105,7 @@ def _reader(hint: Any) -> _Reader | None:
         return _each(within[0])
     if origin is Mapping:
         return _values(within[1])
-    if hint is float:
-        return _number
-    is_any = hint in (Any, int, object, Callable) or not isinstance(origin or hint, type)
+    is_any = (origin or hint) in _ANY or not isinstance(origin or hint, type)
     return None if is_any else _instance(bool | np.bool_ if hint is bool else origin or hint)
 
 
@@ -153,18 +150,6 @@ def _row(readers: Sequence[_Reader | None]) -> _Reader:
         )
 
     return read
-
-
-def _number(value: Any) -> float:
-    if isinstance(value, bool | np.bool_) or not isinstance(value, numbers.Real):
-        raise TypeError
-    try:
-        number = float(value)
-    except OverflowError:  # 10**400
-        raise TypeError from None
-    if not math.isfinite(number):
-        raise TypeError
-    return number
 
 
 def _values(reader: _Reader | None) -> _Reader:

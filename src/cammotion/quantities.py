@@ -4,7 +4,7 @@ import math
 import numbers
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from difflib import get_close_matches
 from typing import Any, TypeAlias
@@ -51,7 +51,8 @@ class WrongAnswerError(RuntimeError):
 class Quantity:
     """A physical quantity with its unit and the range in which it makes sense.
 
-    `low` itself is allowed only where `low_included` is set; `high` always is.
+    `low` itself is allowed only where `low_included` is set; `high` always is. `kind` says in words
+    what is asked for.
 
     >>> Quantity("indexing angle", "deg", example=55, high=360).array([27.5, 55])
     array([27.5, 55. ])
@@ -63,6 +64,7 @@ class Quantity:
     low: float = 0.0
     high: float = math.inf
     low_included: bool = False
+    kind: str = "finite number"
 
     def array(self, value: ArrayLike) -> Floats:
         """Return `value` as an array of floats of the same shape, each of them in range.
@@ -100,12 +102,12 @@ class Quantity:
         >>> Quantity("number of stops", "", example=8).whole(24.0)
         24
         """
-        number = self.number(value)
+        if type(value) is int and self.low < value <= min(self.high, 1 / _TINY):
+            return value  # the usual one takes no detour
+        quantity = replace(self, kind="whole number")
+        number = quantity.number(value)
         if number != int(number):
-            raise InputError(
-                f"The {self.name} is {number:g}; it has to be a whole number: give for example "
-                f"{self.example:g}."
-            )
+            raise InputError(quantity._refusal(number))
         return int(number)
 
     @property
@@ -164,13 +166,12 @@ class Quantity:
     def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:
         position = tuple(int(i) for i in np.argwhere(~inside)[0])
         where = f" (at position {', '.join(map(str, position))})" if position else ""
-        kind = (
-            "finite number"
-            if _is_usual(array[position])
-            else f"number of {_TINY:g} to {1 / _TINY:g}"
-        )
+        return self._refusal(array[position], where)
+
+    def _refusal(self, number: float, where: str = "") -> str:
+        kind = self.kind if _is_usual(number) else f"number of {_TINY:g} to {1 / _TINY:g}"
         return (
-            f"The {self.name} is {array[position]:g}{self._unit}{where}; it has to be a "
+            f"The {self.name} is {number:g}{self._unit}{where}; it has to be a "
             f"{kind}{self.allowed}: give {self._example}."
         )
 

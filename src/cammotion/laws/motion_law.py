@@ -25,7 +25,7 @@ from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
 _HEIGHT = Quantity("displacement S", "", example=0.5, low=-math.inf)
-_ORDER = Quantity("derivative", "", example=2, high=3, low_included=True)
+_ORDER = Quantity("derivative (S, V, A, J)", "", example=2, high=3, low_included=True)
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
 _ROUNDING = 1e-12  # of S
 _MISSED = 1e-9  # by so much S may miss 0 and 1 at its ends, and what was solved for
