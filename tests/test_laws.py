@@ -223,7 +223,7 @@ def test_polynomials_from_their_boundary_values() -> None:
         ((0, 3, 0), (1, 0, 0), r"rises above 1, to S = 1\.013"),
         ((0.1, 0, 0), (1, 0, 0), "goes from s = 0.1 to 1; a motion law goes from 0 to 1"),
         ((0, 0), (1, 0, 0), r"values at the start are \(0, 0\): give s, v and a"),
-        ((0, 0, 0), None, "boundary value has to be a number, not None"),
+        ((0, 0, 0), None, "is given end=None: give a list"),
         ((0, np.nan, 0), (1, 0, 0), "boundary value is nan"),
     ],
 )

@@ -13,6 +13,7 @@ from cammotion.quantities import InputError, shorten
 
 T = TypeVar("T", bound=Callable[..., Any])
 _Reader = Callable[[Any], Any]  # returns what it takes a value for; raises TypeError if it can't
+_Item = Callable[[Any, object], Any]  # the same for a value at a place
 
 _ANY = (Any, float, int, np.ndarray, object, Callable)  # a number is its Quantity's to refuse
 _HOW = {
@@ -37,6 +38,14 @@ _HOW = {
     "float": "a number",
     "str": "a text in quotes",
 }
+
+
+class _InsideError(TypeError):
+    """A value at a place of what was given is of another kind than `how` says."""
+
+    def __init__(self, place: str, value: object, how: str) -> None:
+        super().__init__(place)
+        self.place, self.value, self.how = place, value, how
 
 
 def checked(thing: T) -> T:
@@ -79,8 +88,11 @@ def _checked(function: Any, title: str) -> Any:
 def _read(reader: _Reader, how: str, value: Any, what: str) -> Any:
     try:
         return reader(value)
+    except _InsideError as wrong:
+        what, how, value = what + wrong.place, wrong.how, wrong.value
     except TypeError:
-        raise InputError(f"{what}={shorten(value)}: give {how}.") from None
+        pass
+    raise InputError(f"{what}={shorten(value)}: give {how}.")
 
 
 def _readers(function: Any) -> Iterator[tuple[str, tuple[_Reader, str]]]:
@@ -90,23 +102,37 @@ def _readers(function: Any) -> Iterator[tuple[str, tuple[_Reader, str]]]:
         if parameter.kind is inspect.Parameter.VAR_POSITIONAL:
             hint = tuple[hint, ...]  # type: ignore[valid-type]
         if parameter.kind is not inspect.Parameter.VAR_KEYWORD and (reader := _reader(hint)):
-            yield name, (reader, " or ".join(_words(hint)))
+            yield name, (reader, _words(hint))
 
 
 def _reader(hint: Any) -> _Reader | None:
     """Return what reads a value of a kind, None for a kind that anything may be."""
     origin, inside = typing.get_origin(hint), typing.get_args(hint)
-    within = [_reader(one) for one in inside]
     if origin in (types.UnionType, typing.Union):
-        return _any_of(within)
+        return _any_of([_reader(one) for one in inside])
     if origin is tuple and inside[1:] != (...,):
-        return _row(within)
+        return _row([_item(one) for one in inside])
     if origin in (tuple, list, Sequence, Iterable):
-        return _each(within[0])
+        return _each(_item(inside[0]))
     if origin is Mapping:
-        return _values(within[1])
+        return _values(_item(inside[1]))
     is_any = (origin or hint) in _ANY or not isinstance(origin or hint, type)
     return None if is_any else _instance(bool | np.bool_ if hint is bool else origin or hint)
+
+
+def _item(hint: Any) -> _Item:
+    """Return what reads a value that has a place in a list or a dictionary."""
+    reader = _reader(hint)
+
+    def read(value: Any, place: object) -> Any:
+        try:
+            return reader(value) if reader else value
+        except _InsideError as wrong:
+            raise _InsideError(f"[{place!r}]{wrong.place}", wrong.value, wrong.how) from None
+        except TypeError:
+            raise _InsideError(f"[{place!r}]", value, _words(hint)) from None
+
+    return read
 
 
 def _instance(kind: Any) -> _Reader:
@@ -120,60 +146,66 @@ def _instance(kind: Any) -> _Reader:
 
 def _any_of(readers: Sequence[_Reader | None]) -> _Reader | None:
     def read(value: Any) -> Any:
+        refusal = TypeError()
         for reader in readers:
             try:
                 return typing.cast(_Reader, reader)(value)
+            except _InsideError as wrong:
+                refusal = wrong
             except TypeError:
                 continue
-        raise TypeError
+        raise refusal
 
     return read if all(readers) else None
 
 
-def _each(reader: _Reader | None) -> _Reader:
+def _each(item: _Item) -> _Reader:
     def read(values: Any) -> Any:
-        if isinstance(values, str | bytes):
-            raise TypeError
-        given = tuple(values)
-        return tuple(map(reader, given)) if reader else given
+        return tuple(item(value, place) for place, value in enumerate(_several(values)))
 
     return read
 
 
-def _row(readers: Sequence[_Reader | None]) -> _Reader:
+def _row(items: Sequence[_Item]) -> _Reader:
     def read(values: Any) -> Any:
-        given = _each(None)(values)
-        if len(given) != len(readers):
+        given = _several(values)
+        if len(given) != len(items):
             raise TypeError
         return tuple(
-            one(value) if one else value for one, value in zip(readers, given, strict=True)
+            item(value, place) for place, (item, value) in enumerate(zip(items, given, strict=True))
         )
 
     return read
 
 
-def _values(reader: _Reader | None) -> _Reader:
+def _values(item: _Item) -> _Reader:
     def read(values: Any) -> Any:
         if not isinstance(values, Mapping):
             raise TypeError
-        return {name: reader(value) for name, value in values.items()} if reader else values
+        return {name: item(value, name) for name, value in values.items()}
 
     return read
 
 
-def _words(hint: Any) -> Iterator[str]:
-    """Yield in words what may be given for a kind."""
+def _several(values: Any) -> tuple[Any, ...]:
+    if isinstance(values, str | bytes):
+        raise TypeError
+    return tuple(values)
+
+
+def _words(hint: Any, *, within: bool = False) -> str:
+    """Return in words what may be given for a kind; `within` a list without an example."""
     origin, inside = typing.get_origin(hint), typing.get_args(hint)
+    each = [_words(one, within=True) for one in inside if one is not ...]
     if origin in (types.UnionType, typing.Union):
-        for one in inside:
-            if one is not type(None):
-                yield from _words(one)
-    elif origin is tuple and inside[1:] != (...,):
-        yield f"{len(inside)} in a row, {', '.join(' or '.join(_words(one)) for one in inside)}"
-    elif origin in (tuple, list, Sequence, Iterable):
-        yield f"a list, each {' or '.join(_words(inside[0]))}"
-    elif origin is Mapping:
-        yield f"a dictionary, for each name {' or '.join(_words(inside[1]))}"
-    else:
-        name = getattr(origin or hint, "__name__", "value")
-        yield _HOW.get(name, f"a {name}")
+        several = [_words(one, within=within) for one in inside if one is not types.NoneType]
+        return (", or " if any("," in one for one in several) else " or ").join(several)
+    if origin is tuple and inside[1:] != (...,):
+        return f"{len(inside)} in a row, {', '.join(each)}"
+    if origin in (tuple, list, Sequence, Iterable):
+        return f"a list, each {each[0]}"
+    if origin is Mapping:
+        return f"a dictionary, for each name {each[1]}"
+    kind = getattr(origin or hint, "__name__", "value")
+    words = _HOW.get(kind, f"a {kind}")
+    return words.partition(", for example")[0] if within else words

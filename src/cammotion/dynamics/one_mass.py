@@ -35,7 +35,7 @@ from cammotion.quantities import InputError, Numbers, Quantity
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=1.5, low=-1e6, high=1e6)
 _ORDER = Quantity(
-    "derivative (0 position, 1 velocity, 2 acceleration)", "", example=2, high=2, low_included=True
+    "derivative (position, velocity, acceleration)", "", example=2, high=2, low_included=True
 )
 SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
 DAMPING = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
