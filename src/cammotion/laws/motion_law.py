@@ -16,6 +16,7 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.laws.curve import Curve, mirrored
 from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
@@ -34,7 +35,7 @@ _JERK = 3  # the highest derivative a law is asked for
 _HALF = sympy.Rational(1, 2)
 
 
-class MotionLaw:
+class MotionLaw(Alike):
     """A motion law: its `name` and its one expression `s` in `cammotion.x`, 0 <= x <= 1.
 
     `also_called` lists its other names in the field; `curve` is S over x, to reckon with. (`s` may
@@ -52,6 +53,7 @@ class MotionLaw:
     name: str
     curve: Curve
     also_called: tuple[str, ...]
+    made_of = ("name", "curve")
 
     def __init__(self, name: str, s: sympy.Expr | Curve, also_called: tuple[str, ...] = ()) -> None:
         is_curve = isinstance(s, Curve)
@@ -247,16 +249,6 @@ class MotionLaw:
             raise InputError(
                 f"The law {self.name!r} jumps at x = {jumps[0][0]:g}: let its cases meet there."
             )
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, MotionLaw) and self._key == other._key
-
-    def __hash__(self) -> int:
-        return hash(self._key)
-
-    @property
-    def _key(self) -> tuple[object, ...]:
-        return type(self), self.name, self.curve
 
     def __repr__(self) -> str:
         return f"MotionLaw({self.name!r})"

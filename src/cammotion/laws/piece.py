@@ -3,12 +3,12 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from functools import cached_property
-from types import FunctionType
 from typing import Any, TypeAlias
 
 import numpy as np
 import sympy
 
+from cammotion.alike import Alike
 from cammotion.laws.symbols import x
 from cammotion.quantities import Floats
 
@@ -16,27 +16,12 @@ Number: TypeAlias = Any  # SymPy comes without types
 """A float, or an exact number of SymPy that stays exact in the expressions made of it."""
 
 
-class Piece(ABC):
+class Piece(Alike, ABC):
     """A smooth curve from `low` to `high`."""
 
     low: float
     high: float
     is_constant = False
-
-    @property
-    @abstractmethod
-    def _key(self) -> tuple[Any, ...]:
-        """What it is made of: two pieces of the same are equal."""
-
-    def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and self._key == other._key
-
-    def __hash__(self) -> int:
-        return hash((type(self), self.low, self.high))
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Return what another process needs; functions it makes anew."""
-        return {name: it for name, it in vars(self).items() if not isinstance(it, FunctionType)}
 
     @abstractmethod
     def at(self, place: float) -> float:
@@ -99,6 +84,8 @@ class Placed(Piece):
     them once for all its places.
     """
 
+    made_of = ("inner", "shift", "width", "_offset", "factor")
+
     def __init__(
         self, inner: Piece, shift: Number, width: Number, offset: Number, factor: Number
     ) -> None:
@@ -106,10 +93,6 @@ class Placed(Piece):
         self.shift, self.width = float(shift), float(width)
         self._offset, self.factor = float(offset), float(factor)
         self.low, self.high = sorted(map(self._out, (inner.low, inner.high)))
-
-    @property
-    def _key(self) -> tuple[Any, ...]:
-        return self.inner, self.shift, self.width, self._offset, self.factor
 
     def at(self, place: float) -> float:
         """Return the value at one place."""

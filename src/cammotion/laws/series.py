@@ -72,6 +72,8 @@ class Series(Proved):
     `write` makes the expression for which it stands, with exact numbers, when that is asked for.
     """
 
+    made_of = ("powers", "waves", "low", "high")
+
     def __init__(
         self,
         powers: tuple[float, ...],
@@ -82,10 +84,6 @@ class Series(Proved):
     ) -> None:
         self.powers, self.waves, self.low, self.high, self._write = powers, waves, low, high, write
         self.is_constant = len(powers) == 1 and not waves
-
-    @property
-    def _key(self) -> tuple[Any, ...]:
-        return self.powers, self.waves, self.low, self.high
 
     def __getstate__(self) -> dict[str, Any]:
         made = {"expression": self.expression} if self._write else {}
