@@ -2,9 +2,12 @@
 
 import functools
 import inspect
+import math
+import numbers
 import types
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from decimal import Decimal
 from typing import Any, TypeVar
 
 import numpy as np
@@ -35,7 +38,7 @@ _HOW = {
     "TimingDiagram": "a timing diagram, for example TimingDiagram([mill, die], rate_per_hour=2000)",
     "WidestMove": "what widest_move returned",
     "bool": "True or False",
-    "float": "a number",
+    "float": "a finite number",
     "str": "a text in quotes",
 }
 
@@ -52,8 +55,8 @@ def checked(thing: T) -> T:
     """Let a function or a dataclass refuse arguments of another kind than its annotations say.
 
     Classes, texts, True and False, and lists and dictionaries of them are checked; a list may be
-    anything that can be gone through, and comes in as a tuple. A number is its `Quantity`'s to
-    refuse, which knows its unit and its range.
+    anything that can be gone through, and comes in as a tuple. A number that is an argument itself
+    is its `Quantity`'s to refuse, which knows its unit and its range.
 
     >>> @checked
     ... def greet(name: str, loudly: bool = False) -> str:
@@ -122,7 +125,7 @@ def _reader(hint: Any) -> _Reader | None:
 
 def _item(hint: Any) -> _Item:
     """Return what reads a value that has a place in a list or a dictionary."""
-    reader = _reader(hint)
+    reader = _number if hint is float else _reader(hint)
 
     def read(value: Any, place: object) -> Any:
         try:
@@ -133,6 +136,18 @@ def _item(hint: Any) -> _Item:
             raise _InsideError(f"[{place!r}]", value, _words(hint)) from None
 
     return read
+
+
+def _number(value: Any) -> float:
+    if isinstance(value, bool | np.bool_) or not isinstance(value, numbers.Real | Decimal):
+        raise TypeError
+    try:
+        is_finite = math.isfinite(value)
+    except OverflowError:  # 10**400
+        raise TypeError from None
+    if not is_finite:
+        raise TypeError
+    return value if isinstance(value, int | float) else float(value)
 
 
 def _instance(kind: Any) -> _Reader:

@@ -25,6 +25,7 @@ from cammotion.quantities import InputError, Quantity, one_of, shorten
 Kind = Literal["clearance", "transition", "interference"]
 
 _DIAMETER = Quantity("diameter", "mm", example=40, high=STEPS_MM[-1])
+DEVIATION = Quantity("deviation", "µm", example=-9, low=-1e6, high=1e6)
 _LETTERS = (*UPPER, SYMMETRIC, *LOWER)
 _UNITS = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100}
 _POWERS = {  # um = factor * mm ** power, with the sign of the deviation
@@ -115,6 +116,11 @@ class Limits:
     zone: str
     upper_um: float
     lower_um: float
+
+    def __post_init__(self) -> None:
+        _DIAMETER.number(self.diameter_mm)
+        for name in ("upper_um", "lower_um"):
+            object.__setattr__(self, name, DEVIATION.number(getattr(self, name)))
 
     def __repr__(self) -> str:
         """Write it as a drawing does."""

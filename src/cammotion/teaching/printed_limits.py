@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass
 
 from cammotion.arguments import checked
+from cammotion.hardware.fits import DEVIATION
 
 
 @checked
@@ -24,6 +25,10 @@ class PrintedLimits:
     to_mm: int
     upper_um: float
     lower_um: float
+
+    def __post_init__(self) -> None:
+        for name in ("upper_um", "lower_um"):
+            object.__setattr__(self, name, DEVIATION.number(getattr(self, name)))
 
     def __repr__(self) -> str:
         """Write the line."""

@@ -18,7 +18,8 @@ from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError, shorten
+from cammotion.machine.segments import POSITION
+from cammotion.quantities import Floats, InputError, Quantity, shorten
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.views.timing_plots import BROKEN
@@ -29,6 +30,7 @@ _DARK = "#555555"
 _GAP = 0.042  # between two labels, of the height of the picture
 _NEAR = 0.2  # of its width: labels of points so near to each other keep their distance
 
+_PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
 Pair = tuple[float, float]
 
 
@@ -71,6 +73,7 @@ def plot_jerk_price(
     _shade(ax, limits, np.array([each.bound for each in best]))
     ax.plot(limits, reached, color=BEST, linewidth=2, label="least peak that was reached")
     if unlimited is not None:
+        unlimited = _PEAK.number(unlimited)
         ax.axhline(unlimited, color=_DARK, linestyle="--", linewidth=1.5)
         text = f"jerk without limit: {unlimited:.3f}"
         ax.annotate(text, (limits[-1], unlimited), (-4, -5), **_OFFSET, ha="right", va="top")
@@ -182,6 +185,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
             style_line(lower.plot(u, acceleration, label=label)[0], number)
     _draw_corners(ax, corners)
     if usual_mm is not None:
+        usual_mm = POSITION.number(usual_mm)
         ax.axhline(usual_mm, **REFERENCE_STYLE)
         write(ax, f"{usual_mm:g} mm", (0, usual_mm), REFERENCE_STYLE["color"], offset=(2, -16))
     places = [0, corners[0][0], sum(corner[0] for corner in corners) / 2, corners[1][0], span]

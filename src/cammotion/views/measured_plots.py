@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.measured.cam_table import CamTable
-from cammotion.measured.differences import differences
+from cammotion.measured.differences import ERROR, differences
 from cammotion.measured.inch import MM_PER_INCH
 from cammotion.measured.smoothing import SmoothedTable
 from cammotion.quantities import Floats, InputError, Quantity, one_of
@@ -52,6 +52,8 @@ def plot_measured(
     if not isinstance(tables, Mapping) or not tables:
         raise InputError('There is no table to draw: give each a name, as in {"cam": table}.')
     ax = _axes(ax, "cam angle in deg", "acceleration", unit)
+    if error_mm is not None:
+        error_mm = ERROR.number(error_mm)
     for number, (name, table) in enumerate(tables.items()):
         is_smooth = isinstance(table, SmoothedTable)
         curve = _curve(table, rate_per_hour, error_mm)

@@ -16,7 +16,7 @@ from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.quantities import InputError, one_of
+from cammotion.quantities import InputError, Quantity, one_of
 from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
@@ -35,6 +35,7 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 HATCHES = {"rise": "///", "return": "\\\\\\", "dwell": ""}
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
 BROKEN: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
+_SPAN = Quantity("span of the axis", "mm", example=5)
 _NARROWEST_LABEL_DEG = 12
 
 
@@ -117,7 +118,9 @@ def plot_clearance(
     broken = [
         violation for diagram in named.values() for violation in find_violations(diagram, rule)
     ]
-    span = span_mm or (widest if broken else near)  # no broken rule outside the picture
+    span = widest if broken else near  # no broken rule outside the picture
+    if span_mm is not None:
+        span = _SPAN.number(span_mm)
     ax.set_xlim(-ROOM * span, span)
     ax.set_ylim(-ROOM * highest, 1.1 * highest)
     region = _forbidden_region(rule, ax)
