@@ -252,7 +252,7 @@ MOVE_LISTS: list[Any] = [None, 3, "die", [DIE, None], [55]]
 @pytest.mark.parametrize("moves", MOVE_LISTS, ids=repr)
 @pytest.mark.parametrize("plot", [cm.plot_curves, cm.plot_peaks, cm.plot_inverse_square])
 def test_a_plot_of_nothing_is_refused(plot: Call, moves: object) -> None:
-    said = r"^plot_\w+ is given moves=.*: give .*a move, for example Move\("
+    said = r"^plot_\w+ is given moves.*=.*: give .*a move, for example Move\("
     with pytest.raises(cm.InputError, match=said):
         plot(moves)
     with pytest.raises(cm.InputError, match="There is nothing to draw: give one Move"):

@@ -145,7 +145,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     ),
     (
         lambda: Segment(from_deg=0, to_deg=55, from_mm=0, to_mm=50, law="cycloid"),
-        "There is no motion law 'cycloid': use one of 'constant acceleration'",
+        "There is no motion law 'cycloid': did you mean 'cycloidal'",
     ),
 ]
 

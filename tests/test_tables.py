@@ -322,7 +322,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(to_mm="5"),
     ],
-    "Line 2 of bad.csv: There is no motion law 'cycloid': give it among the `laws`": [
+    "Line 2 of bad.csv: There is no motion law 'cycloid': did you mean 'cycloidal'": [
         HEADING,
         changed(law="cycloid", to_mm="5"),
     ],
@@ -340,7 +340,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(stops="2.5"),
     ],
-    "Line 2 of bad.csv and further: The number of stops of 'die' is 0; it has to be a finite": [
+    "Line 2 of bad.csv and further: The number of stops of 'die' is 0; it has to be a whole": [
         HEADING,
         changed(stops="0"),
     ],

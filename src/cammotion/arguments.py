@@ -19,11 +19,14 @@ _Reader = Callable[[Any], Any]  # returns what it takes a value for; raises Type
 _Item = Callable[[Any, object], Any]  # the same for a value at a place
 
 _ANY = (Any, float, int, np.ndarray, object, Callable)  # a number is its Quantity's to refuse
+_EXAMPLE = ", for example "
 _HOW = {
     "Axes": "the axes of a picture, for example plt.subplots()[1]",
     "ClearanceRule": "a ClearanceRule, for example "
     "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
     "Condition": "a condition, made with beyond('die', 19) or within('mill', 0.65)",
+    "Any": "anything",
+    "DiscCam": "a RollerCam or a FlatFacedCam",
     "Fit": "a Fit, for example Fit(20, 'H7', 'h6')",
     "FlatFacedCam": "a FlatFacedCam",
     "Indexer": "an Indexer, for example Indexer(38.5, stops=8, time_s=0.75)",
@@ -105,7 +108,7 @@ def _readers(function: Any) -> Iterator[tuple[str, tuple[_Reader, str]]]:
         if parameter.kind is inspect.Parameter.VAR_POSITIONAL:
             hint = tuple[hint, ...]  # type: ignore[valid-type]
         if parameter.kind is not inspect.Parameter.VAR_KEYWORD and (reader := _reader(hint)):
-            yield name, (reader, _words(hint))
+            yield name, (reader, _once(_words(hint)))
 
 
 def _reader(hint: Any) -> _Reader | None:
@@ -119,8 +122,9 @@ def _reader(hint: Any) -> _Reader | None:
         return _each(_item(inside[0]))
     if origin is Mapping:
         return _values(_item(inside[1]))
-    is_any = (origin or hint) in _ANY or not isinstance(origin or hint, type)
-    return None if is_any else _instance(bool | np.bool_ if hint is bool else origin or hint)
+    kind = origin or hint
+    is_any = kind in _ANY or not isinstance(kind, type) or getattr(kind, "_is_protocol", False)
+    return None if is_any else _instance(bool | np.bool_ if hint is bool else kind)
 
 
 def _item(hint: Any) -> _Item:
@@ -133,7 +137,7 @@ def _item(hint: Any) -> _Item:
         except _InsideError as wrong:
             raise _InsideError(f"[{place!r}]{wrong.place}", wrong.value, wrong.how) from None
         except TypeError:
-            raise _InsideError(f"[{place!r}]", value, _words(hint)) from None
+            raise _InsideError(f"[{place!r}]", value, _once(_words(hint))) from None
 
     return read
 
@@ -208,19 +212,27 @@ def _several(values: Any) -> tuple[Any, ...]:
     return tuple(values)
 
 
-def _words(hint: Any, *, within: bool = False) -> str:
-    """Return in words what may be given for a kind; `within` a list without an example."""
+def _once(words: str) -> str:
+    """Return words in which an example is not said again."""
+    for how in _HOW.values():
+        if _EXAMPLE in how:
+            example = how[how.index(_EXAMPLE) :]
+            first, said, more = words.partition(example)
+            words = first + said + more.replace(example, "")
+    return words
+
+
+def _words(hint: Any) -> str:
+    """Return in words what may be given for a kind."""
     origin, inside = typing.get_origin(hint), typing.get_args(hint)
-    each = [_words(one, within=True) for one in inside if one is not ...]
+    each = [_words(one) for one in inside if one not in (..., types.NoneType)]
     if origin in (types.UnionType, typing.Union):
-        several = [_words(one, within=within) for one in inside if one is not types.NoneType]
-        return (", or " if any("," in one for one in several) else " or ").join(several)
+        return (", or " if any("," in one for one in each) else " or ").join(each)
     if origin is tuple and inside[1:] != (...,):
-        return f"{len(inside)} in a row, {', '.join(each)}"
+        return f"{len(inside)} in a row" + (f", {', '.join(each)}" if {*inside} != {Any} else "")
     if origin in (tuple, list, Sequence, Iterable):
         return f"a list, each {each[0]}"
     if origin is Mapping:
         return f"a dictionary, for each name {each[1]}"
-    kind = getattr(origin or hint, "__name__", "value")
-    words = _HOW.get(kind, f"a {kind}")
-    return words.partition(", for example")[0] if within else words
+    name = getattr(origin or hint, "__name__", "value")
+    return _HOW.get(name, f"a {name}")

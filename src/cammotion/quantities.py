@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
+_NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
 _NONE: Mapping[str, str] = {}
 _TYPED = re.compile(r"[+-]?\d+([.,]\d+)?", re.ASCII)
 
@@ -176,10 +177,18 @@ class Quantity:
         )
 
 
-def one_of(what: str, name: Any, known: Iterable[str], also: Mapping[str, str] = _NONE) -> str:
-    """Return the one of the `known` names that `name` is, in any case; `also` has other names.
+def one_of(
+    what: str,
+    name: Any,
+    known: Iterable[str],
+    also: Mapping[str, str] = _NONE,
+    *,
+    is_exact: bool = False,
+) -> str:
+    """Return the one of the `known` names that `name` is; `also` has other names of them.
 
-    Otherwise raise InputError with those that are near, or with all.
+    Unless `is_exact` it may be in any case, where that is one of them alone. Otherwise raise
+    InputError with those that are near, or with all.
 
     >>> one_of("motion law", "Cycloidal", ["cycloidal", "cubic"])
     'cycloidal'
@@ -188,14 +197,32 @@ def one_of(what: str, name: Any, known: Iterable[str], also: Mapping[str, str] =
     if isinstance(name, str):
         if name in names:
             return name
-        folded = {other.casefold(): one for other, one in {**also, **names}.items()}
-        if name.casefold() in folded:
-            return folded[name.casefold()]
-        if near := get_close_matches(name[:_LONG].casefold(), folded, n=3):
-            meant = " or ".join(dict.fromkeys(f"'{folded[each]}'" for each in near))
-            raise UnknownNameError(f"There is no {what} {shorten(name)}: did you mean {meant}?")
+        given, folded = name[:_LONG].casefold(), _folded({**also, **names})
+        if not is_exact and len(folded.get(given, ())) == 1:
+            return folded[given][0]
+        if near := _near(given, folded):
+            raise UnknownNameError(f"There is no {what} {shorten(name)}: did you mean {near}?")
     listed = shorten(", ".join(f"'{each}'" for each in names), _LISTED, of=str)
     raise UnknownNameError(f"There is no {what} {shorten(name)}: use one of {listed}.")
+
+
+def _folded(names: Mapping[str, str]) -> dict[str, list[str]]:
+    """Return by each name, without its case, the names that it may stand for."""
+    folded: dict[str, list[str]] = {}
+    for other, one in names.items():
+        meant = folded.setdefault(str(other).casefold(), [])
+        if str(one) not in meant:
+            meant.append(str(one))
+    return folded
+
+
+def _near(given: str, folded: Mapping[str, list[str]]) -> str:
+    """Return in words the names that may be meant, an empty text for none."""
+    ones = dict.fromkeys(one for meant in folded.values() for one in meant)
+    holding = [one for one in ones if len(given) >= _WORD and given in one.casefold()]
+    close = [one for each in get_close_matches(given, folded) for one in folded[each]]
+    meant = dict.fromkeys(f"'{one}'" for one in [*holding, *close])
+    return " or ".join([*meant][:_NEAR])
 
 
 def broadcast(**arrays: Floats) -> None:

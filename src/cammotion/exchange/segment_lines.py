@@ -11,7 +11,7 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, one_of, shorten
 
 DWELL = "dwell"
 NUMBERS = {
@@ -88,12 +88,15 @@ class _Laws:
             named = {law.name.strip(): law for law in self._given}
             if name == DWELL:
                 return None
-            if name not in {*KNOWN, *named, *LAWS}:  # other names of a law may be other laws here
+            found = (
+                named.get(name) or KNOWN.get(name) or one_of("motion law", name, [*named, *LAWS])
+            )
+            if isinstance(found, str) and found != name:  # in an older table another law's name
                 raise InputError(
-                    f"There is no motion law {shorten(name)}: give it among the `laws`, or use one "
-                    f"of {shorten(', '.join(LAWS), 400, of=str)}."
+                    f"There is no motion law {shorten(name)}: write {found!r}, or give your own "
+                    "among the `laws`."
                 )
-            return named.get(name) or KNOWN.get(name, name)
+            return found
         if name in RESERVED and not text.startswith(OWN):
             raise InputError(
                 f"The law is called {name!r}, but '{IN_FULL}' says another one: empty that cell "

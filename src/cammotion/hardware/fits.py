@@ -99,7 +99,7 @@ def deviation_um(diameter_mm: float, letter: str) -> float:
     >>> print(f"{deviation_um(40, 'g'):.1f}")
     -8.7
     """
-    factor, power = _POWERS[one_of("formula here for the letter", letter, _POWERS)]
+    factor, power = _POWERS[one_of("formula here for the letter", letter, _POWERS, is_exact=True)]
     return float(factor * mean_diameter_mm(diameter_mm) ** power)
 
 
@@ -120,7 +120,8 @@ class Limits:
     def __post_init__(self) -> None:
         _DIAMETER.number(self.diameter_mm)
         for name in ("upper_um", "lower_um"):
-            object.__setattr__(self, name, DEVIATION.number(getattr(self, name)))
+            number = DEVIATION.number(getattr(self, name))
+            object.__setattr__(self, name, int(number) if number.is_integer() else number)
 
     def __repr__(self) -> str:
         """Write it as a drawing does."""
@@ -249,7 +250,7 @@ class Fit:
 
 def _limits(diameter_mm: float, letter: str, grade: int) -> Limits:
     at = _step(diameter_mm)
-    one_of("confirmed tolerance zone with the letter", letter, _LETTERS)
+    one_of("confirmed tolerance zone with the letter", letter, _LETTERS, is_exact=True)
     width = GRADES[_checked_grade(grade)][at]
     zone = f"{letter}{grade}"
     if letter == SYMMETRIC:

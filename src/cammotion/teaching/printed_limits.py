@@ -28,7 +28,8 @@ class PrintedLimits:
 
     def __post_init__(self) -> None:
         for name in ("upper_um", "lower_um"):
-            object.__setattr__(self, name, DEVIATION.number(getattr(self, name)))
+            number = DEVIATION.number(getattr(self, name))
+            object.__setattr__(self, name, int(number) if number.is_integer() else number)
 
     def __repr__(self) -> str:
         """Write the line."""

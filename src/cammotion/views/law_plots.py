@@ -67,12 +67,6 @@ def plot_ranking(
     ['cycloidal', 'constant acceleration']
     """
     as_laws(peaks)
-    endless = [name for name, peak in peaks.items() if not math.isfinite(peak)]
-    if endless:
-        raise InputError(
-            f"The peak of {endless[0]!r} is {peaks[endless[0]]:g}, which no bar can show: leave "
-            "this law out."
-        )
     if ax is None:
         ax = blank_axes(7.5, 4.4, layout="constrained")
     style_axes(ax, f"{quantity} (hatched: the acceleration jumps)", "")

@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from cammotion.arguments import checked
-from cammotion.quantities import InputError, Quantity, one_of, shorten
+from cammotion.quantities import InputError, Quantity, listed, one_of, shorten
 from cammotion.views.live.expressions import as_curve, as_expression
 
 OWN, REFERENCE, ALARM, FRAME, AREA = "own", "reference", "alarm", "frame", "area"
@@ -40,7 +40,6 @@ class Control:
     most: Any = None
 
 
-@checked
 @dataclass(frozen=True, kw_only=True)
 class Line:
     """A curve: `y` over the figure's variable, or `x` and `y` while the variable runs.
@@ -115,7 +114,6 @@ class Box:
     name: str = ""
 
 
-@checked
 @dataclass(frozen=True, kw_only=True)
 class Panel:
     """One picture of a figure: its lines, points and boxes, and its axes.
@@ -153,6 +151,10 @@ class Panel:
         for name in ("x_ticks", "y_ticks", "height"):
             if getattr(self, name) is not None:
                 Quantity(f"{name} of a panel", "", example=100).number(getattr(self, name))
+        if not listed(self.words) and self.words != ():
+            raise InputError(
+                f"The words of a panel are {shorten(self.words)}: give a list of (text, x, y)."
+            )
         for words in self.words:
             if not isinstance(words, tuple) or len(words) != 3:  # noqa: PLR2004
                 raise InputError(f"The words {shorten(words)} have no place: give (text, x, y).")
