@@ -15,7 +15,7 @@ import io
 import math
 import pkgutil
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType, FrameType
@@ -84,7 +84,9 @@ def callables(name: str, thing: Any) -> Iterator[tuple[str, Callable[..., Any]]]
     if not kind.__module__.startswith("cammotion"):
         return
     for method, function in inspect.getmembers_static(kind, inspect.isfunction):
-        is_own = function.__module__.startswith("cammotion")
+        is_list = hasattr(kind, "__len__") and not issubclass(kind, Mapping)
+        is_index = method == "__getitem__" and is_list  # Python's to refuse
+        is_own = not is_index and function.__module__.startswith("cammotion")
         if is_own and (
             not method.startswith("_") or method in {"__init__", "__call__", "__getitem__"}
         ):
@@ -118,9 +120,9 @@ def recorded() -> list[Recorded]:
 
 
 def caller(frame: FrameType) -> FrameType | None:
-    """Return who has called, the check of the arguments left out."""
+    """Return who has called, what is put around a function left out."""
     back = frame.f_back
-    while back and back.f_code.co_filename == arguments.__file__:
+    while back and back.f_code.co_filename in {arguments.__file__, contextlib.__file__}:
         back = back.f_back
     return back
 

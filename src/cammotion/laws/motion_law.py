@@ -21,7 +21,7 @@ from cammotion.laws.curve import Curve, mirrored
 from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain
+from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain, shorten
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
@@ -251,7 +251,7 @@ class MotionLaw(Alike):
             )
 
     def __repr__(self) -> str:
-        return f"MotionLaw({self.name!r})"
+        return f"MotionLaw({shorten(self.name)})"
 
     @property
     def _middle_velocity(self) -> sympy.Expr:

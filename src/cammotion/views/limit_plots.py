@@ -166,6 +166,11 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     if not designs:
         raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
     start, span = still[1], (still[0] - still[1]) % DEG_PER_TURN
+    if not span:
+        raise InputError(
+            f"The {name} stands from {still[0]:g} to {still[1]:g} deg, which is no time or the "
+            "whole turn: give where it stands, for example still=(205, 305)."
+        )
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
     if ax is None:
         height = 5.4 if with_acceleration else 3.4

@@ -5,14 +5,14 @@ symbols that have been given a value. In a line the variable runs; everywhere el
 clock stands.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
 
 from cammotion.arguments import checked
-from cammotion.quantities import InputError, Quantity, listed, one_of, shorten
+from cammotion.quantities import InputError, Quantity, one_of, shorten
 from cammotion.views.live.expressions import as_curve, as_expression
 
 OWN, REFERENCE, ALARM, FRAME, AREA = "own", "reference", "alarm", "frame", "area"
@@ -69,7 +69,7 @@ class Line:
     def __post_init__(self) -> None:
         """Raise InputError for an unknown role or colour, and for a span of other than two ends."""
         roles = (OWN, REFERENCE, ALARM, FRAME, AREA)
-        if self.role not in roles:
+        if not isinstance(self.role, str) or self.role not in roles:
             raise InputError(
                 f"The role of a line is {shorten(self.role)}: give one of {', '.join(roles)}."
             )
@@ -151,11 +151,8 @@ class Panel:
         for name in ("x_ticks", "y_ticks", "height"):
             if getattr(self, name) is not None:
                 Quantity(f"{name} of a panel", "", example=100).number(getattr(self, name))
-        if not listed(self.words) and self.words != ():
-            raise InputError(
-                f"The words of a panel are {shorten(self.words)}: give a list of (text, x, y)."
-            )
-        for words in self.words:
+        is_several = isinstance(self.words, Iterable) and not isinstance(self.words, str)
+        for words in self.words if is_several else [self.words]:
             if not isinstance(words, tuple) or len(words) != 3:  # noqa: PLR2004
                 raise InputError(f"The words {shorten(words)} have no place: give (text, x, y).")
 
