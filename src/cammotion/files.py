@@ -49,8 +49,8 @@ def read_text(path: str | Path) -> str:
     except UnicodeDecodeError as wrong:
         line, byte = content.count(b"\n", 0, wrong.start) + 1, content[wrong.start]
         raise InputError(
-            f"The file {_name(path)} cannot be read: its line {line} has the byte {byte:#04x}, which "
-            "is no character in UTF-8. Save it in the spreadsheet as 'CSV UTF-8'."
+            f"The file {_name(path)} cannot be read: its line {line} has the byte {byte:#04x}, "
+            "which is no character in UTF-8. Save it in the spreadsheet as 'CSV UTF-8'."
         ) from None
 
 

@@ -51,8 +51,8 @@ def cut(name: str, law: object) -> tuple[Zone, ...]:
     cuts = [end for zone in zones for end in (zone.low, zone.high)]
     if (cuts[:1], cuts[1:-1:2], cuts[-1:]) != ([0], cuts[2::2], [1]):
         raise InputError(
-            f"The cases of the law {shorten(name)} do not follow each other from x = 0 to 1: write them "
-            "in order, as (S, x <= a), and the last one with the condition True."
+            f"The cases of the law {shorten(name)} do not follow each other from x = 0 to 1: write "
+            "them in order, as (S, x <= a), and the last one with the condition True."
         )
     return tuple(zones)
 
