@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from difflib import get_close_matches
+from linecache import getline
+from traceback import walk_tb
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -28,6 +30,15 @@ class InputError(ValueError):
     """A value that makes no sense here; the message names it, what is allowed, and the fix."""
 
     __module__ = "cammotion"  # the name under which its reader can catch it
+
+    def _render_traceback_(self) -> list[str]:
+        """Return what a notebook shows: the reader's own lines and the sentence."""
+        own = [
+            f"line {line}: {getline(frame.f_code.co_filename, line).strip()}"
+            for frame, line in walk_tb(self.__traceback__)
+            if frame.f_globals.get("__name__") == "__main__"
+        ]
+        return [*own, f"{InputError.__name__}: {self}"]
 
 
 class UnknownNameError(InputError, KeyError):

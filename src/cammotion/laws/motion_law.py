@@ -242,8 +242,8 @@ class MotionLaw(Alike):
         start, end = self.curve.ends
         if max(abs(start), abs(end - 1)) > _MISSED:
             raise InputError(
-                f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
-                "from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
+                f"The law {self.name!r} goes from S(0) = {start:.10g} to S(1) = {end:.10g}; a move "
+                "goes from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
             )
         if jumps := self._jumps(0):
             raise InputError(

@@ -105,7 +105,12 @@ def _column(quantity: Quantity, values: ArrayLike) -> Floats:
 
 
 def _check_order(angles: Floats, is_cycle: bool) -> None:
-    steps = np.diff(angles)
+    steps, turn = np.diff(angles), 2 * np.pi
+    if is_cycle and turn * (1 - 2 / angles.size) < np.ptp(angles) <= turn:
+        raise InputError(
+            f"The cycle goes from {angles[0]:g} to {angles[-1]:g} deg, which in radians is a turn: "
+            "give the cam angles in deg, for example np.degrees(angles)."
+        )
     if np.min(steps) <= 0:
         n = int(np.argmax(steps <= 0))
         raise InputError(

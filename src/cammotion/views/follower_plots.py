@@ -60,7 +60,8 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     """
     drawn = as_laws([*LAWS] if laws is None else laws)
     at = _RATIOS if ratios is None else np.atleast_1d(RATIO.array(ratios))
-    is_residual = one_of("quantity", quantity, QUANTITIES) == "residual"
+    quantity = one_of("quantity", quantity, QUANTITIES)
+    is_residual = quantity == "residual"
     if ax is None:
         ax = blank_axes(8.6, 5.2, layout="constrained")
     style_axes(ax, "tm/Tn, swings of the mass during the move", QUANTITIES[quantity])

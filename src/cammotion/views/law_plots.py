@@ -32,7 +32,8 @@ def plot_laws(
     'acceleration A'
     """
     drawn = as_laws(laws)
-    derivative = [*CURVES].index(one_of("curve", curve, CURVES))
+    curve = one_of("curve", curve, CURVES)
+    derivative = [*CURVES].index(curve)
     if ax is None:
         ax = blank_axes(7.5, 4.6, layout="constrained")
     style_axes(ax, "x = t/tm", CURVES[curve])

@@ -51,6 +51,7 @@ def plot_measured(
     """
     if not isinstance(tables, Mapping) or not tables:
         raise InputError('There is no table to draw: give each a name, as in {"cam": table}.')
+    unit = one_of("unit of length", unit, METRES)
     ax = _axes(ax, "cam angle in deg", "acceleration", unit)
     if error_mm is not None:
         error_mm = ERROR.number(error_mm)
@@ -94,6 +95,7 @@ def plot_harmonics(
     """
     if not amplitudes:
         raise InputError('There are no harmonics to draw: give a name, as in {"cam": amplitudes}.')
+    unit = one_of("unit of length", unit, METRES)
     ax = _axes(ax, "rank of the harmonic", "amplitude of acceleration", unit)
     most = max(np.size(each) for each in amplitudes.values())
     if critical is not None:
@@ -129,7 +131,7 @@ _ABOVE: dict[str, Any] = {
 
 def _axes(ax: Axes | None, across: str, up: str, unit: str) -> Axes:
     """Return styled axes in a unit, with metres on the right where it is the inch."""
-    metres = METRES[one_of("unit of length", unit, METRES)]
+    metres = METRES[unit]
     if ax is None:
         ax = blank_axes(7.5, 4.2, layout="constrained")
     style_axes(ax, across, f"{up} in {unit}/s²")

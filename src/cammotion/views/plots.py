@@ -78,7 +78,7 @@ def plot_curves(
     'velocity v in m/s'
     """
     moves, labels = _labelled(moves, labels)
-    one_of("curve", curve, CURVES)
+    curve = one_of("curve", curve, CURVES)
     ax = _styled(ax, "time t in s", CURVES[curve])
     for number, (move, label) in enumerate(zip(moves, labels, strict=True)):
         time, values = sample_curve(move, curve)

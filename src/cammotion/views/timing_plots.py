@@ -62,8 +62,7 @@ def plot_timing(
     >>> ax.get_ylabel()
     'displacement in mm'
     """
-    for row in rows:
-        one_of("row", row, ROWS)
+    rows = [one_of("row", row, ROWS) for row in rows]
     given = as_rules(diagram, rules) if rules else ()
     names = as_diagram(diagram).names
     if ax is None:

@@ -35,7 +35,7 @@ def plot_torque(
             "There is no indexer to draw: give each by its name, for example "
             '{"table": Indexer(38.5, stops=8, time_s=0.75)}.'
         )
-    one_of("quantity", quantity, QUANTITIES)
+    quantity = one_of("quantity", quantity, QUANTITIES)
     if ax is None:
         ax = blank_axes(7.5, 4.2, layout="constrained")
     style_axes(ax, "x = t/tm", QUANTITIES[quantity])

@@ -53,7 +53,8 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
     random errors up to this size: ±0.028 m/s², root mean square
     """
     number = _checked(table)
-    is_inch = one_of("unit of length", unit, METRES) == "in"
+    unit = one_of("unit of length", unit, METRES)
+    is_inch = unit == "in"
     small, mm = ("in", MM_PER_INCH) if is_inch else ("mm", 1.0)
     turn = float(cycle_time(RATE.number(rate_per_hour)))
     scale = (2 * np.pi / turn) ** 2 * (1 if is_inch else mm / MM_PER_M)  # of small/rad2
