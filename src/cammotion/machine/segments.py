@@ -20,7 +20,7 @@ _ANY_ANGLE = replace(PART_ANGLE, low=-math.inf, high=math.inf)
 def part_angle(angle_deg: float) -> float:
     """Return the angle of a segment in deg; raise InputError for none, or for more than a turn."""
     angle = _ANY_ANGLE.number(angle_deg)
-    if FULL_TURN_DEG < angle <= 2 * FULL_TURN_DEG:
+    if 1.1 * FULL_TURN_DEG < angle <= 2 * FULL_TURN_DEG:
         raise InputError(
             f"The angle of a segment is {angle:g} deg, and a turn of the cam is 360: give at most "
             f"that, or {angle / 2:g} if you count the 720 deg of a crankshaft."
