@@ -157,3 +157,9 @@ def test_a_notebook_shows_the_readers_lines_and_the_sentence(
         "InputError: The indexing angle is -5 deg; it has to be a finite number above 0 and at "
         "most 360 deg: give for example 55 deg.",
     ]
+
+
+@pytest.mark.parametrize("answer", [(4, 154), "4,154", "4.154", " 4,154 "])
+def test_a_decimal_comma_in_an_answer_is_told(answer: Any) -> None:
+    assert "4.154" in str(cm.check("02.1", answer))
+    assert "[0]" not in str(cm.check("02.1", answer))

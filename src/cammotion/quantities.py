@@ -163,10 +163,11 @@ class Quantity:
             return np.empty(0)
         if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
             return np.array([_as_float(item) for item in array.flat]).reshape(array.shape)
-        meant = _meant(value)
+        typed = as_typed(value)
+        meant = f"it as a number, {typed} without quotes" if typed else self._example
         raise InputError(
             f"The {self.name} has to be a number{' in ' + self.unit if self.unit else ''}, "
-            f"not {shorten(value)}: give {meant or self._example}."
+            f"not {shorten(value)}: give {meant}."
         )
 
     def _inside(self, array: Floats) -> NDArray[np.bool_]:
@@ -270,11 +271,14 @@ def _as_float(item: Any) -> float:
         return math.inf if item > 0 else -math.inf
 
 
-def _meant(value: object) -> str:
-    """Return how a number is given that came as a text, or was typed with a decimal comma."""
-    if isinstance(value, str) and _TYPED.fullmatch(value.strip()):
-        return f"it as a number, {value.strip().replace(',', '.')} without quotes"
-    return ""
+def as_typed(value: object) -> str:
+    """Return the number that a text is, with a decimal point; an empty text if it is none.
+
+    >>> as_typed("4,154"), as_typed(" 55 "), as_typed("die")
+    ('4.154', '55', '')
+    """
+    text = value.strip() if isinstance(value, str) else ""
+    return text.replace(",", ".") if _TYPED.fullmatch(text) else ""
 
 
 def listed(values: Any) -> tuple[Any, ...]:
