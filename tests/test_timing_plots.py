@@ -215,7 +215,7 @@ def test_plots_refuse_what_they_cannot_draw() -> None:
         cm.plot_clearance({}, RULE)
     with pytest.raises(cm.InputError, match="There is no motion 'arm': use one of 'mill', 'die'"):
         cm.plot_clearance(BEFORE, cm.ClearanceRule(cm.beyond("arm", 1), cm.within("mill", 1)))
-    with pytest.raises(cm.InputError, match="The diagram is None: give a TimingDiagram"):
+    with pytest.raises(cm.InputError, match="is given diagram=None: give a timing diagram"):
         cm.plot_timing(None)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="colour"):
         cm.plot_timing(BEFORE, colour="red")  # type: ignore[call-arg]

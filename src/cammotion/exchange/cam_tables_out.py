@@ -71,16 +71,16 @@ def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
     179.9;29.3364
     """
     as_diagram(diagram)
-    one_of("form of a cam table", form, FORMS)
+    form = one_of("form of a cam table", form, FORMS)
     if derivatives is not None:
-        one_of("unit of the derivatives", derivatives, _UNITS)
+        derivatives = one_of("unit of the derivatives", derivatives, _UNITS)
         if form == "codesys":
             raise InputError(
                 "CODESYS reads a table of two columns: leave out the derivatives, or write the "
                 "plain form."
             )
     separator = (";" if form == "plain" else "\t") if separator is None else separator
-    one_of("separator", separator, SEPARATORS)
+    one_of("separator", separator, SEPARATORS)  # which have no case
     if one_of("decimal mark", decimal, DECIMALS) == separator:
         raise InputError("The comma cannot be both separator and decimal mark: change one of them.")
     places = PLACES.whole(decimals)

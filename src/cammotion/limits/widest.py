@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import NamedTuple
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.clearance import (
@@ -73,6 +74,7 @@ class _Event(NamedTuple):
     at_deg: float
 
 
+@checked
 def widest_move(
     diagram: TimingDiagram,
     motion: str,
@@ -116,6 +118,7 @@ def widest_move(
     )
 
 
+@checked
 def with_angle(motion: Motion, angle_deg: float) -> Motion:
     """Return the motion with another indexing angle Bm, in deg, for all its moves.
 

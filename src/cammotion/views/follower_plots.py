@@ -8,7 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.dynamics.residual import (
+    RATIO,
     dynamic_factor,
     residual_vibration,
     running_factor,
@@ -38,6 +40,7 @@ _AFTER = 1.5  # indexing times after a move
 _BEYOND, _FINE = 4.0, 0.01  # how far above tm/Tn is looked for what is worst, and how finely
 
 
+@checked
 def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     laws: str | MotionLaw | Iterable[str | MotionLaw] | None = None,
     *,
@@ -60,9 +63,9 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     'tm/Tn, swings of the mass during the move'
     """
     drawn = as_laws([*LAWS] if laws is None else laws)
-    at = _RATIOS if ratios is None else np.asarray(ratios, dtype=float)
-    asked = one_of("quantity", quantity, QUANTITIES)
-    if asked == "worst" and motion is not None:
+    at = _RATIOS if ratios is None else np.atleast_1d(RATIO.array(ratios))
+    quantity = one_of("quantity", quantity, QUANTITIES)
+    if quantity == "worst" and motion is not None:
         raise InputError(
             "The quantity 'worst' is that of a single move; in a running machine it would be that "
             "of a resonance: leave the motion out, or ask for the 'residual'."
@@ -72,13 +75,13 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     style_axes(ax, "tm/Tn, swings of the mass during the move", QUANTITIES[quantity])
     ends, lines = [], []
     for number, law in enumerate(drawn):
-        values = _values(law, at, asked, damping_ratio, motion)
+        values = _values(law, at, quantity, damping_ratio, motion)
         line = style_line(ax.plot(at, values, label=as_label(law.name))[0], number)
         line.set_linewidth(1.6)
         lines.append(line)
         late = values[at >= at[0] + 0.85 * (at[-1] - at[0])]
         ends.append(float(late.max()))
-    if asked != "factor":
+    if quantity != "factor":
         ax.set_yscale("log")
         ax.set_ylim(_FLOOR, 2 if motion is None else None)
         ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
@@ -88,19 +91,20 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
 
 
 def _values(
-    law: MotionLaw, at: Floats, asked: str, damping_ratio: float, motion: Motion | None
+    law: MotionLaw, at: Floats, quantity: str, damping_ratio: float, motion: Motion | None
 ) -> Floats:
-    if asked == "worst":
+    if quantity == "worst":
         fine = np.arange(at.min(), at.max() + _BEYOND, _FINE)
         swings = np.asarray(residual_vibration(law, fine, damping_ratio))
         return np.interp(at, fine, np.maximum.accumulate(swings[::-1])[::-1])
     if motion is None:
-        single = residual_vibration if asked == "residual" else dynamic_factor
+        single = residual_vibration if quantity == "residual" else dynamic_factor
         return np.asarray(single(law, at, damping_ratio))
-    running = running_residual if asked == "residual" else running_factor
+    running = running_residual if quantity == "residual" else running_factor
     return np.asarray(running(motion.with_law(law), at, damping_ratio))
 
 
+@checked
 def plot_response(
     response: Response,
     *,

@@ -14,10 +14,12 @@ import sympy as sp
 from matplotlib.axes import Axes
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
+from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError
+from cammotion.machine.segments import POSITION
+from cammotion.quantities import Floats, InputError, Quantity, shorten
 from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
@@ -29,9 +31,11 @@ _DARK = "#555555"
 _GAP = 0.042  # between two labels, of the height of the picture
 _NEAR = 0.2  # of its width: labels of points so near to each other keep their distance
 
+_PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
 Pair = tuple[float, float]
 
 
+@checked
 def plot_jerk_price(
     found: Iterable[LeastAcceleration],
     named: Mapping[str, Pair] | None = None,
@@ -70,6 +74,7 @@ def plot_jerk_price(
     _shade(ax, limits, np.array([each.bound for each in best]))
     ax.plot(limits, reached, color=BEST, linewidth=2, label="least peak that was reached")
     if unlimited is not None:
+        unlimited = _PEAK.number(unlimited)
         ax.axhline(unlimited, color=_DARK, linestyle="--", linewidth=1.5)
         text = f"jerk without limit: {unlimited:.3f}"
         ax.annotate(text, (limits[-1], unlimited), (-4, -5), **_OFFSET, ha="right", va="top")
@@ -82,6 +87,7 @@ def plot_jerk_price(
     return ax
 
 
+@checked
 def plot_front(
     found: Iterable[tuple[LeastAcceleration, LeastAcceleration]],
     designs: Mapping[str, Iterable[Pair]] | None = None,
@@ -133,6 +139,7 @@ def plot_front(
     return ax
 
 
+@checked
 def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     designs: Mapping[str, TimingDiagram],
     name: str,
@@ -162,6 +169,11 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     if not designs:
         raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
     start, span = still[1], (still[0] - still[1]) % DEG_PER_TURN
+    if not span:
+        raise InputError(
+            f"The {name} stands from {still[0]:g} to {still[1]:g} deg, which is no time or the "
+            "whole turn: give where it stands, for example still=(205, 305)."
+        )
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
     if ax is None:
         height = 5.4 if with_acceleration else 3.4
@@ -186,6 +198,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
             name_line(line, label, title)
     _draw_corners(ax, corners)
     if usual_mm is not None:
+        usual_mm = POSITION.number(usual_mm)
         ax.axhline(usual_mm, **REFERENCE_STYLE)
         write(ax, f"{usual_mm:g} mm", (0, usual_mm), REFERENCE_STYLE["color"], offset=(2, -16))
     places = [0, corners[0][0], sum(corner[0] for corner in corners) / 2, corners[1][0], span]
@@ -199,6 +212,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     return ax
 
 
+@checked
 def plot_weight(
     weight: sp.Expr, span: tuple[sp.Symbol, float, float], *, ax: Axes | None = None
 ) -> Axes:
@@ -214,6 +228,10 @@ def plot_weight(
     """
     symbol, low, high = span
     places = np.linspace(float(low), float(high), 1041)
+    if weight.free_symbols - {symbol} or (not weight.is_extended_real and not weight.free_symbols):
+        raise InputError(
+            f"The weight is {shorten(weight)}: give a real expression in {symbol} alone."
+        )
     heights = np.broadcast_to(sp.lambdify(symbol, weight)(places), places.shape)
     if ax is None:
         ax = blank_axes(7.5, 2.4, layout="constrained")

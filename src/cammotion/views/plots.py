@@ -17,6 +17,7 @@ from matplotlib.lines import Line2D
 from matplotlib.text import Annotation
 from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, one_of
 from cammotion.views.ends import LINE_INCHES, inches, label_ends, overfull, would_meet
@@ -62,6 +63,7 @@ def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
     return time, np.asarray(functions[one_of("curve", curve, CURVES)](time))
 
 
+@checked
 def plot_curves(
     moves: Move | Iterable[Move],
     *,
@@ -82,7 +84,7 @@ def plot_curves(
     'velocity v in m/s'
     """
     moves, labels = _labelled(moves, labels)
-    one_of("curve", curve, CURVES)
+    curve = one_of("curve", curve, CURVES)
     height = _HEIGHT_INCHES if len(moves) <= len(COLOURS) else LINE_INCHES * len(moves) / 0.77
     ax = _styled(ax, "time t in s", CURVES[curve], max(height, _HEIGHT_INCHES))
     ax.margins(x=0.08, y=0.12)
@@ -104,6 +106,7 @@ def plot_curves(
     return ax
 
 
+@checked
 def plot_peaks(
     moves: Iterable[Move], *, labels: Sequence[str] | None = None, ax: Axes | None = None
 ) -> Axes:
@@ -143,6 +146,7 @@ def plot_peaks(
     return ax
 
 
+@checked
 def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axes:
     """Draw peak acceleration against indexing angle on logarithmic scales; return the Axes.
 
@@ -272,9 +276,8 @@ def _free_place(values: Floats) -> tuple[int, tuple[float, float]]:
 def _labelled(
     moves: Move | Iterable[Move], labels: Sequence[str] | None
 ) -> tuple[list[Move], list[str]]:
-    several: Any = [moves] if isinstance(moves, Move) else moves
-    moves = list(several) if isinstance(several, Iterable) else []
-    if not moves or not all(isinstance(move, Move) for move in moves):
+    moves = [moves] if isinstance(moves, Move) else [*moves]
+    if not moves:
         raise InputError(
             "There is nothing to draw: give one Move or a list of them, for example "
             "[Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)]."

@@ -8,12 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
+from cammotion.arguments import checked
 from cammotion.machine.arcs import arcs
 from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import InputError, one_of
+from cammotion.quantities import InputError, Quantity, one_of
 from cammotion.views.bars import HATCHES, draw_bars
 from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
 from cammotion.views.lanes import (
@@ -44,8 +45,10 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 }
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
 BROKEN: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
+_SPAN = Quantity("span of the axis", "mm", example=5)
 
 
+@checked
 def plot_timing(
     diagram: TimingDiagram,
     *,
@@ -69,8 +72,7 @@ def plot_timing(
     >>> ax.get_ylabel()
     'displacement in mm'
     """
-    for row in rows:
-        one_of("row", row, ROWS)
+    rows = [one_of("row", row, ROWS) for row in rows]
     given = as_rules(diagram, rules) if rules else ()
     names = labels(readable(diagram).names)
     in_lanes = len(names) > SHARED_AXIS
@@ -97,6 +99,7 @@ def plot_timing(
     return ax
 
 
+@checked
 def plot_clearance(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     rule: ClearanceRule,
@@ -136,7 +139,9 @@ def plot_clearance(
     broken = [
         violation for diagram in named.values() for violation in find_violations(diagram, rule)
     ]
-    span = span_mm or (widest if broken else near)  # no broken rule outside the picture
+    span = widest if broken else near  # no broken rule outside the picture
+    if span_mm is not None:
+        span = _SPAN.number(span_mm)
     ax.set_xlim(-ROOM * span, span)
     ax.set_ylim(-ROOM * highest, 1.1 * highest)
     region = _forbidden_region(rule, ax)

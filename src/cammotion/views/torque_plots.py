@@ -5,8 +5,9 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.axes import Axes
 
+from cammotion.arguments import checked
 from cammotion.hardware.indexer import Indexer
-from cammotion.quantities import InputError, one_of, shorten
+from cammotion.quantities import InputError, one_of
 from cammotion.views.names import MOST, TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import style_axes, style_line
@@ -17,6 +18,7 @@ _FEW_ROWS, _ROW_INCHES = 3, 0.2  # of the legend
 _REST = 0.06  # of the time, drawn before the index and after it
 
 
+@checked
 def plot_torque(
     indexers: Mapping[str, Indexer], *, quantity: str = "torque", ax: Axes | None = None
 ) -> Axes:
@@ -30,12 +32,12 @@ def plot_torque(
     >>> plot_torque({"table": cm.Indexer(38.5, stops=8, time_s=0.75)}).get_ylabel()
     'torque on the table in N m'
     """
-    if not isinstance(indexers, Mapping) or not indexers:
+    if not indexers:
         raise InputError(
-            f"The indexers are {shorten(indexers)}: give each a name, for example "
-            '{"table": cammotion.Indexer(38.5, stops=8, time_s=0.75)}.'
+            "There is no indexer to draw: give each by its name, for example "
+            '{"table": Indexer(38.5, stops=8, time_s=0.75)}.'
         )
-    one_of("quantity", quantity, QUANTITIES)
+    quantity = one_of("quantity", quantity, QUANTITIES)
     called = labels([*indexers], TITLE)
     columns = 1 if max(map(len, called)) > MOST else 2
     if ax is None:

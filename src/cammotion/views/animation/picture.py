@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from cammotion.arguments import checked
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, Quantity, shorten
@@ -108,6 +109,7 @@ class Animation(MovingPicture):
         return float(self.designs[0].diagram.cycle_time_s)
 
 
+@checked
 def animate(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     *,

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
@@ -32,6 +33,7 @@ B_m, START, B_MILL = sp.symbols("B_m start B_mill", nonnegative=True)
 _WIDEST, _END = sp.symbols("widest end", real=True)
 
 
+@checked
 def explore_overlap(
     diagram: TimingDiagram, rule: ClearanceRule, *, contact_mm: float
 ) -> LiveFigure:

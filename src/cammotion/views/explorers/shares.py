@@ -1,9 +1,8 @@
 """The explorer of the timing diagram: one turn shared out between two mechanisms, in sequence."""
 
-from typing import Any
-
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -29,6 +28,7 @@ _SHARED_DEG = DEG_PER_TURN - 2 * 10  # what is left at least for each way of the
 B_MILL, WORK = sp.symbols("B_mill work", positive=True)
 
 
+@checked
 def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     """Return a live figure of how two mechanisms share out the turn when they move in sequence.
 
@@ -107,8 +107,8 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     )
 
 
-def _check(diagram: Any) -> None:
-    motions = diagram.motions if isinstance(diagram, TimingDiagram) else ()
+def _check(diagram: TimingDiagram) -> None:
+    motions = diagram.motions
     kinds = [[segment.kind for segment in moved.moves] for moved in motions]
     if kinds != [["rise"], ["rise", "return"]] or not motions[0].is_indexing:
         raise InputError(

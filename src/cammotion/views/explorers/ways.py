@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -29,6 +30,7 @@ _LEAST_DEG, _MOST_DEG, _MOST_WORK_DEG = 20, 200, 140  # 200 + 140 + 20 are a tur
 RISE, RETURN, WORK = sp.symbols("rise return work", positive=True)
 
 
+@checked
 def explore_ways(diagram: TimingDiagram, rule: ClearanceRule) -> LiveFigure:
     """Return a live figure of a clearance rule: rise, return and work of a motion, in deg.
 
