@@ -1,3 +1,4 @@
+from .drive.camshaft import Camshaft, ProcessForce
 from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.contact import Flights, follower_flights
 from .dynamics.loads import FollowerLoad
@@ -115,6 +116,7 @@ __all__ = [
     "Box",
     "Button",
     "CamTable",
+    "Camshaft",
     "Chain",
     "ClearanceRule",
     "Control",
@@ -148,6 +150,7 @@ __all__ = [
     "PointMasses",
     "Polydyne",
     "PrintedLimits",
+    "ProcessForce",
     "ProfileLift",
     "Ring",
     "RollerCam",

@@ -1,0 +1,217 @@
+"""Forces and torque of a camshaft, against sums over samples and the balance of energy in a turn.
+
+The samples are of cycloids written out here; they know no span, no piece and no integral of ours.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import MONOTONE, RATE, TURNING, Array, examples, make_diagram, make_die, make_mill
+
+import cammotion as cm
+
+TURN_S = 3600 / RATE
+SPEED = 2 * math.pi / TURN_S
+COUNT = 360_000
+AT = (np.arange(COUNT) + 0.5) * 360 / COUNT
+DIE = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=5, preload_N=100, weight_N=117.7)
+MILL = cm.FollowerLoad(mass_kg=40)
+PRESSING = cm.ProcessForce(motion="die", from_deg=190, to_deg=205, force_N=100, last_N=700)
+SHAFT = cm.Camshaft(
+    make_diagram(make_mill(), make_die(120)),
+    {"die": DIE, "mill": MILL},
+    process=[PRESSING],
+    friction_N={"die": 20, "mill": 35},
+    inertia_kg_m2=2,
+)
+
+
+class Sampled(NamedTuple):
+    """Position in mm, velocity in m/s and acceleration in m/s2."""
+
+    mm: Array
+    velocity: Array
+    acceleration: Array
+
+
+def cycloid(at: Array, start: float, angle: float, stroke: float) -> Sampled:
+    """Return a rise, or with a negative stroke a return, that begins at 0 mm."""
+    x, tm = np.clip((at - start) / angle, 0, 1), angle / 360 * TURN_S
+    moves = (x > 0) & (x < 1)
+    w = 2 * math.pi * x
+    return Sampled(
+        stroke * (x - np.sin(w) / (2 * math.pi)),
+        moves * stroke / 1000 / tm * (1 - np.cos(w)),
+        moves * stroke / 1000 / tm**2 * 2 * math.pi * np.sin(w),
+    )
+
+
+def die(at: Array) -> Sampled:
+    """Return the die, down from 205 to 305 deg; its rise begins at 85, its return ends at 425."""
+    at = np.where(at < 65, at + 360, at)
+    both = zip(cycloid(at, 85, 120, 50), cycloid(at, 305, 120, -50), strict=True)
+    return Sampled(*(down + up for down, up in both))
+
+
+def forces(at: Array) -> dict[str, Array]:
+    moved, mill = die(at), cycloid(at, 0, 150, 100)
+    pressed = np.where((at >= 190) & (at < 205), 100 + 40 * (at - 190), 0)
+    standing = 5 * moved.mm + 217.7 + 20 * np.sign(moved.velocity) + pressed
+    return {
+        "die": 12 * moved.acceleration + standing,
+        "mill": 40 * mill.acceleration + 35 * np.sign(mill.velocity),
+    }
+
+
+def torque(at: Array) -> Array:
+    found = forces(at)
+    power = found["die"] * die(at).velocity + found["mill"] * cycloid(at, 0, 150, 100).velocity
+    return np.asarray(power / SPEED)
+
+
+def test_forces_and_torque_of_cycloids() -> None:
+    inside = AT[::997]
+    for name, expected in forces(inside).items():
+        assert SHAFT.force_N(name, inside) == pytest.approx(expected, abs=1e-8)
+    assert SHAFT.torque_N_m(inside) == pytest.approx(torque(inside), abs=1e-9)
+    both = SHAFT.torque_N_m(inside, "die") + SHAFT.torque_N_m(inside, "mill")
+    assert both == pytest.approx(torque(inside), abs=1e-9)
+    assert isinstance(SHAFT.torque_N_m(100), float)
+    assert SHAFT.torque_N_m([[100], [200]]).shape == (2, 1)
+
+
+def test_peak_mean_and_root_mean_square_are_those_of_samples() -> None:
+    sampled = torque(AT)
+    peak = SHAFT.peak_torque()
+    assert peak.value == pytest.approx(sampled[np.abs(sampled).argmax()], abs=2e-3)
+    assert abs(peak.value) >= np.abs(sampled).max() - 1e-9
+    assert peak.at_deg == pytest.approx(AT[np.abs(sampled).argmax()], abs=0.01)
+    assert SHAFT.mean_torque_N_m == pytest.approx(sampled.mean(), abs=1e-5)
+    assert SHAFT.mean_power_W == pytest.approx(sampled.mean() * SPEED, abs=1e-5)
+    assert SHAFT.rms_torque_N_m == pytest.approx(math.sqrt((sampled**2).mean()), abs=1e-5)
+    for name, expected in forces(AT).items():
+        force = SHAFT.peak_force(name)
+        assert abs(force.value) == pytest.approx(np.abs(expected).max(), rel=1e-4)
+        assert abs(force.value) >= np.abs(expected).max() - 1e-9
+
+
+def test_in_a_turn_the_shaft_pays_for_process_and_friction_alone() -> None:
+    """Masses, springs and weights give back what they took."""
+    rise = np.linspace(190, 205, 1_000_001)
+    pressed = np.trapezoid(100 + 40 * (rise - 190), die(rise).mm / 1000)
+    paid = float(pressed) + 20 * 0.1 + 35 * 0.1  # J: friction over 100 mm each
+    assert SHAFT.mean_torque_N_m * 2 * math.pi == pytest.approx(paid, rel=1e-9)
+    free = cm.Camshaft(SHAFT.diagram, SHAFT.loads)
+    assert free.mean_torque_N_m == pytest.approx(0, abs=1e-12)
+    assert free.rms_torque_N_m > 1
+
+
+@examples(25)
+@given(
+    st.sampled_from([*MONOTONE, *TURNING[1:2]]),
+    st.floats(40, 170),
+    st.floats(0, 360),
+    st.floats(0, 30),
+    st.floats(500, 9000),
+)
+def test_the_balance_of_energy(
+    law: cm.MotionLaw, angle: float, start: float, friction: float, rate: float
+) -> None:
+    """Friction is paid over the whole way, also over that of a law that overshoots."""
+    motion = make_die(min(angle, 129), law=law).shifted(start)
+    diagram = cm.TimingDiagram([motion], rate)
+    shaft = cm.Camshaft(diagram, {"die": DIE}, friction_N={"die": friction})
+    even = np.linspace(0, 1, 200_001)
+    way = np.abs(np.diff(law(even))).sum() * 50 / 1000
+    assert shaft.mean_torque_N_m * 2 * math.pi == pytest.approx(2 * friction * way, abs=1e-7)
+
+
+def test_a_weight_that_a_lift_carries_on_is_paid_for() -> None:
+    """An indexing motion does not give back what it has lifted: 200 N over 100 mm are 20 J."""
+    lift = cm.Camshaft(
+        make_diagram(make_mill()), {"mill": cm.FollowerLoad(mass_kg=20, weight_N=200)}
+    )
+    assert lift.mean_torque_N_m * 2 * math.pi == pytest.approx(20)
+
+
+def test_a_turret_asks_what_its_indexer_says() -> None:
+    """The inertia over the square of the radius at which its mm are measured is its mass."""
+    radius = 24 * 0.100 / (2 * math.pi)
+    load = cm.FollowerLoad(mass_kg=38.5 / radius**2)
+    for law in ("cycloidal", "modified sine", "modified trapezoid"):
+        shaft = cm.Camshaft(make_diagram(make_mill(150, law=law)), {"mill": load})
+        indexer = cm.Indexer(38.5, stops=24, time_s=0.75, law=law)
+        expected = indexer.peak_camshaft_torque_N_m(150)
+        assert abs(shaft.peak_torque().value) == pytest.approx(expected, rel=1e-9)
+        assert shaft.energy_swing_J == pytest.approx(indexer.kinetic_energy_J, rel=1e-9)
+
+
+def test_the_speed_swings_as_its_energy_has_it() -> None:
+    """By the whole energy of drive and masses, with a speed that is free to swing."""
+    heavy = 200.0
+    shaft = cm.Camshaft(SHAFT.diagram, SHAFT.loads, SHAFT.process, SHAFT.friction_N, heavy)
+    step = 2 * math.pi / COUNT
+    slopes = die(AT).velocity / SPEED, cycloid(AT, 0, 150, 100).velocity / SPEED  # m/rad
+    found = forces(AT)
+    rest = (found["die"] - 12 * die(AT).acceleration) * slopes[0]
+    rest += (found["mill"] - 40 * cycloid(AT, 0, 150, 100).acceleration) * slopes[1]
+    energy = heavy * SPEED**2 / 2 + np.cumsum(rest.mean() - rest) * step
+    speeds = np.sqrt(2 * energy / (heavy + 12 * slopes[0] ** 2 + 40 * slopes[1] ** 2))
+    swing = (speeds.max() - speeds.min()) / speeds.mean()
+    assert shaft.speed_ripple == pytest.approx(swing, rel=5e-3)
+    assert 0.005 < swing < 0.01
+
+
+def test_a_step_of_the_process_counts_from_both_sides() -> None:
+    """The die is pulled with up to 3000 N until 195 deg: the largest force is just before that."""
+    pulled = cm.ProcessForce(motion="die", from_deg=185, to_deg=195, force_N=0, last_N=-3000)
+    shaft = cm.Camshaft(make_diagram(), {"die": cm.FollowerLoad(mass_kg=12)}, [pulled])
+    peak = shaft.peak_force("die")
+    expected = 12 * 2 * math.pi * 0.050 / 0.275**2 * math.sin(2 * math.pi * 45 / 55) - 3000
+    assert peak.value == pytest.approx(expected)
+    assert peak.at_deg == pytest.approx(195)
+
+
+def test_a_force_over_the_end_of_the_turn() -> None:
+    force = cm.ProcessForce(motion="die", from_deg=350, to_deg=370, force_N=10, last_N=30)
+    assert force.at([345, 350, 0, 365, 10]).tolist() == [0, 10, 20, 25, 0]
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"loads": {"dye": DIE}}, "There is no motion 'dye': use one of 'mill', 'die'"),
+        ({"loads": {"die": 12}}, "given for loads is .*: say it by the name of a motion"),
+        ({"loads": [DIE]}, "given for loads is"),
+        ({"friction_N": {"mill": 3}}, "There is no load of a motion 'mill': use one of 'die'"),
+        ({"friction_N": {"die": -3}}, "friction is -3 N"),
+        ({"friction_N": 3}, "given for friction_N is 3"),
+        ({"process": [400]}, r"forces of the process are \[400\]: give a list of ProcessForce"),
+        ({"process": 400}, "forces of the process are 400"),
+        ({"inertia_kg_m2": -1}, "inertia of the drive is -1 kg m2"),
+        ({"loads": {"mill": DIE}}, "'mill' moves on from stop to stop, and no spring"),
+    ],
+)
+def test_bad_shafts(given: dict[str, object], said: str) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        cm.Camshaft(**{"diagram": make_diagram(), "loads": {"die": DIE}} | given)  # type: ignore[arg-type]
+
+
+def test_what_cannot_be_asked() -> None:
+    with pytest.raises(cm.InputError, match="There is no load of a motion 'dye'"):
+        SHAFT.force_N("dye", 0)
+    with pytest.raises(cm.InputError, match="There is no load of a motion 'dye'"):
+        SHAFT.peak_force("dye")
+    with pytest.raises(cm.InputError, match="inertia of the drive is 0 kg m2"):
+        _ = cm.Camshaft(make_diagram(), {"die": DIE}).speed_ripple
+    jumping = make_die(law=cm.CONSTANT_VELOCITY)
+    with pytest.raises(cm.InputError, match="velocity of 'die' jumps at 0 deg"):
+        cm.Camshaft(make_diagram(jumping), {"die": DIE})
+    with pytest.raises(cm.InputError, match="angle of a segment is 0 deg"):
+        cm.ProcessForce(motion="die", from_deg=10, to_deg=10, force_N=1)
+    with pytest.raises(cm.InputError, match="force of the process is inf N"):
+        cm.ProcessForce(motion="die", from_deg=10, to_deg=20, force_N=math.inf)
