@@ -1,76 +1,15 @@
-"""Forces and torque of a camshaft, against sums over samples and the balance of energy in a turn.
-
-The samples are of cycloids written out here; they know no span, no piece and no integral of ours.
-"""
+"""Forces and torque of a camshaft, against sums over samples and the balance of energy."""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from machines import MONOTONE, RATE, TURNING, Array, examples, make_diagram, make_die, make_mill
+from machines import MONOTONE, TURNING, examples, make_diagram, make_die, make_mill
+from shafts import AT, COUNT, DIE, SHAFT, SPEED, die, forces, mill, torque
 
 import cammotion as cm
-
-TURN_S = 3600 / RATE
-SPEED = 2 * math.pi / TURN_S
-COUNT = 360_000
-AT = (np.arange(COUNT) + 0.5) * 360 / COUNT
-DIE = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=5, preload_N=100, weight_N=117.7)
-MILL = cm.FollowerLoad(mass_kg=40)
-PRESSING = cm.ProcessForce(motion="die", from_deg=190, to_deg=205, force_N=100, last_N=700)
-SHAFT = cm.Camshaft(
-    make_diagram(make_mill(), make_die(120)),
-    {"die": DIE, "mill": MILL},
-    process=[PRESSING],
-    friction_N={"die": 20, "mill": 35},
-    inertia_kg_m2=2,
-)
-
-
-class Sampled(NamedTuple):
-    """Position in mm, velocity in m/s and acceleration in m/s2."""
-
-    mm: Array
-    velocity: Array
-    acceleration: Array
-
-
-def cycloid(at: Array, start: float, angle: float, stroke: float) -> Sampled:
-    """Return a rise, or with a negative stroke a return, that begins at 0 mm."""
-    x, tm = np.clip((at - start) / angle, 0, 1), angle / 360 * TURN_S
-    moves = (x > 0) & (x < 1)
-    w = 2 * math.pi * x
-    return Sampled(
-        stroke * (x - np.sin(w) / (2 * math.pi)),
-        moves * stroke / 1000 / tm * (1 - np.cos(w)),
-        moves * stroke / 1000 / tm**2 * 2 * math.pi * np.sin(w),
-    )
-
-
-def die(at: Array) -> Sampled:
-    """Return the die, down from 205 to 305 deg; its rise begins at 85, its return ends at 425."""
-    at = np.where(at < 65, at + 360, at)
-    both = zip(cycloid(at, 85, 120, 50), cycloid(at, 305, 120, -50), strict=True)
-    return Sampled(*(down + up for down, up in both))
-
-
-def forces(at: Array) -> dict[str, Array]:
-    moved, mill = die(at), cycloid(at, 0, 150, 100)
-    pressed = np.where((at >= 190) & (at < 205), 100 + 40 * (at - 190), 0)
-    standing = 5 * moved.mm + 217.7 + 20 * np.sign(moved.velocity) + pressed
-    return {
-        "die": 12 * moved.acceleration + standing,
-        "mill": 40 * mill.acceleration + 35 * np.sign(mill.velocity),
-    }
-
-
-def torque(at: Array) -> Array:
-    found = forces(at)
-    power = found["die"] * die(at).velocity + found["mill"] * cycloid(at, 0, 150, 100).velocity
-    return np.asarray(power / SPEED)
 
 
 def test_forces_and_torque_of_cycloids() -> None:
@@ -155,10 +94,10 @@ def test_the_speed_swings_as_its_energy_has_it() -> None:
     heavy = 200.0
     shaft = cm.Camshaft(SHAFT.diagram, SHAFT.loads, SHAFT.process, SHAFT.friction_N, heavy)
     step = 2 * math.pi / COUNT
-    slopes = die(AT).velocity / SPEED, cycloid(AT, 0, 150, 100).velocity / SPEED  # m/rad
+    slopes = die(AT).velocity / SPEED, mill(AT).velocity / SPEED  # m/rad
     found = forces(AT)
     rest = (found["die"] - 12 * die(AT).acceleration) * slopes[0]
-    rest += (found["mill"] - 40 * cycloid(AT, 0, 150, 100).acceleration) * slopes[1]
+    rest += (found["mill"] - 40 * mill(AT).acceleration) * slopes[1]
     energy = heavy * SPEED**2 / 2 + np.cumsum(rest.mean() - rest) * step
     speeds = np.sqrt(2 * energy / (heavy + 12 * slopes[0] ** 2 + 40 * slopes[1] ** 2))
     swing = (speeds.max() - speeds.min()) / speeds.mean()

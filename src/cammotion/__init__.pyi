@@ -1,4 +1,5 @@
 from .drive.camshaft import Camshaft, ProcessForce
+from .drive.rates import RateLimit, rate_limits
 from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.contact import Flights, follower_flights
 from .dynamics.loads import FollowerLoad
@@ -152,6 +153,7 @@ __all__ = [
     "PrintedLimits",
     "ProcessForce",
     "ProfileLift",
+    "RateLimit",
     "Ring",
     "RollerCam",
     "Rotor",
@@ -240,6 +242,7 @@ __all__ = [
     "polynomial",
     "predict",
     "progress",
+    "rate_limits",
     "read_cam_table",
     "read_segments",
     "residual_vibration",
