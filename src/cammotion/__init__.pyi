@@ -44,6 +44,7 @@ from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
+from .limits.reserves import Reserve, reserves
 from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.clearance import (
     ClearanceRule,
@@ -154,6 +155,7 @@ __all__ = [
     "ProcessForce",
     "ProfileLift",
     "RateLimit",
+    "Reserve",
     "Ring",
     "RollerCam",
     "Rotor",
@@ -245,6 +247,7 @@ __all__ = [
     "rate_limits",
     "read_cam_table",
     "read_segments",
+    "reserves",
     "residual_vibration",
     "return_",
     "rise",

@@ -1,0 +1,143 @@
+"""What is left until a rule breaks, against shifts and windows of samples."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import RULE, Array, die_mm, examples, make_diagram, make_die, make_mill, mill_off_mm
+from scipy.ndimage import maximum_filter1d
+
+import cammotion as cm
+
+STEP = 0.01
+AT: Array = np.linspace(0, 360, 36_000, endpoint=False)
+MIDDLE = 80.0  # of the mill: later than in the source, so that early and late differ
+DIAGRAM = make_diagram(make_mill(middle_deg=MIDDLE), make_die(100))
+DIE, MILL = die_mm(AT, 100), mill_off_mm(AT, middle_deg=MIDDLE)
+
+
+def windowed(values: Array, deg: float) -> Array:
+    """Return the largest of the values within so many deg before and after."""
+    return np.asarray(maximum_filter1d(values, 2 * round(deg / STEP) + 1, mode="wrap"))
+
+
+def breaks(die: Array, mill: Array) -> bool:
+    return bool(np.any((die > 19) & (mill > 0.65)))
+
+
+def first_shift(way: int) -> float:
+    """Return the first shift of the die in deg, later for 1, with which the rule breaks."""
+    return next(n * STEP for n in range(36_000) if breaks(np.roll(DIE, way * n), MILL))
+
+
+def test_how_much_earlier_and_later_the_die_may_be() -> None:
+    (full,) = cm.reserves(DIAGRAM, RULE)
+    assert full.early_deg == pytest.approx(first_shift(-1), abs=2 * STEP)
+    assert full.late_deg == pytest.approx(first_shift(1), abs=2 * STEP)
+    assert full.late_deg > full.early_deg + 5
+    assert full.deg == full.early_deg
+    assert full.times == math.inf
+    for way, reserve in ((-1, full.early_deg), (1, full.late_deg)):
+        for more, is_broken in ((-1e-6, False), (1e-6, True)):
+            moved = DIAGRAM.with_motion(DIAGRAM["die"].shifted(way * (reserve + more)))
+            assert bool(cm.find_violations(moved, RULE)) == is_broken
+
+
+@pytest.mark.parametrize(("phase", "off"), [(0, 0), (0.5, 0), (0, 0.1), (0.5, 0.1), (1.5, 0.3)])
+def test_what_errors_leave(phase: float, off: float) -> None:
+    (left,) = cm.reserves(DIAGRAM, RULE, phase_deg=phase, off_mm=off)
+    open_mill = windowed(MILL, 2 * phase) + off > 0.65
+    assert left.when_mm == pytest.approx(19 - off - DIE[open_mill].max(), abs=0.02)
+    deep_die = windowed(DIE, 2 * phase) + off > 19
+    assert left.other_mm == pytest.approx(0.65 - off - MILL[deep_die].max(), abs=0.02)
+    (full,) = cm.reserves(DIAGRAM, RULE)
+    assert left.deg <= full.deg - 2 * phase + 1e-9
+
+
+@pytest.mark.parametrize(("phase", "off"), [(0.5, 0), (0, 0.1), (0.5, 0.1), (3, 0.01)])
+def test_how_many_times_the_errors_a_rule_bears(phase: float, off: float) -> None:
+    (left,) = cm.reserves(DIAGRAM, RULE, phase_deg=phase, off_mm=off)
+    low, high = 0.0, 1000.0
+    for _ in range(40):
+        times = (low + high) / 2
+        die = windowed(DIE, min(2 * phase * times, 180)) + off * times
+        low, high = (low, times) if breaks(die, MILL + off * times) else (times, high)
+    assert left.times == pytest.approx(low, rel=0.01)
+
+
+@examples(30)
+@given(st.floats(60, 120), st.floats(0.05, 3), st.floats(-1, 1), st.floats(-1, 1))
+def test_no_errors_within_the_bearable_break_the_rule(
+    angle: float, phase: float, one: float, other: float
+) -> None:
+    """Any phases within what is borne are free, and of all of them some are just not."""
+    machine = make_diagram(make_mill(), make_die(angle))
+    (left,) = cm.reserves(machine, RULE, phase_deg=phase)
+    borne = left.times * phase
+
+    def shifted(die: float, mill: float) -> cm.TimingDiagram:
+        moved = machine.with_motion(machine["die"].shifted(die))
+        return moved.with_motion(machine["mill"].shifted(mill))
+
+    assert not cm.find_violations(shifted(0.9999 * one * borne, 0.9999 * other * borne), RULE)
+    worst = 1.0001 * borne
+    assert any(cm.find_violations(shifted(way * worst, -way * worst), RULE) for way in (-1, 1))
+
+
+def test_the_first_to_break_comes_first_and_errors_have_names() -> None:
+    loose = cm.ClearanceRule(cm.beyond("die", 40), only_while=cm.within("mill", 10))
+    first, second = cm.reserves(DIAGRAM, [loose, RULE], phase_deg=0.5, off_mm=0.1)
+    assert (first.rule, second.rule) == (RULE, loose)
+    assert 1 < first.times < second.times
+    (of_die,) = cm.reserves(DIAGRAM, RULE, phase_deg={"die": 1})
+    (of_both,) = cm.reserves(DIAGRAM, RULE, phase_deg=0.5)
+    assert (of_die.early_deg, of_die.late_deg) == pytest.approx(
+        (of_both.early_deg, of_both.late_deg)
+    )
+    (worn,) = cm.reserves(DIAGRAM, RULE, off_mm={"die": 0.1})
+    (full,) = cm.reserves(DIAGRAM, RULE)
+    assert worn.when_mm == pytest.approx(full.when_mm - 0.1)
+
+
+def test_a_broken_rule_has_less_than_nothing_left() -> None:
+    wide = make_diagram(make_mill(), make_die(127))
+    (broken,) = cm.reserves(wide, RULE, phase_deg=0.5)
+    spread = cm.reserves(make_diagram(make_mill(), make_die(124.8)), RULE, phase_deg=0.5)[0]
+    (violation, _) = cm.find_violations(wide, RULE)
+    assert broken.times == 0
+    assert spread.times < 1
+    assert spread.deg < 0
+    (sharp,) = cm.reserves(wide, RULE)
+    assert sharp.deg == pytest.approx(violation.start_deg - violation.end_deg)
+    assert sharp.when_mm == pytest.approx(-violation.excess_mm)
+    assert "broken; left are" in str(sharp)
+
+
+def test_what_cannot_break_has_no_end() -> None:
+    shallow = cm.ClearanceRule(cm.beyond("die", 60), only_while=cm.within("mill", 0.65))
+    (never,) = cm.reserves(DIAGRAM, shallow, phase_deg=5)
+    assert (never.deg, never.times, never.other_mm) == (math.inf,) * 3
+    assert never.when_mm == pytest.approx(60 - DIE[windowed(MILL, 10) > 0.65].max(), abs=0.02)
+
+
+def test_a_widest_move_has_nothing_left() -> None:
+    (touched,) = cm.reserves(cm.widest_move(make_diagram(), "die", RULE).diagram, RULE)
+    assert 0 <= touched.deg < 1e-6
+    assert [touched.when_mm, touched.other_mm] == pytest.approx([0, 0], abs=1e-6)
+    assert "only while the mill is within 0.65 mm: kept; left are" in str(touched)
+
+
+@pytest.mark.parametrize(
+    ("errors", "said"),
+    [
+        ({"phase_deg": -1}, "phase error is -1 deg"),
+        ({"off_mm": -1}, "error of the position is -1 mm"),
+        ({"phase_deg": {"dye": 1}}, "phase error is {'dye': 1}, and not every name in it"),
+        ({"off_mm": "much"}, "error of the position has to be a number in mm"),
+    ],
+)
+def test_bad_errors(errors: dict[str, float], said: str) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        cm.reserves(DIAGRAM, RULE, **errors)
