@@ -141,3 +141,33 @@ def test_a_widest_move_has_nothing_left() -> None:
 def test_bad_errors(errors: dict[str, float], said: str) -> None:
     with pytest.raises(cm.InputError, match=said):
         cm.reserves(DIAGRAM, RULE, **errors)
+
+
+@pytest.mark.parametrize(
+    ("deg", "mm"), [(0, 0), (1, 0), (0, 2), (1.5, 0.5), (20, 0), (0, 12), (8, 10)]
+)
+@pytest.mark.parametrize("name", ["die", "mill"])
+def test_the_widest_move_that_keeps_a_reserve(name: str, deg: float, mm: float) -> None:
+    """A tenth of a degree more, and samples no longer have the reserve; and it names the rule."""
+    machine = make_diagram(make_mill(), make_die())
+    found = cm.widest_move(machine, name, RULE, reserve_deg=deg, reserve_mm=mm)
+    (left,) = cm.reserves(found.diagram, RULE, phase_deg={"die": deg})
+    assert left.deg >= -1e-6
+    assert left.when_mm >= mm - 1e-6
+    assert min(left.deg, left.when_mm - mm) == pytest.approx(0, abs=1e-5)
+    assert found.tight is not None
+    assert found.tight.rule == RULE
+    for more, is_short in ((-0.1, False), (0.1, True)):
+        width = found.angle_deg + more
+        die, mill = (width, 150) if name == "die" else (55, width)
+        deep = windowed(die_mm(AT, die), deg) + mm > 19
+        assert bool(np.any(deep & (mill_off_mm(AT, mill) > 0.65))) == is_short
+
+
+def test_a_reserve_that_there_is_not() -> None:
+    with pytest.raises(cm.InputError, match="keeps the rules with 80 deg and 0 mm to spare: how"):
+        cm.widest_move(make_diagram(), "die", RULE, reserve_deg=80)
+    with pytest.raises(cm.InputError, match="reserve is -1 deg"):
+        cm.widest_move(make_diagram(), "die", RULE, reserve_deg=-1)
+    with pytest.raises(cm.InputError, match="reserve is -1 mm"):
+        cm.widest_move(make_diagram(), "die", RULE, reserve_mm=-1)
