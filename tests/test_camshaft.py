@@ -82,6 +82,15 @@ def test_a_weight_that_a_lift_carries_on_is_paid_for() -> None:
     assert lift.mean_torque_N_m * 2 * math.pi == pytest.approx(20)
 
 
+def test_a_spring_counts_from_the_lowest_position() -> None:
+    """The same die on a frame that is 30 mm higher asks the same."""
+    parts = cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=55), cm.dwell(150)
+    high = cm.motion("die", *parts, start_deg=150, start_mm=30)
+    low, raised = (cm.Camshaft(make_diagram(m), {"die": DIE}) for m in (make_die(), high))
+    assert raised.force_N("die", 250) == low.force_N("die", 250) == 5 * 50 + 217.7
+    assert raised.peak_force("die").value == pytest.approx(low.peak_force("die").value)
+
+
 def test_a_turret_asks_what_its_indexer_says() -> None:
     """The inertia over the square of the radius at which its mm are measured is its mass."""
     radius = 24 * 0.100 / (2 * math.pi)

@@ -58,18 +58,12 @@ class ProcessForce:
         for force in (self.force_N, self.last_N):
             _FORCE.number(0 if force is None else force)
 
-    def at(self, angle_deg: ArrayLike, of: float | None = None) -> Numbers:
-        """Return the force in N at a cam angle in deg, 0 outside of the arc.
-
-        At an end of the arc it is that of the side on which the angle `of` is.
-        """
-        angle = CAM_ANGLE.array(angle_deg)
-        inside = angle if of is None else of
-        since = (inside - self.from_deg) % DEG_PER_TURN
-        share = (since + (angle - inside)) / (self.to_deg - self.from_deg)
+    def at(self, angle_deg: ArrayLike) -> Numbers:
+        """Return the force in N at a cam angle in deg, 0 outside of the arc."""
+        width = self.to_deg - self.from_deg
+        share = (CAM_ANGLE.array(angle_deg) - self.from_deg) % DEG_PER_TURN / width
         last = self.force_N if self.last_N is None else self.last_N
-        is_on = since < self.to_deg - self.from_deg
-        return plain(np.where(is_on, self.force_N + (last - self.force_N) * share, 0.0))
+        return plain(np.where(share < 1, self.force_N + (last - self.force_N) * share, 0.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,7 +214,7 @@ class Camshaft:
         The first part goes with the square of the rate, the second is the same at every rate.
         """
         moved = span.moved(name, angles, self.diagram.cycle_time_s)
-        worked = self._worked(name, angles, span.middle)
+        worked = self._worked(name, angles)
         return self._inertia(name, moved), self._standing(name, moved, span.way(name), worked)
 
     def torque_parts(self, span: Span, angles: Floats) -> tuple[Floats, Floats]:
@@ -261,8 +255,8 @@ class Camshaft:
         standing = self.loads[name].standing_N(lift) + self.friction_N.get(name, 0.0) * way
         return np.asarray(standing + worked)
 
-    def _worked(self, name: str, angle: Floats, of: float | None = None) -> Floats:
-        forces = (force.at(angle, of) for force in self.process if force.motion == name)
+    def _worked(self, name: str, angle: Floats) -> Floats:
+        forces = (force.at(angle) for force in self.process if force.motion == name)
         return sum(map(np.asarray, forces), np.zeros(np.shape(angle)))
 
     def _check_motion(self, name: str) -> None:
