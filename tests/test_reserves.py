@@ -122,11 +122,29 @@ def test_what_cannot_break_has_no_end() -> None:
     assert never.when_mm == pytest.approx(60 - DIE[windowed(MILL, 10) > 0.65].max(), abs=0.02)
 
 
+def test_a_peak_within_reach_counts() -> None:
+    """A gate that is up for a moment 15 deg after the mill is gone, and may be 20 deg early."""
+    parts = cm.rise(20, over_deg=20), cm.return_(20, over_deg=20), cm.dwell(320)
+    gone = make_mill().where_beyond(0.65)[0][1]
+    gate = cm.motion("gate", *parts, start_deg=gone + 15 - 20)
+    rule = cm.ClearanceRule(cm.beyond("gate", 5), only_while=cm.within("mill", 0.65))
+    (left,) = cm.reserves(make_diagram(make_mill(), gate), rule, phase_deg={"gate": 20})
+    assert left.when_mm == pytest.approx(5 - 20)
+
+
 def test_a_widest_move_has_nothing_left() -> None:
     (touched,) = cm.reserves(cm.widest_move(make_diagram(), "die", RULE).diagram, RULE)
     assert 0 <= touched.deg < 1e-6
     assert [touched.when_mm, touched.other_mm] == pytest.approx([0, 0], abs=1e-6)
     assert "only while the mill is within 0.65 mm: kept; left are" in str(touched)
+
+
+def test_to_touch_is_to_have_nothing_left_wherever_the_turn_begins() -> None:
+    found = cm.widest_move(make_diagram(), "die", RULE).diagram
+    for later in np.random.default_rng(5).uniform(0, 360, 60):
+        turned = make_diagram(*(motion.shifted(later) for motion in found.motions))
+        (touched,) = cm.reserves(turned, RULE)
+        assert abs(touched.deg) < 1e-6
 
 
 @pytest.mark.parametrize(

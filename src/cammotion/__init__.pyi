@@ -44,6 +44,7 @@ from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
+from .limits.quickest import quickest_move
 from .limits.reserves import Reserve, reserves
 from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.clearance import (
@@ -244,6 +245,7 @@ __all__ = [
     "polynomial",
     "predict",
     "progress",
+    "quickest_move",
     "rate_limits",
     "read_cam_table",
     "read_segments",

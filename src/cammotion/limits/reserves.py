@@ -11,7 +11,7 @@ from itertools import product
 from typing import Any
 
 from cammotion.laws.piece import bisect
-from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement, unwrap
+from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement
 from cammotion.machine.clearance import (
     ClearanceRule,
     Condition,
@@ -176,9 +176,8 @@ def _gaps(diagram: TimingDiagram, rule: ClearanceRule) -> tuple[float, float]:
     if broken := rule.violated_arcs(diagram):
         longest = max(end - start for start, end in broken)
         return -longest, -longest
-    these = unwrap(rule.when.arcs(diagram))
-    those = unwrap(rule.only_while.opposite.arcs(diagram))
-    pairs = list(product(these, those))
+    open_arcs = rule.only_while.opposite.arcs(diagram)
+    pairs = list(product(rule.when.arcs(diagram), open_arcs))
     early = [_ahead(start - end) for (start, _), (_, end) in pairs]
     late = [_ahead(start - end) for (_, end), (start, _) in pairs]
     return min(early, default=math.inf), min(late, default=math.inf)
