@@ -13,6 +13,7 @@ from scipy.optimize import linprog
 import cammotion as cm
 
 INF = math.inf
+LIMITED = {"velocity": 0.3, "jerk": 200}
 RUCKIG = [  # mm, m/s, m/s2, m/s3 and the time in s
     (50, INF, 4, 200, 0.2444994432064365),
     (50, 0.3, 4, 200, 0.26166666666666666),
@@ -52,6 +53,16 @@ def test_another_program_is_as_quick(
     law = cm.as_law(move.law)
     assert law([0, 0.5, 1]) == pytest.approx([0, 0.5, 1], abs=1e-12)
     assert law(0, derivative=1) == law(1, derivative=1) == 0
+
+
+@pytest.mark.parametrize(
+    ("limits", "pieces"),
+    [({}, 2), ({"velocity": 0.3}, 4), ({"jerk": 200}, 6), ({"jerk": 1}, 4), (LIMITED, 8)],
+)
+def test_segments_that_it_does_not_need_are_left_out(limits: dict[str, float], pieces: int) -> None:
+    """Seven, of which the one in the middle is in two halves."""
+    move = cm.quickest_move(50, acceleration=4, rate_per_hour=100, **limits)
+    assert len(cm.as_law(move.law).curve.pieces) == pieces
 
 
 def longest_mm(time: float, velocity: float, acceleration: float, jerk: float) -> float:

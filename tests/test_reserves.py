@@ -124,9 +124,9 @@ def test_what_cannot_break_has_no_end() -> None:
 
 def test_a_peak_within_reach_counts() -> None:
     """A gate that is up for a moment 15 deg after the mill is gone, and may be 20 deg early."""
-    parts = cm.rise(20, over_deg=20), cm.return_(20, over_deg=20), cm.dwell(320)
+    parts = cm.rise(20, over_deg=30), cm.return_(20, over_deg=20), cm.dwell(310)
     gone = make_mill().where_beyond(0.65)[0][1]
-    gate = cm.motion("gate", *parts, start_deg=gone + 15 - 20)
+    gate = cm.motion("gate", *parts, start_deg=gone + 15 - 30)
     rule = cm.ClearanceRule(cm.beyond("gate", 5), only_while=cm.within("mill", 0.65))
     (left,) = cm.reserves(make_diagram(make_mill(), gate), rule, phase_deg={"gate": 20})
     assert left.when_mm == pytest.approx(5 - 20)
@@ -174,7 +174,9 @@ def test_the_widest_move_that_keeps_a_reserve(name: str, deg: float, mm: float) 
     assert left.when_mm >= mm - 1e-6
     assert min(left.deg, left.when_mm - mm) == pytest.approx(0, abs=1e-5)
     assert found.tight is not None
+    smallest = cm.smallest_clearance(found.diagram, found.tight.rule)
     assert found.tight.rule == RULE
+    assert found.tight.clearance_mm == pytest.approx(smallest.clearance_mm, abs=1e-9)
     for more, is_short in ((-0.1, False), (0.1, True)):
         width = found.angle_deg + more
         die, mill = (width, 150) if name == "die" else (55, width)

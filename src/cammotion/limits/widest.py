@@ -17,6 +17,7 @@ from cammotion.machine.clearance import (
     Violation,
     as_rules,
     find_violations,
+    smallest_clearance,
 )
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -35,7 +36,8 @@ class WidestMove:
 
     `diagram` is the diagram with that move in it, `motion` the name of the motion and `angles_deg`
     the indexing angles Bm of its moves. `tight` is the clearance that is used up; it is None where
-    nothing but the turn of 360 deg sets the bound. `elsewhere` are violations of rules in which
+    nothing but the turn of 360 deg sets the bound, and where a reserve was asked for it is what is
+    left. `elsewhere` are violations of rules in which
     the motion has no part: no move of it can mend them, and none is to blame for them.
     """
 
@@ -174,7 +176,12 @@ def _tight(
     for _, _, rule, where in meetings:
         rooms = [half.room_mm(diagram, where) for half in (rule.when, rule.only_while)]
         if max(map(abs, rooms)) < _TOUCHING_MM:
-            return Clearance(rules[rule], rules[rule].when.room_mm(diagram, where), where)
+            loose = rules[rule]
+            return (
+                Clearance(rule, rooms[0], where)
+                if loose is rule
+                else smallest_clearance(diagram, loose)
+            )
     return None
 
 
