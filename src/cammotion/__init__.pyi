@@ -1,4 +1,5 @@
-from .drive.camshaft import Camshaft, ProcessForce
+from .drive.camshaft import Camshaft
+from .drive.process import ProcessForce
 from .drive.rates import RateLimit, rate_limits
 from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.contact import Flights, follower_flights

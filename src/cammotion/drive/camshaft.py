@@ -19,51 +19,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.bracketed import Extreme, summit
-from cammotion.drive.spans import Moved, Span, SpanFunction, integral, running_extremes, spans
+from cammotion.drive.process import ProcessForce
+from cammotion.drive.spans import Moved, Span, SpanFunction, nodes, running_extremes, spans
 from cammotion.dynamics.loads import FollowerLoad
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE
+from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, one_of, plain, shorten
 
-_FORCE = Quantity("force of the process", "N", example=400, low=-math.inf)
 _FRICTION = Quantity("friction", "N", example=20, low_included=True)
 _INERTIA = Quantity("inertia of the drive", "kg m2", example=2)
-
-
-@dataclass(frozen=True, kw_only=True)
-class ProcessForce:
-    """A force in N that the process has on a mechanism over an arc of the turn.
-
-    Above 0 it pushes towards lower positions, so that a rise works against it. It goes evenly from
-    `force_N` to `last_N`; without that it stays what it is. `to_deg` is above `from_deg`, and above
-    360 where the arc crosses 360. Raises InputError for numbers that are not finite, and an arc
-    that is not above 0 and at most 360 deg.
-
-    >>> pressing = ProcessForce(motion="die", from_deg=190, to_deg=205, force_N=0, last_N=600)
-    >>> pressing.at([180, 195, 204.99, 210]).round(1)
-    array([  0. , 200. , 599.6,   0. ])
-    """
-
-    motion: str
-    from_deg: float
-    to_deg: float
-    force_N: float  # noqa: N815 - newton
-    last_N: float | None = None  # noqa: N815
-
-    def __post_init__(self) -> None:
-        for angle in (self.from_deg, self.to_deg):
-            CAM_ANGLE.number(angle)
-        PART_ANGLE.number(self.to_deg - self.from_deg)
-        for force in (self.force_N, self.last_N):
-            _FORCE.number(0 if force is None else force)
-
-    def at(self, angle_deg: ArrayLike) -> Numbers:
-        """Return the force in N at a cam angle in deg, 0 outside of the arc."""
-        width = self.to_deg - self.from_deg
-        share = (CAM_ANGLE.array(angle_deg) - self.from_deg) % DEG_PER_TURN / width
-        last = self.force_N if self.last_N is None else self.last_N
-        return plain(np.where(share < 1, self.force_N + (last - self.force_N) * share, 0.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,19 +60,10 @@ class Camshaft:
 
     def __post_init__(self) -> None:
         as_diagram(self.diagram)
-        for name, kind, fix in (
-            ("loads", FollowerLoad, "{'die': FollowerLoad(mass_kg=12)}"),
-            ("friction_N", object, "{'die': 20}"),
-        ):
-            given: Any = getattr(self, name)
-            if not isinstance(given, Mapping) or not all(
-                isinstance(each, kind) for each in given.values()
-            ):
-                raise InputError(
-                    f"What is given for {name} is {shorten(given)}: say it by the name of a "
-                    f"motion, for example {name}={fix}."
-                )
-            object.__setattr__(self, name, MappingProxyType(dict(given)))
+        known = _by_name(self.loads, FollowerLoad, "loads={'die': FollowerLoad(mass_kg=12)}")
+        object.__setattr__(self, "loads", known)
+        held_back = _by_name(self.friction_N, object, "friction_N={'die': 20}")
+        object.__setattr__(self, "friction_N", held_back)
         forces: Any = self.process
         process = tuple(forces) if isinstance(forces, Iterable) else (None,)
         if not all(isinstance(force, ProcessForce) for force in process):
@@ -147,33 +103,34 @@ class Camshaft:
 
     def peak_force(self, name: str) -> Extreme:
         """Return the largest force of a mechanism in N, of either sign, and the cam angle of it."""
-        self._loaded(name)
-        return self._peak(lambda span, at: np.add(*self.force_parts(span, at, name)))
+        own = self.spans_of(self._loaded(name))
+        return _peak(lambda span, at: np.add(*self.force_parts(span, at, name)), own)
 
     def peak_torque(self) -> Extreme:
         """Return the largest torque on the shaft in N m, of either sign, and the cam angle."""
-        return self._peak(self._torque)
+        return _peak(self._torque, self.spans)
 
     @property
     def speed_rad_s(self) -> float:
         """The speed of the shaft in rad/s."""
-        return 2 * math.pi / self.diagram.cycle_time_s
+        return 2 * math.pi / self._cycle_s
 
-    @cached_property
+    @property
     def mean_torque_N_m(self) -> float:  # noqa: N802
         """The mean torque in N m: what process and friction take, since masses give all back."""
-        return integral(self._torque, self.spans) / DEG_PER_TURN
+        torque, weights = self._at_nodes
+        return float(weights @ torque)
 
     @property
     def mean_power_W(self) -> float:  # noqa: N802
         """The mean power in W."""
         return self.mean_torque_N_m * self.speed_rad_s
 
-    @cached_property
+    @property
     def rms_torque_N_m(self) -> float:  # noqa: N802
         """The root mean square of the torque in N m, as it heats a motor that turns evenly."""
-        mean_square = integral(lambda span, at: self._torque(span, at) ** 2, self.spans)
-        return math.sqrt(mean_square / DEG_PER_TURN)
+        torque, weights = self._at_nodes
+        return math.sqrt(float(weights @ torque**2))
 
     @cached_property
     def energy_swing_J(self) -> float:  # noqa: N802
@@ -205,23 +162,27 @@ class Camshaft:
     @cached_property
     def spans(self) -> tuple[Span, ...]:
         """The turn, cut where a loaded motion is not smooth or a force of the process begins."""
-        motions = [self.diagram[name] for name in self.loads]
-        return spans(motions, [end for p in self.process for end in (p.from_deg, p.to_deg)])
+        return self._spans(*self.loads)
+
+    def spans_of(self, name: str) -> tuple[Span, ...]:
+        """Return the turn, cut where one mechanism is not smooth or a force on it begins."""
+        if name not in self._own_spans:  # a rate and a peak ask for the same
+            self._own_spans[name] = self._spans(name)
+        return self._own_spans[name]
 
     def force_parts(self, span: Span, angles: Floats, name: str) -> tuple[Floats, Floats]:
         """Return the force in N of a mechanism at angles in a span: of its mass, and the rest.
 
         The first part goes with the square of the rate, the second is the same at every rate.
         """
-        moved = span.moved(name, angles, self.diagram.cycle_time_s)
-        worked = self._worked(name, angles)
-        return self._inertia(name, moved), self._standing(name, moved, span.way(name), worked)
+        moved = span.moved(name, angles, self._cycle_s)
+        return self._parts(name, moved, span.way(name), angles)
 
     def torque_parts(self, span: Span, angles: Floats) -> tuple[Floats, Floats]:
         """Return the torque in N m at angles in a span: of the masses, and the rest."""
         inertia, standing = np.zeros(angles.shape), np.zeros(angles.shape)
         for name in filter(span.moves, self.loads):
-            arm = span.moved(name, angles, self.diagram.cycle_time_s).velocity / self.speed_rad_s
+            arm = span.moved(name, angles, self._cycle_s).velocity / self.speed_rad_s
             of_mass, rest = self.force_parts(span, angles, name)
             inertia += arm * of_mass
             standing += arm * rest
@@ -233,31 +194,45 @@ class Camshaft:
     def _torque(self, span: Span, angles: Floats) -> Floats:
         return np.add(*self.torque_parts(span, angles))
 
-    def _peak(self, function: SpanFunction) -> Extreme:
-        found, span = summit(lambda span, at: np.abs(function(span, at)), self.spans)
-        value = float(function(span, np.array([found.at_deg]))[0])
-        return Extreme(value, found.at_deg % DEG_PER_TURN)
+    @cached_property
+    def _at_nodes(self) -> tuple[Floats, Floats]:
+        """The torque at places of the turn, and what share each has in its mean."""
+        placed = [(span, *nodes(span)) for span in self.spans]
+        torque = [self._torque(span, places) for span, places, _ in placed]
+        weights = [weights for _, _, weights in placed]
+        return np.concatenate(torque), np.concatenate(weights) / DEG_PER_TURN
+
+    @cached_property
+    def _own_spans(self) -> dict[str, tuple[Span, ...]]:
+        return {}
+
+    def _spans(self, *names: str) -> tuple[Span, ...]:
+        forces = (force for force in self.process if force.motion in names)
+        ends = [end for force in forces for end in (force.from_deg, force.to_deg)]
+        return spans([self.diagram[name] for name in names], ends)
+
+    @cached_property
+    def _cycle_s(self) -> float:
+        return self.diagram.cycle_time_s
 
     def _force(self, name: str, angle: Floats) -> tuple[Floats, Floats]:
         """Return the force in N of a mechanism at any angles, and its velocity in m/s there."""
         motion, rate = self.diagram[name], self.diagram.rate_per_hour
         derivatives = (motion.derivative(order, angle, rate) for order in (1, 2))
         moved = Moved(*map(np.asarray, (motion.position_mm(angle), *derivatives)))
-        standing = self._standing(name, moved, np.sign(moved.velocity), self._worked(name, angle))
-        return self._inertia(name, moved) + standing, moved.velocity
+        return np.add(*self._parts(name, moved, np.sign(moved.velocity), angle)), moved.velocity
 
-    def _inertia(self, name: str, moved: Moved) -> Floats:
-        return self.loads[name].mass_kg * moved.acceleration
+    def _parts(self, name: str, moved: Moved, way: Numbers, angle: Floats) -> tuple[Floats, Floats]:
+        """Return the force of the mass, and that of all else; `way` is where it moves, 1 for up."""
+        load, friction = self.loads[name], self.friction_N.get(name, 0.0)
+        standing = load.standing_N(moved.position_mm - self._lowest_mm[name]) + friction * way
+        for force in self.process:
+            standing = standing + force.at(angle) if force.motion == name else standing
+        return load.mass_kg * moved.acceleration, np.asarray(standing)
 
-    def _standing(self, name: str, moved: Moved, way: Numbers, worked: Floats) -> Floats:
-        """Return the force of spring, weight, friction and process; `way` is where it moves."""
-        lift = moved.position_mm - self.diagram[name].range_mm[0]
-        standing = self.loads[name].standing_N(lift) + self.friction_N.get(name, 0.0) * way
-        return np.asarray(standing + worked)
-
-    def _worked(self, name: str, angle: Floats) -> Floats:
-        forces = (force.at(angle) for force in self.process if force.motion == name)
-        return sum(map(np.asarray, forces), np.zeros(np.shape(angle)))
+    @cached_property
+    def _lowest_mm(self) -> dict[str, float]:
+        return {name: self.diagram[name].range_mm[0] for name in self.loads}
 
     def _check_motion(self, name: str) -> None:
         motion, load = self.diagram[name], self.loads[name]
@@ -271,3 +246,19 @@ class Camshaft:
                 f"The motion {name!r} moves on from stop to stop, and no spring goes with it: give "
                 "its load without stiffness_N_per_mm."
             )
+
+
+def _by_name(given: Any, kind: type, example: str) -> Mapping[str, Any]:
+    if isinstance(given, Mapping) and all(isinstance(each, kind) for each in given.values()):
+        return MappingProxyType(dict(given))
+    raise InputError(
+        f"The {example.partition('=')[0]} are {shorten(given)}: say them by the names of motions, "
+        f"for example {example}."
+    )
+
+
+def _peak(function: SpanFunction, over: Sequence[Span]) -> Extreme:
+    """Return what has the largest magnitude, with its sign."""
+    found, span = summit(lambda span, at: np.abs(function(span, at)), over)
+    value = float(function(span, np.array([found.at_deg]))[0])
+    return Extreme(value, found.at_deg % DEG_PER_TURN)

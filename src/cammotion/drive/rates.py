@@ -10,7 +10,7 @@ and what the machine bears is the least of these over the turn.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -138,23 +138,22 @@ def _accelerations(
 
 def _forces(shaft: Camshaft, limits: float | Mapping[str, float] | None) -> Iterator[RateLimit]:
     for name, limit in _by_name(limits, _FORCE, tuple(shaft.loads)).items():
-        rate, at_deg = _rate(shaft, partial(shaft.force_parts, name=name), limit)
-        if faster := _at_rate(shaft, rate):
-            _check(faster.peak_force(name).value, limit, rate)
+        parts = partial(shaft.force_parts, name=name)
+        rate, at_deg = _rate(shaft, parts, shaft.spans_of(name), limit)
         yield RateLimit(rate, "force", limit, name, at_deg)
 
 
 def _torque(shaft: Camshaft, limit: float) -> RateLimit:
-    rate, at_deg = _rate(shaft, shaft.torque_parts, limit)
-    faster = _at_rate(shaft, rate)
-    if faster:
-        _check(faster.peak_torque().value, limit, rate)
-    asked, place = faster or shaft, at_deg or 0.0
+    rate, at_deg = _rate(shaft, shaft.torque_parts, shaft.spans, limit)
+    at_rate = shaft.diagram.at_rate(rate) if 0 < rate < math.inf else shaft.diagram
+    asked, place = replace(shaft, diagram=at_rate), at_deg or 0.0
     largest_part = max(shaft.loads, key=lambda name: abs(asked.torque_N_m(place, name)))
     return RateLimit(rate, "torque", limit, largest_part, at_deg)
 
 
-def _rate(shaft: Camshaft, parts: Parts, limit: float) -> tuple[float, float | None]:
+def _rate(
+    shaft: Camshaft, parts: Parts, over: Sequence[Span], limit: float
+) -> tuple[float, float | None]:
     """Return the rate at which a limit is met, and where; infinity and None for none."""
 
     def share(span: Span, angles: Floats) -> Floats:
@@ -162,21 +161,20 @@ def _rate(shaft: Camshaft, parts: Parts, limit: float) -> tuple[float, float | N
         room = limit - np.sign(inertia) * standing
         return np.abs(inertia) / np.maximum(room, _LEAST)
 
-    most = largest(lambda span, angles: np.abs(parts(span, angles)[1]), shaft.spans)
+    def asked(span: Span, angles: Floats, faster: float) -> Floats:
+        """Return what is asked with so many times the square of the rate."""
+        inertia, standing = parts(span, angles)
+        return np.abs(faster * inertia + standing)
+
+    most = largest(partial(asked, faster=0.0), over)
     if most.value > limit * (1 + _SAME):
         return 0.0, most.at_deg
-    found = largest(share, shaft.spans)
+    found = largest(share, over)
     if found.value <= 0:
         return math.inf, None
-    return shaft.diagram.rate_per_hour / math.sqrt(found.value), found.at_deg
-
-
-def _at_rate(shaft: Camshaft, rate: float) -> Camshaft | None:
-    """Return the shaft at a rate; None at one that no machine has."""
-    return replace(shaft, diagram=shaft.diagram.at_rate(rate)) if 0 < rate < math.inf else None
-
-
-def _check(peak: float, limit: float, rate: float) -> None:
-    if not math.isclose(abs(peak), limit, rel_tol=_SAME):
-        found = f"at {rate:g} pieces/h the peak is {abs(peak):g} and not {limit:g}"
-        raise WrongAnswerError("rate_limits", found)
+    rate = shaft.diagram.rate_per_hour / math.sqrt(found.value)
+    peak = largest(partial(asked, faster=1 / found.value), over).value
+    if not math.isclose(peak, limit, rel_tol=_SAME):
+        told = f"at {rate:g} pieces/h the peak is {peak:g} and not {limit:g}"
+        raise WrongAnswerError("rate_limits", told)
+    return rate, found.at_deg

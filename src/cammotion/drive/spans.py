@@ -86,10 +86,10 @@ def spans(motions: Sequence[Motion], ends_deg: Iterable[float]) -> tuple[Span, .
     return tuple(Span(low, high, motions) for low, high in pairwise([*ends, turn]))
 
 
-def integral(function: SpanFunction, over: Iterable[Span]) -> float:
-    """Return the integral of a function of the cam angle over spans; its unit times deg."""
-    ends = ((span, np.array([span.low, span.high])) for span in over)
-    return float(sum(_integrals(function, *each)[0] for each in ends))
+def nodes(span: Span) -> tuple[Floats, Floats]:
+    """Return places in a span, and the weights in deg with which values there are integrated."""
+    places, weights = _gauss(np.array([span.low, span.high]))
+    return places.ravel(), weights.ravel()
 
 
 def running_extremes(function: SpanFunction, over: Iterable[Span]) -> tuple[float, float]:
@@ -118,12 +118,16 @@ def _roots(function: SpanFunction, span: Span) -> Iterator[float]:
 
 def _integrals(function: SpanFunction, span: Span, places: Floats) -> Floats:
     """Return the integrals between each two neighbours of some places in a span."""
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    half = np.diff(places) / 2
-    inside = places[:-1, None] + half[:, None] * (1 + nodes)
+    inside, weights = _gauss(places)
     values = function(span, inside.ravel()).reshape(inside.shape)
-    integrals: Floats = half * (values @ weights)
-    return integrals
+    return np.asarray((values * weights).sum(axis=1))
+
+
+def _gauss(places: Floats) -> tuple[Floats, Floats]:
+    """Return the nodes of Gauss and Legendre between each two neighbours, and their weights."""
+    inside, weights = np.polynomial.legendre.leggauss(_NODES)
+    half = np.diff(places)[:, None] / 2
+    return places[:-1, None] + half * (1 + inside), half * weights
 
 
 def _ends(motion: Motion) -> Iterator[float]:
