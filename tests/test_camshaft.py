@@ -119,6 +119,21 @@ def test_the_speed_swings_as_its_energy_has_it() -> None:
     assert 0.005 < swing < 0.01
 
 
+def test_a_start_speeds_up_the_masses_too() -> None:
+    """All that moves has the energy of the inertia that is reflected."""
+    some = AT[::997]
+    energy = 2 * SPEED**2 / 2 + 12 * die(some).velocity ** 2 / 2 + 40 * mill(some).velocity ** 2 / 2
+    assert SHAFT.reflected_inertia_kg_m2(some) * SPEED**2 / 2 == pytest.approx(energy)
+    assert SHAFT.reflected_inertia_kg_m2(180) == SHAFT.at_rate(500).reflected_inertia_kg_m2(180)
+
+
+def test_twice_the_rate_is_four_times_the_torque_of_masses() -> None:
+    load = {"mill": cm.FollowerLoad(mass_kg=40)}
+    shaft = cm.Camshaft(make_diagram(), load)
+    assert shaft.at_rate(4000).rms_torque_N_m == pytest.approx(4 * shaft.rms_torque_N_m)
+    assert shaft.at_rate(4000).mean_torque_N_m == pytest.approx(0, abs=1e-12)
+
+
 def test_a_step_of_the_process_counts_from_both_sides() -> None:
     """The die is pulled with up to 3000 N until 195 deg: the largest force is just before that."""
     pulled = cm.ProcessForce(motion="die", from_deg=185, to_deg=195, force_N=0, last_N=-3000)

@@ -10,7 +10,7 @@ positive while the shaft drives, negative while the mechanisms do.
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any
@@ -80,6 +80,10 @@ class Camshaft:
         for name in self.loads:
             self._check_motion(name)
 
+    def at_rate(self, rate_per_hour: float) -> "Camshaft":
+        """Return the same shaft at another machine rate, in pieces/h."""
+        return replace(self, diagram=self.diagram.at_rate(rate_per_hour))
+
     def force_N(self, name: str, angle_deg: ArrayLike) -> Numbers:  # noqa: N802 (here and below)
         """Return the force in N that the cam has on a mechanism at a cam angle, a number or array.
 
@@ -100,6 +104,23 @@ class Camshaft:
         names = self.loads if name is None else [self._loaded(name)]
         power = (force * velocity for force, velocity in (self._force(n, angle) for n in names))
         return plain(sum(power, np.zeros(angle.shape)) / self.speed_rad_s)
+
+    def reflected_inertia_kg_m2(self, angle_deg: ArrayLike) -> Numbers:
+        """Return what a start has to speed up at a cam angle, in kg m2: drive and all masses.
+
+        A mass counts with the square of its way in m for each rad of the shaft.
+
+        >>> import cammotion as cm
+        >>> shaft = Camshaft(cm.EXAMPLE.diagram, {"die": FollowerLoad(mass_kg=12)}, inertia_kg_m2=2)
+        >>> shaft.reflected_inertia_kg_m2([150, 177.5]).round(3)
+        array([2.  , 2.13])
+        """
+        angle, rate = CAM_ANGLE.array(angle_deg), self.diagram.rate_per_hour
+        inertia = np.full(angle.shape, float(self.inertia_kg_m2))
+        for name, load in self.loads.items():
+            velocity = self.diagram[name].derivative(1, angle, rate)
+            inertia += load.mass_kg * (velocity / self.speed_rad_s) ** 2
+        return plain(inertia)
 
     def peak_force(self, name: str) -> Extreme:
         """Return the largest force of a mechanism in N, of either sign, and the cam angle of it."""

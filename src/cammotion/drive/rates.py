@@ -11,7 +11,7 @@ and what the machine bears is the least of these over the turn.
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -145,8 +145,7 @@ def _forces(shaft: Camshaft, limits: float | Mapping[str, float] | None) -> Iter
 
 def _torque(shaft: Camshaft, limit: float) -> RateLimit:
     rate, at_deg = _rate(shaft, shaft.torque_parts, shaft.spans, limit)
-    at_rate = shaft.diagram.at_rate(rate) if 0 < rate < math.inf else shaft.diagram
-    asked, place = replace(shaft, diagram=at_rate), at_deg or 0.0
+    asked, place = shaft.at_rate(rate) if 0 < rate < math.inf else shaft, at_deg or 0.0
     largest_part = max(shaft.loads, key=lambda name: abs(asked.torque_N_m(place, name)))
     return RateLimit(rate, "torque", limit, largest_part, at_deg)
 
