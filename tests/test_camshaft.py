@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from machines import MONOTONE, examples, make_diagram, make_die, make_mill
-from shafts import AT, COUNT, DIE, SHAFT, SPEED, die, forces, mill, torque
+from shafts import AT, COUNT, DIE, PRESSING, SHAFT, SPEED, die, forces, mill, torque
 
 import cammotion as cm
 from cammotion import x
@@ -119,6 +119,17 @@ def test_the_speed_swings_as_its_energy_has_it() -> None:
     assert 0.005 < swing < 0.01
 
 
+@pytest.mark.parametrize("start", [-1e-17, -1e-12, 1e-12, 359.9999999999])
+def test_a_motion_that_begins_just_beside_the_turn(start: float) -> None:
+    motion = make_die().shifted(210 + start)  # from 0 deg on
+    shaft, sharp = (
+        cm.Camshaft(make_diagram(m), {"die": DIE}) for m in (motion, make_die().shifted(210))
+    )
+    assert len(shaft.spans) == len(sharp.spans)
+    assert shaft.rms_torque_N_m == pytest.approx(sharp.rms_torque_N_m)
+    assert abs(shaft.peak_torque().value) == pytest.approx(abs(sharp.peak_torque().value))
+
+
 def test_a_start_speeds_up_the_masses_too() -> None:
     """All that moves has the energy of the inertia that is reflected."""
     some = AT[::997]
@@ -179,6 +190,8 @@ def test_what_cannot_be_asked() -> None:
     jumping = make_die(law=cm.CONSTANT_VELOCITY)
     with pytest.raises(cm.InputError, match="velocity of 'die' jumps at 0 deg"):
         cm.Camshaft(make_diagram(jumping), {"die": DIE})
+    with pytest.raises(cm.InputError, match="There is no load of a motion 'die'"):
+        cm.Camshaft(make_diagram(), {"mill": cm.FollowerLoad(mass_kg=40)}, [PRESSING])
     with pytest.raises(cm.InputError, match="angle of a segment is 0 deg"):
         cm.ProcessForce(motion="die", from_deg=10, to_deg=10, force_N=1)
     with pytest.raises(cm.InputError, match="force of the process is inf N"):

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from machines import RULE, Array, make_diagram, make_die, make_mill
 from shafts import AT, SHAFT, forces, torque
 
 import cammotion as cm
+from cammotion.bracketed import Extreme, largest
 
 SEQUENTIAL = cm.EXAMPLE.diagram
 PEAK = 4.15417  # m/s2 of the die without overlap
@@ -111,6 +113,34 @@ def test_who_has_the_largest_part_of_the_torque() -> None:
     )
     (found,) = cm.rate_limits(heavy, torque_N_m=40)
     assert "the mill has the largest part of the torque of 40 N m" in str(found)
+
+
+def test_the_lowest_rate_comes_first_and_its_place_is_in_the_turn() -> None:
+    """The die is the second of the motions, and the harder one; its rise ends at 405 deg."""
+    late = SEQUENTIAL.with_motion(SEQUENTIAL["die"].shifted(200))
+    first, second = cm.rate_limits(late, acceleration=4)
+    assert (first.motion, second.motion) == ("die", "mill")
+    assert first.rate_per_hour < second.rate_per_hour
+    assert first.at_deg is not None
+    assert 0 <= first.at_deg < 360
+    assert abs(late.acceleration("die", first.at_deg)) == pytest.approx(PEAK, rel=1e-5)
+
+
+def test_a_limit_that_is_met_at_rest_leaves_no_rate() -> None:
+    pressed = cm.Camshaft(SEQUENTIAL, {"die": cm.FollowerLoad(mass_kg=12, preload_N=50)})
+    assert cm.rate_limits(pressed, force_N=50)[0].rate_per_hour < 0.01
+
+
+def test_a_rate_at_which_the_limit_is_not_met_is_never_returned(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def missed(function: Any, over: Any) -> Extreme:
+        found = largest(function, over)
+        return found._replace(value=1.001 * found.value)
+
+    monkeypatch.setattr("cammotion.drive.rates.largest", missed)
+    with pytest.raises(cm.WrongAnswerError, match=r"rate_limits has checked .* pieces/h the peak"):
+        cm.rate_limits(SHAFT, torque_N_m=60)
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from fresh.drawing import Machine, Rng
 from fresh.sampling import Array, Track, tracks_of
 
 PER_SPAN = 1500
-NEAR, NEAR_PEAK = 1e-5, 2e-3
+NEAR, NEAR_PEAK = 1e-5, 1e-2
 STILL = 1e-7  # of the largest speed, at which friction has no way that samples could tell
 
 

@@ -100,7 +100,7 @@ def _check_bare(found: cm.Reserve, tracks: Tracks) -> None:
             off = [0.0, 0.0]
             off[place] = room
             excess = _worst(rule, tracks, (0, 0), off)
-            assert abs(excess) < 1e-5, f"{found}: {excess} mm with {off}"
+            assert -1e-3 < excess < 1e-5, f"{found}: {excess} mm with {off}"
 
 
 def _worst(

@@ -81,7 +81,7 @@ def spans(motions: Sequence[Motion], ends_deg: Iterable[float]) -> tuple[Span, .
     for end in sorted(inner | {end % turn for end in ends_deg}):
         if end - ends[-1] > ROUNDING_DEG:
             ends.append(end)
-    if turn - ends[-1] <= ROUNDING_DEG:
+    if turn - ends[-1] <= ROUNDING_DEG:  # as what is just before 0 becomes
         ends.pop()
     return tuple(Span(low, high, motions) for low, high in pairwise([*ends, turn]))
 
