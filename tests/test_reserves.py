@@ -112,6 +112,7 @@ def test_a_broken_rule_has_less_than_nothing_left() -> None:
     (sharp,) = cm.reserves(wide, RULE)
     assert sharp.deg == pytest.approx(violation.start_deg - violation.end_deg)
     assert sharp.when_mm == pytest.approx(-violation.excess_mm)
+    assert sharp.times == 0
     assert "broken; left are" in str(sharp)
 
 

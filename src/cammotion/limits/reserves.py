@@ -68,7 +68,7 @@ class Reserve:
     `other_mm` how far the other motion may. Each is for itself, and below 0 where the rule is
     broken: then the degrees are the longest arc over which it is. They are infinite where the rule
     cannot be broken so. `times` is how many times the errors the rule bears, all of them growing
-    alike: below 1 it breaks with them. It is infinite without errors.
+    alike: below 1 it breaks with them, 0 it does without any. It is infinite without errors.
     """
 
     rule: ClearanceRule
@@ -165,9 +165,9 @@ def _reserve(diagram: TimingDiagram, rule: ClearanceRule, errors: _Errors) -> Re
     def bears(times: float) -> bool:
         return not errors.worst(rule, times).violated_arcs(diagram)
 
-    times = math.inf
-    if not errors.are_none and not bears(_MOST):
-        times = bisect(bears, 0.0, _MOST) if bears(0.0) else 0.0
+    times = math.inf if bears(0.0) else 0.0
+    if times and not errors.are_none and not bears(_MOST):
+        times = bisect(bears, 0.0, _MOST)
     return Reserve(rule, *_gaps(diagram, worst), own, other, times)
 
 
