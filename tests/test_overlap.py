@@ -29,7 +29,7 @@ from machines import (
 
 import cammotion as cm
 from cammotion import ClearanceRule, MotionLaw, TimingDiagram, beyond, within
-from cammotion.limits import widest
+from cammotion.limits.frame import Frame
 from cammotion.limits.widest import WidestMove, with_angle
 from cammotion.machine.clearance import Condition
 
@@ -771,9 +771,9 @@ def test_a_wrong_answer_is_an_error_that_asks_to_be_reported(
 ) -> None:
     """A solver that misses the widest candidates, and one that takes a broken rule for kept."""
     module = "cammotion.limits.widest"
-    few = widest._Frame.candidates
+    few = Frame.candidates
     with monkeypatch.context() as broken:
-        broken.setattr(widest._Frame, "candidates", lambda *given: [(90.0, 90.0), *few(*given)])
+        broken.setattr(Frame, "candidates", lambda *given: [(90.0, 90.0), *few(*given)])
         with pytest.raises(cm.WrongAnswerError, match=r"could take more than 90\.0 deg.*report it"):
             cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
     monkeypatch.setattr(f"{module}._keeps", lambda *_: True)

@@ -1,3 +1,6 @@
+from .drive.camshaft import Camshaft
+from .drive.process import ProcessForce
+from .drive.rates import RateLimit, rate_limits
 from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.contact import Flights, follower_flights
 from .dynamics.loads import FollowerLoad
@@ -42,6 +45,8 @@ from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
+from .limits.quickest import quickest_move
+from .limits.reserves import Reserve, reserves
 from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.clearance import (
     ClearanceRule,
@@ -115,6 +120,7 @@ __all__ = [
     "Box",
     "Button",
     "CamTable",
+    "Camshaft",
     "Chain",
     "ClearanceRule",
     "Control",
@@ -148,7 +154,10 @@ __all__ = [
     "PointMasses",
     "Polydyne",
     "PrintedLimits",
+    "ProcessForce",
     "ProfileLift",
+    "RateLimit",
+    "Reserve",
     "Ring",
     "RollerCam",
     "Rotor",
@@ -237,8 +246,11 @@ __all__ = [
     "polynomial",
     "predict",
     "progress",
+    "quickest_move",
+    "rate_limits",
     "read_cam_table",
     "read_segments",
+    "reserves",
     "residual_vibration",
     "return_",
     "rise",

@@ -3,7 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
 
@@ -76,9 +76,12 @@ class TimingDiagram:
     @checked
     def with_motion(self, motion: Motion) -> "TimingDiagram":
         """Return the diagram with this motion in the place of that of the same name."""
-        self[motion.name]
-        motions = [motion if old.name == motion.name else old for old in self.motions]
-        return TimingDiagram(tuple(motions), self.rate_per_hour)
+        old = self[motion.name]
+        return replace(self, motions=[motion if each is old else each for each in self.motions])
+
+    def at_rate(self, rate_per_hour: float) -> "TimingDiagram":
+        """Return the same motions at another machine rate, in pieces/h."""
+        return replace(self, rate_per_hour=rate_per_hour)
 
     def angle_deg(self, time_s: ArrayLike) -> Numbers:
         """Return the cam angle in deg at a time in s, a number or an array; 0 deg is at 0 s."""
@@ -121,14 +124,11 @@ class TimingDiagram:
 
     def moves(self, name: str) -> tuple[Move, ...]:
         """Return the rises and returns of a motion as moves, each as if from rest to rest."""
+        rate = self.rate_per_hour
         return tuple(
-            Move(
-                stroke_mm=abs(segment.change_mm),
-                angle_deg=segment.angle_deg,
-                rate_per_hour=self.rate_per_hour,
-                law=as_law(segment.law),
-            )
+            Move(stroke_mm=abs(way), angle_deg=segment.angle_deg, rate_per_hour=rate, law=law)
             for segment in self[name].moves
+            for way, law in [(segment.change_mm, as_law(segment.law))]
         )
 
     def peak_velocity(self, name: str) -> float:
