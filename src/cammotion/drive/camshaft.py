@@ -9,7 +9,7 @@ positive while the shaft drives, negative while the mechanisms do.
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -28,7 +28,7 @@ from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, one_of, plain, shorten
 
 _FRICTION = Quantity("friction", "N", example=20, low_included=True)
-_INERTIA = Quantity("inertia of the drive", "kg m2", example=2)
+_INERTIA = Quantity("inertia of the drive", "kg m2", example=2, low_included=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +65,8 @@ class Camshaft:
         held_back = _by_name(self.friction_N, object, "friction_N={'die': 20}")
         object.__setattr__(self, "friction_N", held_back)
         forces: Any = self.process
-        process = tuple(forces) if isinstance(forces, Iterable) else (None,)
+        is_list = isinstance(forces, Sequence)
+        process = tuple(forces) if is_list else (None,)
         if not all(isinstance(force, ProcessForce) for force in process):
             raise InputError(
                 f"The forces of the process are {shorten(forces)}: give a list of ProcessForce."
@@ -75,8 +76,7 @@ class Camshaft:
             self._loaded(force.motion)
         for name in self.friction_N:
             _FRICTION.number(self.friction_N[self._loaded(name)])
-        if self.inertia_kg_m2:
-            _INERTIA.number(self.inertia_kg_m2)
+        object.__setattr__(self, "inertia_kg_m2", _INERTIA.number(self.inertia_kg_m2))
         for name in self.loads:
             self._check_motion(name)
 

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from cammotion.arguments import checked
 from cammotion.bracketed import largest
 from cammotion.drive.camshaft import Camshaft
 from cammotion.drive.spans import Span
@@ -61,6 +62,7 @@ class RateLimit:
         return f"{rate} the {self.motion} {whose} {what}, at {self.at_deg:.4g} deg"
 
 
+@checked
 def rate_limits(
     machine: TimingDiagram | Camshaft,
     *,

@@ -12,10 +12,11 @@ and each is as large as its limit lets it be, the velocity first.
 import math
 from typing import NamedTuple
 
+from cammotion.arguments import checked
 from cammotion.laws.curve import mirrored
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
-from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, STROKE, Move, cycle_time
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, STROKE, Move, cycle_time
 from cammotion.quantities import InputError, Quantity, WrongAnswerError
 
 _VELOCITY = Quantity("largest velocity", "m/s", example=0.5)
@@ -38,6 +39,7 @@ class _Times(NamedTuple):
         return 2 * self.speeding + self.even
 
 
+@checked
 def quickest_move(
     stroke_mm: float,
     *,
@@ -68,15 +70,16 @@ def quickest_move(
             f"The largest jerk is {j:g} m/s3, which the move needs for less than a millionth of "
             "its time: leave it out, and it is not limited."
         )
-    turn = float(cycle_time(rate_per_hour))
+    rate = RATE.number(rate_per_hour)
+    turn = float(cycle_time(rate))
     if times.total > turn:
         raise InputError(
             f"The quickest move of {stroke_mm:g} mm takes {times.total:.4g} s, and a turn at "
-            f"{rate_per_hour:g} pieces/h only {turn:.4g} s: allow more, or run at most "
-            f"{rate_per_hour * turn / times.total:.5g} pieces/h."
+            f"{rate:g} pieces/h only {turn:.4g} s: allow more, or run at most "
+            f"{rate * turn / times.total:.5g} pieces/h."
         )
     angle = DEG_PER_TURN * times.total / turn
-    move = Move(stroke_mm=stroke_mm, angle_deg=angle, rate_per_hour=rate_per_hour, law=_law(times))
+    move = Move(stroke_mm=stroke_mm, angle_deg=angle, rate_per_hour=rate, law=_law(times))
     peaks = (move.peak_velocity, move.peak_acceleration, move.peak_jerk)
     for limit, peak in zip((v, a, j), peaks, strict=True):
         if peak > limit * (1 + _SAME):
@@ -85,7 +88,8 @@ def quickest_move(
 
 
 def _limit(quantity: Quantity, limit: float) -> float:
-    return math.inf if limit == math.inf else quantity.number(limit)
+    is_free = isinstance(limit, float) and limit == math.inf
+    return math.inf if is_free else quantity.number(limit)
 
 
 def _times(stroke: float, v: float, a: float, j: float) -> _Times:

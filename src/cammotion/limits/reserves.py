@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
 
+from cammotion.arguments import checked
 from cammotion.laws.piece import bisect
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement
 from cammotion.machine.clearance import (
@@ -93,6 +94,7 @@ class Reserve:
         return f"{self.rule}: {'broken' if self.deg < 0 else 'kept'}; left are {left}"
 
 
+@checked
 def reserves(
     diagram: TimingDiagram,
     rules: ClearanceRule | Iterable[ClearanceRule],
