@@ -163,7 +163,7 @@ def test_a_force_over_the_end_of_the_turn() -> None:
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"loads": {"dye": DIE}}, "There is no motion 'dye': use one of 'mill', 'die'"),
+        ({"loads": {"dye": DIE}}, "There is no motion 'dye': did you mean 'die'"),
         ({"loads": {"die": 12}}, "The loads are {.die.: 12}: say them by the names of motions"),
         ({"loads": [DIE]}, r"The loads are \["),
         ({"friction_N": {"mill": 3}}, "There is no load of a motion 'mill': use one of 'die'"),

@@ -68,6 +68,14 @@ def read_bytes(path: str | Path) -> bytes:
         ) from None
 
 
+def is_folder(path: Path) -> bool:
+    """Tell whether a path is that of a folder; one that is too long for the system is of none."""
+    try:
+        return path.is_dir()
+    except OSError:
+        return False
+
+
 def as_path(path: Any) -> Path:
     """Return the path of a file; raise InputError for what can be none."""
     if not isinstance(path, str | Path):

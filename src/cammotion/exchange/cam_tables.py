@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.ma import MaskError
 
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
 from cammotion.exchange.table_meaning import (
@@ -107,7 +108,7 @@ def _columns(given: Any) -> tuple[int, int] | None:
         return None
     try:
         first, second = map(int, given)
-    except (TypeError, ValueError, OverflowError):
+    except (TypeError, ValueError, OverflowError, MaskError):
         first = second = 0
     if min(first, second) < 1 or first == second:
         raise InputError(

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS
-from cammotion.files import as_path, write_new
+from cammotion.files import as_path, is_folder, write_new
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
 from cammotion.machine.motions import Motion
@@ -173,7 +173,7 @@ def _write(
 ) -> dict[str, Path]:
     """Write the files, unless one of them is there already."""
     place = as_path(folder)
-    if not place.is_dir():
+    if not is_folder(place):
         raise InputError(
             f"There is no folder {shorten(place.name)}: make it, or give another one; each "
             "mechanism gets a file of its own in it."

@@ -118,7 +118,7 @@ class Limits:
     lower_um: float
 
     def __post_init__(self) -> None:
-        _DIAMETER.number(self.diameter_mm)
+        object.__setattr__(self, "diameter_mm", _DIAMETER.number(self.diameter_mm))
         for name in ("upper_um", "lower_um"):
             number = DEVIATION.number(getattr(self, name))
             object.__setattr__(self, name, int(number) if number.is_integer() else number)

@@ -11,7 +11,7 @@ from cammotion.measured.cam_table import CamTable
 from cammotion.measured.fits import Fit, Monotone, Periodic, Through
 from cammotion.measured.sampled_law import SampledLaw
 from cammotion.measured.smoothing import AMOUNT
-from cammotion.quantities import Floats, InputError, Quantity, one_of
+from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 
 _PLACE = Quantity("x of the points", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("s of the points", "", example=0.5, low=-1.0, high=2.0, low_included=True)
@@ -88,8 +88,8 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     kind = one_of("fit", fit, ("through", "smooth", "monotone", "periodic"))
     if smoothing is not None and kind in ("through", "monotone"):
         raise InputError(
-            f"The smoothing is {smoothing!r}, and a fit {kind!r} has none: give fit='smooth', or "
-            "fit='periodic'."
+            f"The smoothing is {shorten(smoothing)}, and a fit {kind!r} has none: give "
+            "fit='smooth', or fit='periodic'."
         )
     amount = None if smoothing is None else AMOUNT.number(smoothing)
     given = (float(slopes[0]), float(slopes[1]))

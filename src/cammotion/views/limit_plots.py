@@ -34,6 +34,8 @@ _NEAR = 0.2  # of its width: labels of points so near to each other keep their d
 _PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
 Pair = tuple[float, float]
 
+_END = Quantity("end of an axis", "m/s2", example=1.5, low_included=True)
+
 
 @checked
 def plot_jerk_price(
@@ -120,6 +122,12 @@ def plot_front(
         raise InputError(
             "A front is a curve: give at least two pairs of results of least_acceleration."
         )
+    low, high = (_END.number(end) for end in ends)
+    if low >= high:
+        raise InputError(
+            f"The ends of the axes are {low:g} and {high:g} m/s2: give the lower one first, for "
+            "example (0.3, 1.5)."
+        )
     one, other = map(_called, pairs[0])
     ax = _square(ax, (6, 5.6), f"peak acceleration of the {one} in m/s²", other)
     sides, heights = (np.array([pair[n].bound for pair in pairs]) for n in (0, 1))
@@ -129,12 +137,12 @@ def plot_front(
     for name, label in _labelled(designs or {}):
         ax.plot(*_columns((designs or {})[name]), "--", color=NAMED, linewidth=2)
         name_line(ax.lines[-1], label, name)
-    ax.plot([0, ends[1]], [0, ends[1]], ":", color=_DARK, label="both equally hard driven")
+    ax.plot([0, high], [0, high], ":", color=_DARK, label="both equally hard driven")
     for name, label in _labelled(points or {}):
         point = (points or {})[name]
         ax.plot(*point, "o", color=NAMED)
         plain(ax.annotate(label, point, (8, 4), **_OFFSET))
-    ax.set(xlim=ends, ylim=ends, aspect="equal")
+    ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
     add_legend(ax, loc="upper right")
     return ax
 

@@ -76,6 +76,9 @@ def plot_measured(
     return ax
 
 
+_AMPLITUDE = Quantity("amplitude", "m/s2", example=3, low_included=True)
+
+
 @checked
 def plot_harmonics(
     amplitudes: Mapping[str, ArrayLike],
@@ -103,7 +106,7 @@ def plot_harmonics(
     wide = _WIDE / len(amplitudes)
     last = 1
     for number, (name, given) in enumerate(amplitudes.items()):
-        heights = np.asarray(given, float) / METRES[unit]
+        heights = np.atleast_1d(_AMPLITUDE.array(given)) / METRES[unit]
         ranks = np.arange(1, heights.size + 1)
         last = max(last, heights.size)
         left = ranks - _WIDE / 2 + wide * (number + 0.5)
