@@ -32,9 +32,8 @@ _GAP = 0.042  # between two labels, of the height of the picture
 _NEAR = 0.2  # of its width: labels of points so near to each other keep their distance
 
 _PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
-Pair = tuple[float, float]
-
 _END = Quantity("end of an axis", "m/s2", example=1.5, low_included=True)
+Pair = tuple[float, float]
 
 
 @checked
