@@ -148,15 +148,16 @@ class Quantity:
         return f"for example {self.example:g}{self._unit}"
 
     def _as_floats(self, value: ArrayLike) -> Floats:
-        try:
-            array = np.asarray(value)
-        except (ValueError, TypeError):  # a ragged list, or what only seems to be one
-            array = np.asarray(None)
-        if np.ma.is_masked(value):
+        items = value if isinstance(value, list | tuple) else ()
+        if np.ma.is_masked(value) or any(item is np.ma.masked for item in items):
             raise InputError(
                 f"The {self.name} has masked values, which are none: leave them out, for example "
                 "with .compressed()."
             )
+        try:
+            array = np.asarray(value)
+        except (ValueError, TypeError):  # a ragged list, or what only seems to be one
+            array = np.asarray(None)
         if array.dtype.kind in "iuf":
             return array.astype(np.float64, copy=False)
         if array.size == 0:

@@ -18,7 +18,7 @@ from cammotion.exchange.table_meaning import (
 from cammotion.exchange.table_text import read_text
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.measured.cam_table import CamTable
-from cammotion.quantities import Floats, InputError, one_of
+from cammotion.quantities import Floats, InputError, one_of, shorten
 
 _FEWEST = 8
 
@@ -112,8 +112,8 @@ def _columns(given: Any) -> tuple[int, int] | None:
         first = second = 0
     if min(first, second) < 1 or first == second:
         raise InputError(
-            f"The columns are {given!r}: give the numbers of two columns, counted from 1, for "
-            "example (1, 3)."
+            f"The columns are {shorten(given)}: give the numbers of two columns, counted from 1, "
+            "for example (1, 3)."
         )
     return first - 1, second - 1
 

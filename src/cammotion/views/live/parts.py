@@ -5,7 +5,7 @@ symbols that have been given a value. In a line the variable runs; everywhere el
 clock stands.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -151,7 +151,7 @@ class Panel:
         for name in ("x_ticks", "y_ticks", "height"):
             if getattr(self, name) is not None:
                 Quantity(f"{name} of a panel", "", example=100).number(getattr(self, name))
-        is_several = isinstance(self.words, Iterable) and not isinstance(self.words, str)
+        is_several = isinstance(self.words, Sequence) and not isinstance(self.words, str)
         for words in self.words if is_several else [self.words]:
             if not isinstance(words, tuple) or len(words) != 3:  # noqa: PLR2004
                 raise InputError(f"The words {shorten(words)} have no place: give (text, x, y).")
