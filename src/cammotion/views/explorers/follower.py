@@ -84,7 +84,7 @@ def explore_residual(
     known = [as_law(law) for law in laws]
     masses = [OneMass(law, n, zeta) for law in known]
     curves = {
-        law.name: (_acceleration(law), mass.a, left_behind(mass), law.Ca)
+        law.name: (_acceleration(law), mass.a, _left_behind(mass), law.Ca)
         for law, mass in zip(known, masses, strict=True)
     }
     a, of_mass, left, c_a = choice("motion law", curves)
@@ -123,7 +123,7 @@ def explore_residual(
     )
 
 
-def left_behind(mass: OneMass) -> sp.Expr:
+def _left_behind(mass: OneMass) -> sp.Expr:
     """Return the largest acceleration of the free swing as it is just after the move.
 
     It is the envelope there, in hm/tm²; undamped, the mass swings with it for ever.
