@@ -18,6 +18,7 @@ from findings import Finding
 from laws import measure_first_use, measure_laws, measure_rival
 from limits import measure_limits
 from live import measure_live
+from many import measure_many
 from overlap import measure_overlap
 from package import measure_import, measure_lesson, measure_setup, measure_test
 from questions import measure_again
@@ -40,6 +41,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "lines": measure_lines,
     "limits": measure_limits,
     "live": measure_live,
+    "many": measure_many,
     "overlap": measure_overlap,
     "round-trip": measure_round_trips,
     "setup": measure_setup,

@@ -8,7 +8,7 @@ import tempfile
 import time
 import webbrowser
 from collections.abc import Iterator
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from urllib.parse import quote
 
 from starter import notebooks
@@ -25,11 +25,11 @@ REDIRECT = """<!DOCTYPE html>
 """
 
 
-def first_page(work: str) -> str:
-    """Return the address, within the server, of the page to begin with."""
+def first_page(folder: str) -> str:
+    """Return the address, within the server, of the page to begin with, in the copies' folder."""
     names = [path.name for path in notebooks.originals()]
     first = FIRST_NOTEBOOK if FIRST_NOTEBOOK in names else next(iter(names), "")
-    return quote(f"/lab/tree/{work}/{first}" if first else "/lab")
+    return quote(str(PurePosixPath("/lab/tree", folder, first)) if first else "/lab")
 
 
 @contextlib.contextmanager

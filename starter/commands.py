@@ -13,13 +13,14 @@ from starter import (
     copies,
     environment,
     errors,
+    folder,
     lab,
     maintain,
     notebooks,
     processes,
     refresh,
 )
-from starter.paths import ROOT, START
+from starter.paths import START
 
 
 def main(arguments: list[str]) -> int:
@@ -86,9 +87,9 @@ def make_parser() -> argparse.ArgumentParser:
     for name in ("lab", "setup", "fresh"):
         added[name].add_argument(
             "--work",
-            default=copies.DEFAULT_WORK,
-            metavar="NAME",
-            help="the folder of your copies (work)",
+            default=folder.DEFAULT,
+            metavar="FOLDER",
+            help="the folder of your copies (work): a name like work-anna, or a path elsewhere",
         )
     added["lab"].add_argument("--port", type=port_number, metavar="N", help="use just this port")
     added["lab"].add_argument("--no-browser", action="store_true", help="only print the address")
@@ -111,7 +112,7 @@ def port_number(text: str) -> int:
 
 def open_lab(options: argparse.Namespace) -> int:
     """Set up and open JupyterLab; return when it has been stopped."""
-    work = copies.work_folder(options.work)
+    work = folder.find(options.work)
     port = lab.choose_port(options.port)
     environment.ensure()
     copies.lay_missing(work)
@@ -122,25 +123,28 @@ def open_lab(options: argparse.Namespace) -> int:
         )
     print("Starting JupyterLab ...")
     token = secrets.token_hex(24)
-    process = lab.start(port, token, options.passed_on)
+    served = folder.served(work)
+    process = lab.start(port, token, served, options.passed_on)
     try:
-        url = f"http://127.0.0.1:{port}{browser.first_page(work.name)}?token={token}"
+        page = browser.first_page(work.relative_to(served).as_posix())
+        url = f"http://127.0.0.1:{port}{page}?token={token}"
         with browser.private_folder(work) as private:
             browser.welcome(url, port, options.no_browser, private)
             code = processes.wait_for(process)
     finally:
         processes.stop(process)
     if code == 0:
-        print(f"JupyterLab has stopped. Your copies are in {work.name}/.")
+        print(f"JupyterLab has stopped. Your copies are in {folder.shown(work)}/.")
     return code
 
 
 def set_up(options: argparse.Namespace) -> int:
     """Set up and leave it at that."""
-    work = copies.work_folder(options.work)
+    work = folder.find(options.work)
     environment.ensure()
+    lab.write_settings()  # whoever opens it may not be allowed to
     copies.lay_missing(work)
-    print(f"The workbook is ready. Open it with: {START}")
+    print(f"The workbook is ready. Open it with: {START}{folder.option(work)}")
     return 0
 
 
@@ -167,19 +171,18 @@ def refresh_notebooks(options: argparse.Namespace) -> int:
 def lay_fresh_copy(options: argparse.Namespace) -> int:
     """Lay a fresh copy of a notebook beside the learner's."""
     source = notebooks.find(options.notebook)
-    target = copies.lay_fresh(source, copies.work_folder(options.work))
-    print(f"A fresh copy: {target.relative_to(ROOT)}")
+    work = folder.find(options.work)
+    target = copies.lay_fresh(source, work)
+    print(f"A fresh copy: {Path(folder.shown(work)) / target.name}")
     return 0
 
 
 def show_class(options: argparse.Namespace) -> int:
     """Write a page of what the students' progress files hold; their paths are from here."""
     environment.ensure()
-    folder, page = (str(Path(path).absolute()) for path in (options.folder, options.output))
+    files, page = (str(Path(path).absolute()) for path in (options.folder, options.output))
     switches = [f"--{name}" for name in ("anonymous", "overwrite") if getattr(options, name)]
-    return maintain.run_module(
-        "cammotion.teaching.classroom", folder, f"--output={page}", *switches
-    )
+    return maintain.run_module("cammotion.teaching.classroom", files, f"--output={page}", *switches)
 
 
 def lock(options: argparse.Namespace) -> int:

@@ -7,16 +7,16 @@ import secrets
 import shutil
 from collections.abc import Iterable
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from starter import notebooks, processes
-from starter.errors import WorkbookError
-from starter.paths import ROOT, START, first_free
+from starter import folder, notebooks, processes
+from starter.paths import NOTEBOOKS, START, first_free
 
-DEFAULT_WORK = "work"
 # Narrow, so that no file of the learner's or of another program is taken for ours.
-PART = re.compile(r"\..+\.(?:ipynb|csv)\.[0-9a-f]{16}\.part")
+PART = re.compile(r"\..+\.(?:ipynb|csv|svg)\.[0-9a-f]{16}\.part")
 OTHER = "Another start is copying notebooks"
+# Links of lessons and of solutions, and what they are in copies elsewhere.
+ELSEWHERE = {"](../../notebooks/": "](../../", "](../notebooks/": "](notebooks/"}
 
 
 class Copy(NamedTuple):
@@ -31,23 +31,6 @@ class Copy(NamedTuple):
     told: bool
 
 
-def work_folder(name: str) -> Path:
-    """Return the folder of a learner's copies, made if need be."""
-    if not re.fullmatch(r"work[\w-]*", name):
-        raise WorkbookError(
-            f"{name!r} cannot be the folder of your copies: give a name such as work-anna, "
-            "which starts with work and has only letters, digits, - and _."
-        )
-    folder = ROOT / name
-    if os.path.lexists(folder) and not folder.is_dir():
-        raise WorkbookError(
-            f"{name} is a file, or a link to nowhere: it cannot be the folder of your copies. "
-            "Move it away, or give another name with --work."
-        )
-    folder.mkdir(exist_ok=True)
-    return folder
-
-
 def lay_missing(work: Path) -> None:
     """Copy the notebooks that the learner does not have yet, and say what is with the others."""
     originals = notebooks.originals()
@@ -55,12 +38,12 @@ def lay_missing(work: Path) -> None:
         remove_left_overs(work)
         missing = [path for path in originals if not os.path.lexists(work / path.name)]
         for path in missing:
-            lay(path, work / path.name)
-        lay_tables(work)
+            lay(path, work / path.name, work)
+        lay_beside(work)
     if missing:
         names = ", ".join(path.stem for path in missing)
         what = f"all {len(missing)} notebooks" if missing == originals else names
-        print(f"Copied {what} to {work.name}/, which is yours to write in.")
+        print(f"Copied {what} to {folder.shown(work)}/, which is yours to write in.")
     for notice in notices(work):
         print(notice)
 
@@ -73,39 +56,50 @@ def remove_left_overs(work: Path) -> None:
                 path.unlink()
 
 
-def lay(source: Path, target: Path) -> bool:
-    """Copy a notebook without its outputs; return False if the name is taken.
-
-    A note in the copy says what it is a copy of.
-    """
-    content, version = notebooks.read_original(source)
-    notebooks.strip_outputs(content)
-    content.setdefault("metadata", {})["workbook"] = {"source": source.name, "version": version}
+def lay(source: Path, target: Path, work: Path) -> bool:
+    """Copy a file of the workbook into the learner's folder; return False if the name is taken."""
     # A name of its own: where folders cannot be locked, two starts must not share a part.
-    part = target.with_name(f".{target.name}.{secrets.token_hex(8)}.part")
+    part = work / f".{target.name}.{secrets.token_hex(8)}.part"
     try:
-        notebooks.write(part, content)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if source.suffix == ".ipynb":
+            notebooks.write(part, copy_of(source, work))
+        else:
+            shutil.copyfile(source, part)
         return move_without_overwriting(part, target)
     finally:
         with contextlib.suppress(OSError):  # a virus scanner looks at it: the next start will do
             part.unlink(missing_ok=True)
 
 
-def lay_tables(work: Path) -> None:
-    """Copy the tables that lessons read into the folder data, where the learner's lie too."""
-    folder = work / notebooks.TABLES.name
-    missing = [path for path in notebooks.tables() if not os.path.lexists(folder / path.name)]
-    for path in missing:
-        part = work / f".{path.name}.{secrets.token_hex(8)}.part"
-        try:
-            folder.mkdir(exist_ok=True)
-            shutil.copyfile(path, part)
-            move_without_overwriting(part, folder / path.name)
-        except FileExistsError:  # data is a file of the learner's
-            print(f"{work.name}/{folder.name} is no folder: {path.name} could not be laid there.")
-        finally:
-            with contextlib.suppress(OSError):
-                part.unlink(missing_ok=True)
+def copy_of(source: Path, work: Path) -> dict[str, Any]:
+    """Return a notebook without its outputs; a note in it says what it is a copy of.
+
+    Elsewhere than in the workbook its links lead to what is laid there.
+    """
+    content, version = notebooks.read_original(source)
+    notebooks.strip_outputs(content)
+    if not folder.is_inside(work):
+        for old, new in ELSEWHERE.items():
+            notebooks.replace_in_text(content, old, new)
+    content.setdefault("metadata", {})["workbook"] = {"source": source.name, "version": version}
+    return content
+
+
+def lay_beside(work: Path) -> None:
+    """Copy what notebooks need beside them: the tables that lessons read, elsewhere also more."""
+    needed = {notebooks.TABLES.name: notebooks.tables()}
+    if not folder.is_inside(work):
+        needed |= {f"{NOTEBOOKS.name}/images": notebooks.pictures()}
+        needed |= {f"{NOTEBOOKS.name}/solutions": notebooks.solutions()}
+    for name, sources in needed.items():
+        for source in sources:
+            target = work / name / source.name
+            try:
+                if not os.path.lexists(target):
+                    lay(source, target, work)
+            except (FileExistsError, NotADirectoryError):  # a file of the learner's
+                print(f"{folder.shown(work)}/{name} is no folder: {source.name} was not laid.")
 
 
 def lay_fresh(source: Path, work: Path) -> Path:
@@ -113,7 +107,7 @@ def lay_fresh(source: Path, work: Path) -> Path:
     with processes.only_one_in(work, OTHER):
         while True:
             target = first_free(work / f"{source.stem}-fresh.ipynb")
-            if lay(source, target):
+            if lay(source, target, work):
                 return target
 
 
@@ -140,7 +134,7 @@ def notices(work: Path) -> list[str]:
         found = [copy for copy in copies if copy.source == source]
         trouble = find_trouble(source, found, versions)
         if trouble:
-            comfort = reassure(source, found, versions.get(source), work.name)
+            comfort = reassure(source, found, versions.get(source), folder.option(work))
             lines.append(f"{Path(source).stem}: {trouble} {comfort}")
     return lines
 
@@ -185,13 +179,12 @@ def successor(gone: str, names: Iterable[str]) -> str:
     return ""
 
 
-def reassure(source: str, found: list[Copy], version: str | None, work: str) -> str:
+def reassure(source: str, found: list[Copy], version: str | None, option: str) -> str:
     """Say that the learner's copies stay, and how to get a fresh one if there is one to get."""
     stem = Path(source).stem
     names = [copy.name for copy in found]
     yours = "Yours" if names in ([], [stem]) else f"Yours ({', '.join(names)})"
     if version in {None, *(copy.version for copy in found)}:
         return f"{yours} is untouched."
-    option = "" if work == DEFAULT_WORK else f" --work {work}"
     command = f"{START} fresh {notebooks.number_of(stem)}{option}"
     return f"{yours} is untouched; `{command}` lays a fresh copy beside it."

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from starter import download, inspection, installer, processes
 from starter.errors import WorkbookError
-from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, VENV, first_free
+from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, START, VENV, first_free
 
 MARKER = VENV / "made-by-workbook"
 MB_FOR_NEW, MB_FOR_UPDATE = 1400, 400
@@ -16,8 +16,15 @@ MB_FOR_NEW, MB_FOR_UPDATE = 1400, 400
 def ensure() -> None:
     """Make, update or repair .venv, unless it is ready."""
     download.check()
-    if inspection.judge()[0] == "ready":
+    state, reason = inspection.judge()
+    if state == "ready":
         return
+    if not os.access(ROOT, os.W_OK):
+        raise WorkbookError(
+            f"The environment in .venv is not ready ({reason or state}), and you may not write in "
+            f"{ROOT}: whoever looks after that folder has to run `{START} setup` there. "
+            "Or put the workbook into a folder of your own, and start again."
+        )
     with processes.only_one_in(ROOT, "Another set-up is at work in this folder"):
         state, reason = inspection.judge()
         if state == "changed":
@@ -76,7 +83,10 @@ def record(step: str) -> None:
     print(f"{step} Checking the environment")
     now = inspection.inspect()
     if now is None or Path(now.package) != PACKAGE:
-        raise WorkbookError("The packages were installed, but Python does not find cammotion.")
+        raise WorkbookError(
+            "The packages were installed, but Python does not find cammotion. Does a setting of "
+            "pip or uv send them elsewhere, such as target, prefix or root?"
+        )
     pinned = download.pinned_packages()
     versions = {name: version for name, version in now.versions.items() if name in pinned}
     inspection.write_stamp(now._replace(versions=versions))

@@ -3,9 +3,10 @@
 import errno
 from pathlib import Path
 
+from starter import reasons
 from starter.paths import ROOT
 
-DISK_FULL = "The disk is full. Make room and start again."
+CLOSED = (errno.EACCES, errno.EPERM, errno.EROFS)  # only to be read
 
 
 class WorkbookError(Exception):
@@ -20,8 +21,8 @@ def incomplete(what: str) -> WorkbookError:
 def explain_os_error(error: OSError) -> str:
     """Say in words what the operating system refused, and what to do."""
     if error.errno in (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)):
-        return DISK_FULL
-    if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
+        return reasons.DISK_FULL
+    if error.errno in CLOSED:
         place = Path(str(error.filename or ROOT))
         if place.suffix == ".part":  # a name that means nothing to the reader
             place = place.parent
@@ -29,4 +30,4 @@ def explain_os_error(error: OSError) -> str:
             f"No permission to write {place}. Close what uses it, or put the "
             "workbook into a folder of your own, and start again."
         )
-    return f"The operating system refused: {error}"
+    return reasons.find(str(error)) or f"The operating system refused: {error}"

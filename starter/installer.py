@@ -1,36 +1,19 @@
 """pip or uv at work: how far it is, and in words why it failed."""
 
-import os
 import re
 import shutil
 import subprocess
 import tempfile
 from collections.abc import Callable
 
-from starter import download, processes
-from starter.errors import DISK_FULL, WorkbookError
-from starter.paths import ENVIRONMENT, ON_WINDOWS, PYTHON_VERSION, ROOT, VENV, VENV_PYTHON
+from starter import download, processes, reasons
+from starter.errors import WorkbookError
+from starter.paths import ENVIRONMENT, ON_WINDOWS, ROOT, VENV, VENV_PYTHON
 
 PATIENCE = {"PIP_RETRIES": "2", "UV_HTTP_RETRIES": "2", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+# Settings of the user's that would send the packages elsewhere than into the environment.
+ELSEWHERE = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PIP_PYTHON")
 INSTALLED = ("Lib" if ON_WINDOWS else "lib/python*") + "/site-packages/*.dist-info"
-
-# The first pattern that is found in what the installer said explains its failure.
-EXPLANATIONS = {
-    r"no space left on device|e(rrno|rror) 28\b|not enough space on|quota exceeded": DISK_FULL,
-    r"NewConnectionError|NameResolutionError|ConnectTimeout|ReadTimeout|ProxyError|SSLError"
-    r"|name or service not known|name resolution|getaddrinfo failed|nodename nor servname"
-    r"|connection (refused|reset|aborted)|unreachable|no route to host|timed out|dns error"
-    r"|error sending request|tcp connect error|to proxy|tunnel connection failed": (
-        "There is no connection to the package index. Check the network (and the proxy, if there "
-        "is one) and start again: a second start continues with what was downloaded."
-    ),
-    r"no matching distribution|could not find a version|no solution found|different python"
-    r"|failed building wheel|failed to build|subprocess-exited-with-error": (
-        "A package in environment.txt, in the version it asks for, is not to be had for Python "
-        f"{PYTHON_VERSION} on this machine. The workbook is tested with Python 3.11, 3.12 and 3.13."
-    ),
-    "": "The installation failed: the installer's lines above say why.",
-}
 
 
 def find_uv() -> str | None:
@@ -48,7 +31,7 @@ def install_packages(step: str) -> None:
     total, before = len(download.pinned_packages()), count_installed()
     uv = find_uv()
     tool = [uv, "pip", "install", "-p"] if uv else []
-    tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install"]
+    tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install", "--no-user"]
     # As pip always does: or what the package lays into .venv would stay as it was.
     tool += ["--reinstall-package", "cammotion"] if uv else []
     time_needed = "uv" if uv else "pip (a few minutes, once)"
@@ -77,7 +60,7 @@ def run(command: list[str], describe: Callable[[list[str]], str]) -> None:
     process = subprocess.Popen(
         command,
         cwd=ROOT,
-        env={**PATIENCE, **os.environ},
+        env=environ(),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -97,6 +80,12 @@ def run(command: list[str], describe: Callable[[list[str]], str]) -> None:
         raise WorkbookError(processes.tail(lines) + keep(output) + explain(output))
 
 
+def environ() -> dict[str, str]:
+    """Return the variables for an installer: the user's index and proxy, but .venv as the place."""
+    variables = PATIENCE | processes.environ()
+    return {name: value for name, value in variables.items() if name not in ELSEWHERE}
+
+
 def keep(output: str) -> str:
     """Write an installer's output where it outlives the environment, and say where."""
     try:
@@ -111,6 +100,4 @@ def keep(output: str) -> str:
 
 def explain(output: str) -> str:
     """Say in words why an installer failed, and what to do."""
-    return next(
-        sentence for pattern, sentence in EXPLANATIONS.items() if re.search(pattern, output, re.I)
-    )
+    return reasons.find(output) or "The installation failed: the installer's lines above say why."

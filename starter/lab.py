@@ -1,21 +1,32 @@
 """A port, and JupyterLab on it."""
 
-import contextlib
 import json
 import os
 import socket
 import subprocess
 import sys
 import threading
+import time
 from http import HTTPStatus
 from http.client import HTTPConnection, HTTPException
+from pathlib import Path
 
 from starter import processes
-from starter.errors import WorkbookError
-from starter.paths import ON_WINDOWS, ROOT, VENV, VENV_PYTHON
+from starter.errors import CLOSED, WorkbookError
+from starter.paths import ON_WINDOWS, VENV, VENV_PYTHON
 
 DEFAULT_PORT = 8888
 PORTS = range(1, 65536)
+PATIENCE = 180  # seconds; a network drive that is slow needs one
+NO_ANSWER = 0
+REFUSED = (HTTPStatus.UNAUTHORIZED, HTTPStatus.FORBIDDEN)
+# The token goes before any of the learner's own configuration, and on no command line.
+LAUNCH = """
+import os, sys
+from jupyterlab.labapp import main
+sys.argv.append("--IdentityProvider.token=" + os.environ.pop("JUPYTER_TOKEN"))
+sys.exit(main())
+"""
 SETTINGS = VENV / "share" / "jupyter" / "lab" / "settings" / "overrides.json"
 DEFAULTS = {
     # A notebook that is opened again the next day shows its sliders as they were left.
@@ -57,12 +68,12 @@ def is_free(port: int) -> bool:
     return True
 
 
-def start(port: int, token: str, passed_on: list[str]) -> "subprocess.Popen[str]":
-    """Start JupyterLab and return when it answers; raise if it ends before that."""
+def start(port: int, token: str, served: Path, passed_on: list[str]) -> "subprocess.Popen[str]":
+    """Start JupyterLab and return when it answers; raise if it ends or refuses before that."""
     write_settings()
     process = subprocess.Popen(
-        command(port, passed_on),
-        env={**os.environ, "JUPYTER_TOKEN": token},
+        command(port, served, passed_on),
+        env=processes.environ(JUPYTER_TOKEN=token),
         stderr=subprocess.PIPE,
         encoding="utf-8",
         errors="replace",
@@ -74,13 +85,11 @@ def start(port: int, token: str, passed_on: list[str]) -> "subprocess.Popen[str]
         process.stderr, lambda line: (sys.stderr.write if ready.is_set() else lines.append)(line)
     )
     try:
-        processes.wait_until(
-            lambda: process.poll() is not None or answers(port, token), lambda: "not ready yet"
-        )
-        if process.poll() is not None:
-            reader.join(1)
-            reason = f"JupyterLab ended (code {process.returncode}) before it was ready."
-            raise WorkbookError(processes.tail(lines) + reason)
+        status = wait_for_answer(process, port, token)
+        if status != HTTPStatus.OK:
+            if process.poll() is not None:
+                reader.join(1)
+            raise WorkbookError(processes.tail(lines) + explain(process.poll(), status, port))
     except BaseException:
         processes.stop(process)
         raise
@@ -88,19 +97,54 @@ def start(port: int, token: str, passed_on: list[str]) -> "subprocess.Popen[str]
     return process
 
 
+def wait_for_answer(process: "subprocess.Popen[str]", port: int, token: str) -> int:
+    """Wait until JupyterLab answers, refuses or ends, but not for ever; return its status."""
+    status, end = NO_ANSWER, time.monotonic() + PATIENCE
+
+    def is_over() -> bool:
+        nonlocal status
+        status = ask(port, token)
+        known = status in (HTTPStatus.OK, *REFUSED)
+        return known or process.poll() is not None or time.monotonic() > end
+
+    processes.wait_until(is_over, lambda: "not ready yet")
+    return NO_ANSWER if process.poll() is not None else status
+
+
+def explain(code: int | None, status: int, port: int) -> str:
+    """Say in words why JupyterLab is not ready, by its exit code or its last answer."""
+    if code is not None:
+        return f"JupyterLab ended (code {code}) before it was ready."
+    if status in REFUSED:
+        return (
+            f"JupyterLab refuses the token that was made for this start (status {status}): a "
+            "Jupyter configuration of your own asks for another way to log in. Start again with "
+            "the variable JUPYTER_CONFIG_DIR set to an empty folder, which leaves it aside."
+        )
+    said = f"answers only with status {status}" if status else "does not answer"
+    return (
+        f"JupyterLab {said} on port {port} after {PATIENCE} s, and was ended. Start again; if this "
+        "stays, ask whether a firewall or a virus scanner keeps programs from talking to 127.0.0.1."
+    )
+
+
 def write_settings() -> None:
     """Set JupyterLab's defaults for this environment; the learner can still change them."""
-    with contextlib.suppress(PermissionError):  # a .venv that the teacher has closed will do
+    try:
         SETTINGS.parent.mkdir(parents=True, exist_ok=True)
         SETTINGS.write_text(json.dumps(DEFAULTS, indent=2), encoding="utf-8")
+    except OSError as error:  # a .venv that the teacher has closed will do
+        if error.errno not in CLOSED:
+            raise
 
 
-def command(port: int, passed_on: list[str]) -> list[str]:
-    """Return the command that starts JupyterLab for this folder."""
+def command(port: int, served: Path, passed_on: list[str]) -> list[str]:
+    """Return the command that starts JupyterLab for the folder that it shows."""
     return [
-        *(str(VENV_PYTHON), "-m", "jupyterlab", "--no-browser"),
-        *(f"--ServerApp.root_dir={ROOT}", "--ServerApp.base_url=/", "--ServerApp.ip=127.0.0.1"),
+        *(str(VENV_PYTHON), "-P", "-c", LAUNCH, "--no-browser"),
+        *(f"--ServerApp.root_dir={served}", "--ServerApp.base_url=/", "--ServerApp.ip=127.0.0.1"),
         *(f"--ServerApp.port={port}", "--ServerApp.port_retries=0", "--ServerApp.log_level=WARN"),
+        *("--ServerApp.certfile=", "--ServerApp.keyfile=", "--ServerApp.sock="),
         *(["--allow-root"] if is_root() else []),
         # On Ctrl-C it asks whether to shut down, if there is somebody who can answer.
         *([] if sys.stdin.isatty() else ["--ServerApp.answer_yes=True"]),
@@ -113,13 +157,13 @@ def is_root() -> bool:
     return sys.platform != "win32" and os.geteuid() == 0
 
 
-def answers(port: int, token: str) -> bool:
-    """Tell whether our server answers on this port."""
+def ask(port: int, token: str) -> int:
+    """Return the HTTP status with which our server answers on this port."""
     connection = HTTPConnection("127.0.0.1", port, timeout=2)
     try:
         connection.request("GET", f"/api/status?token={token}")
-        return connection.getresponse().status == HTTPStatus.OK
+        return connection.getresponse().status
     except (OSError, HTTPException):
-        return False
+        return NO_ANSWER
     finally:
         connection.close()

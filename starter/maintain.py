@@ -36,7 +36,8 @@ def run_module(*arguments: str) -> int:
 def run_python(*arguments: str) -> int:
     """Run the environment's Python in the workbook's folder; return its exit code."""
     command = [str(VENV_PYTHON), *arguments]
-    return processes.wait_for(subprocess.Popen(command, cwd=ROOT, text=True))
+    child = subprocess.Popen(command, cwd=ROOT, env=processes.environ(), text=True)
+    return processes.wait_for(child)
 
 
 def lock(upgrade: bool) -> None:

@@ -25,13 +25,18 @@ def originals() -> list[Path]:
 
 
 def solutions() -> list[Path]:
-    """List the worked solutions, in order: no learner gets a copy of them."""
+    """List the worked solutions, in order: they are not among the learner's copies."""
     return notebooks_in(NOTEBOOKS / "solutions")
 
 
 def tables() -> list[Path]:
     """List the files that lessons read, in order."""
     return sorted(TABLES.glob("[!.]*.csv"))
+
+
+def pictures() -> list[Path]:
+    """List the pictures that notebooks show, in order."""
+    return sorted((NOTEBOOKS / "images").glob("[!.]*.svg"))
 
 
 def notebooks_in(folder: Path) -> list[Path]:
@@ -77,6 +82,13 @@ def strip_outputs(content: dict[str, Any]) -> None:
     for cell in content["cells"]:
         if cell["cell_type"] == "code":
             cell.update(outputs=[], execution_count=None)
+
+
+def replace_in_text(content: dict[str, Any], old: str, new: str) -> None:
+    """Replace words in all that a notebook tells, as against what it computes."""
+    for cell in content["cells"]:
+        if cell["cell_type"] == "markdown":
+            cell["source"] = "".join(cell["source"]).replace(old, new).splitlines(keepends=True)
 
 
 def write(path: Path, content: dict[str, Any]) -> None:

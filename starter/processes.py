@@ -12,6 +12,12 @@ from pathlib import Path
 from typing import IO
 
 SECONDS_BETWEEN_LINES = 10
+ASTRAY = ("PYTHONPATH", "PYTHONHOME")  # they lead a Python to packages that are not its own
+
+
+def environ(**more: str) -> dict[str, str]:
+    """Return the variables for a child, without those that lead its Python astray."""
+    return {name: value for name, value in os.environ.items() if name not in ASTRAY} | more
 
 
 def listen(stream: IO[str] | None, take: Callable[[str], object]) -> threading.Thread:

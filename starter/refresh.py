@@ -1,6 +1,5 @@
 """Execute the workbook's own notebooks anew."""
 
-import os
 import re
 import subprocess
 import tempfile
@@ -44,7 +43,7 @@ def execute(path: Path, folder: Path) -> dict[str, Any]:
             *(f"--ExecutePreprocessor.{option}" for option in EXECUTION),
             *(f"--output-dir={folder}", f"--output={path.name}", str(path)),
         ],
-        env={**os.environ, "CAMMOTION_PROGRESS": "off"},  # it begins as if nobody had been there
+        env=processes.environ(CAMMOTION_PROGRESS="off"),  # it begins as if nobody had been there
         capture_output=True,
         encoding="utf-8",
         errors="replace",

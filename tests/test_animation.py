@@ -21,10 +21,11 @@ from notebook_lint import _svg_faults
 import cammotion as cm
 from cammotion.quantities import Floats
 from cammotion.views.animation import Animation, animate
-from cammotion.views.animation.charts import _spread
+from cammotion.views.animation.charts import spread
 from cammotion.views.animation.keyframes import trace_acceleration
 from cammotion.views.animation.player import speeds_for
-from cammotion.views.animation.svg import text_px, wrapped
+from cammotion.views.animation.svg import wrapped
+from cammotion.views.names import text_px
 
 MILL, DIE = make_mill(), make_die()
 BEFORE = make_diagram(MILL, DIE)
@@ -408,7 +409,7 @@ def test_the_player_gets_the_clock_of_the_drawing() -> None:
     assert player.svg == animate(BEFORE, rules=RULE).svg
     assert (player.turn_s, player.cycle_s, player.speed) == (9, 1.8, 0.2)
     player.angle_deg = 75
-    for angle in (400, -1, np.nan, "75", None):
+    for angle in (400, -1, np.nan, "seventy", None):
         with pytest.raises(cm.InputError, match=r"^The cam angle .*: give .*180 deg"):
             player.angle_deg = angle
     assert player.angle_deg == 75
@@ -440,11 +441,11 @@ def test_saving_never_overwrites_unasked(tmp_path: Path) -> None:
 
 SLOWER = cm.TimingDiagram([MILL, DIE], rate_per_hour=1800)
 REFUSED: list[tuple[Any, dict[str, Any], str]] = [
-    (None, {}, "The designs to animate are None: give a TimingDiagram, or several"),
+    (None, {}, r"is given designs=None: give a timing diagram, .* or a dictionary"),
     ({}, {}, r"The designs to animate are \{\}: give"),
-    ([BEFORE], {}, "The designs to animate are .*: give"),
-    ("before", {}, "The designs to animate are 'before': give"),
-    ({"a": BEFORE, "b": DIE}, {}, "The design 'b' is Motion.*: give a TimingDiagram"),
+    ([BEFORE], {}, r"is given designs=\[TimingDiagram.*: give"),
+    ("before", {}, "is given designs='before': give"),
+    ({"a": BEFORE, "b": DIE}, {}, r"is given designs\['b'\]=Motion.*: give a timing diagram"),
     ({1: BEFORE}, {}, "The title of a design is 1: give one like"),
     ({" \n": BEFORE}, {}, "The title of a design is .*: give one like"),
     ({"a": BEFORE, "b": SLOWER}, {}, "machine rates .* 2000 and 1800 pieces/h; .*the same rate"),
@@ -456,9 +457,9 @@ REFUSED: list[tuple[Any, dict[str, Any], str]] = [
     (BEFORE, {"turn_s": np.nan}, r"The time of a turn in the animation is nan s"),
     (BEFORE, {"turn_s": "9"}, "The time of a turn in the animation .* not '9'"),
     (BEFORE, {"turn_s": [9, 9]}, r"The time of a turn .* single number here, not \[9, 9\]"),
-    (BEFORE, {"rules": None}, "The clearance rules are None: give one or a list"),
-    (BEFORE, {"rules": "die"}, "The clearance rules are .*: give one or a list"),
-    (BEFORE, {"rules": [RULE, 3]}, "The clearance rules are .*: give one or a list"),
+    (BEFORE, {"rules": None}, r"is given rules=None: give a ClearanceRule, .* or a list"),
+    (BEFORE, {"rules": "die"}, r"is given rules='die': give a ClearanceRule, .* or a list"),
+    (BEFORE, {"rules": [RULE, 3]}, r"is given rules\[1\]=3: give a ClearanceRule"),
     (DRUM, {"rules": RULE}, "There is no motion '(die|mill)': use one of 'drum', 'needle'"),
 ]
 
@@ -476,7 +477,7 @@ def test_rules_may_come_one_by_one() -> None:
 
 def test_labels_keep_apart() -> None:
     for places in itertools.permutations([0.0, 1.0, 99.0, 100.0]):
-        moved_places = sorted(_spread(places, 0, 100))
+        moved_places = sorted(spread(places, 0, 100))
         assert min(np.diff(moved_places)) >= 14
         assert moved_places[0] >= 0
         assert moved_places[-1] <= 100
@@ -487,4 +488,4 @@ def test_lines_are_broken_between_words() -> None:
     lines = wrapped(text, 100)
     assert " ".join(lines) == text
     assert len(lines) > 1
-    assert all(text_px(line) <= 100 for line in lines)
+    assert all(text_px(line, 12) <= 100 for line in lines)

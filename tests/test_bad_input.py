@@ -5,6 +5,8 @@ A refusal is an InputError whose sentence names the quantity, the value and what
 
 import math
 from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -20,7 +22,7 @@ DIAGRAM = cm.TimingDiagram([PUNCH], rate_per_hour=2000)
 NOT_FINITE = [(math.nan, "is nan"), (math.inf, "is inf"), (-math.inf, "is -inf")]
 NOT_POSITIVE = [(0, "is 0"), (-5, "is -5"), ([30, -5.0], r"is -5 .*\(at position 1\)")]
 NOT_A_NUMBER = [
-    ("55", "not '55'"),
+    ("fifty", "not 'fifty'"),
     (None, "not None"),
     (True, "not True"),
     (1j, "not 1j"),
@@ -199,10 +201,37 @@ LAW_USERS: list[Call] = [
 @pytest.mark.parametrize("law", ["cyclodial", "", None, 3, math.nan, [], ["cycloidal"]])
 @pytest.mark.parametrize("call", LAW_USERS)
 def test_an_unknown_law_is_refused_with_the_known_ones(call: Call, law: object) -> None:
-    with pytest.raises(
-        cm.InputError, match=r"^There is no motion law .*: use one of 'constant acceleration'"
-    ):
+    known = "did you mean 'cycloidal'" if law == "cyclodial" else "use one of 'constant accel"
+    with pytest.raises(cm.InputError, match=rf"^There is no motion law .*: {known}"):
         call(law)
+
+
+def test_a_law_is_found_in_any_case_and_by_its_other_names() -> None:
+    assert cm.as_law("Cycloidal") is cm.LAWS["cycloidal"]
+    for law in cm.LAWS.values():
+        for name in (law.name.upper(), *law.also_called):
+            assert cm.LAWS[name] is law
+    assert "cycloidal spline" not in cm.LAWS
+    assert cm.LAWS.get("cycloidal spline") is None
+
+
+@pytest.mark.parametrize("typed", ["55", "4,154", " 4.154 ", "-3"])
+def test_a_number_in_quotes_is_asked_for_without(typed: str) -> None:
+    number = typed.strip().replace(",", ".")
+    with pytest.raises(cm.InputError, match=f": give it as a number, {number} without quotes"):
+        cm.cycle_time(typed)
+
+
+@pytest.mark.parametrize("value", [Decimal("2000.5"), Fraction(4001, 2), np.float32(2000.5)])
+def test_a_number_may_be_of_any_kind(value: Any) -> None:
+    assert cm.cycle_time(value) == cm.cycle_time(2000.5)
+
+
+def test_a_number_that_no_float_can_hold_and_a_masked_one_are_refused() -> None:
+    with pytest.raises(cm.InputError, match="The machine rate is inf pieces/h"):
+        cm.cycle_time(10**400)
+    with pytest.raises(cm.InputError, match=r"The machine rate has masked values.*compressed"):
+        cm.cycle_time(np.ma.masked_array([1.0, 2.0], [False, True]))
 
 
 @pytest.mark.parametrize("law", [None, "cycloid", math.nan])
@@ -217,14 +246,17 @@ def test_a_law_with_another_symbol_is_refused() -> None:
         cm.MotionLaw("own", t**2)
 
 
-MOVE_LISTS: list[Any] = [None, [], 3, "die", [DIE, None], [55]]
+MOVE_LISTS: list[Any] = [None, 3, "die", [DIE, None], [55]]
 
 
 @pytest.mark.parametrize("moves", MOVE_LISTS, ids=repr)
 @pytest.mark.parametrize("plot", [cm.plot_curves, cm.plot_peaks, cm.plot_inverse_square])
 def test_a_plot_of_nothing_is_refused(plot: Call, moves: object) -> None:
-    with pytest.raises(cm.InputError, match="There is nothing to draw: give one Move"):
+    said = r"^plot_\w+ is given moves.*=.*: give .*a move, for example Move\("
+    with pytest.raises(cm.InputError, match=said):
         plot(moves)
+    with pytest.raises(cm.InputError, match="There is nothing to draw: give one Move"):
+        plot([])
 
 
 def test_plots_refuse_what_does_not_fit() -> None:
@@ -239,7 +271,9 @@ def test_plots_refuse_what_does_not_fit() -> None:
 
 @pytest.mark.parametrize("reference", [None, 55, "die", [DIE]])
 def test_an_explorer_needs_a_move(reference: object) -> None:
-    with pytest.raises(cm.InputError, match="it has to be a Move, for example"):
+    with pytest.raises(
+        cm.InputError, match=r"^explore_move is given reference=.*: give a move, for"
+    ):
         cm.explore_move(reference)  # type: ignore[arg-type]
 
 

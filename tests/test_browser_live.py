@@ -71,6 +71,9 @@ def test_a_move_under_the_readers_hand(reader: Reader) -> None:
     reader.type("angle Bm", "55,5")
     figure.values = {angle: 55.5}
     reader.assert_as_in_python()
+    reader.type("rate N", "2,100")  # thousands: 2.1 pieces an hour is out of the range
+    figure.values = {rate: 2100}
+    reader.assert_as_in_python()
     reader.push("Pin this design")
     figure.pin()
     reader.evaluate(TYPE, {"label": "motion law"})

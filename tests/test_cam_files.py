@@ -142,7 +142,7 @@ def test_no_file_is_lost(tmp_path: Path) -> None:
     ("arguments", "said"),
     [
         ({"path": "cam.step"}, "let its name end in .dxf, .svg, .csv or .txt"),
-        ({"path": 3}, "let its name end in"),
+        ({"path": 3}, "is given path=3: give a text in quotes or a Path"),
         ({"path": "cam.dxf", "cam": DIE}, "give a RollerCam or a FlatFacedCam"),
         ({"path": "cam.dxf", "tolerance_mm": 0}, "tolerance of the outline is 0 mm"),
         ({"path": "cam.dxf", "bore_mm": 320}, "give a smaller bore"),

@@ -52,6 +52,7 @@ def test_each_command_exists() -> None:
     assert {commands.parse(shlex.split(command)).command for command in named} == {
         "test",
         "refresh",
+        "lock",
     }
 
 

@@ -130,7 +130,7 @@ def test_an_overlap_across_360_deg_is_one_arc() -> None:
 UNKNOWN = r"^There is no motion '?{}'?: use one of 'mill', 'die'\.$"
 
 
-@pytest.mark.parametrize("name", ["punch", "Die", None, 3])
+@pytest.mark.parametrize("name", ["punch", "dies irae", None, 3])
 def test_an_unknown_motion_is_refused_with_the_known(curve: Any, name: Any) -> None:
     with pytest.raises(cm.InputError, match=UNKNOWN.format(name)):
         curve(name, 30)
@@ -155,12 +155,13 @@ def test_a_curve_is_asked_for_at_an_angle_or_a_time(curve: Any) -> None:
         curve("die", 30, time_s=0.15)
 
 
-@pytest.mark.parametrize("motions", [None, [], 3, "die", [None], [make_die(), "mill"]], ids=repr)
+@pytest.mark.parametrize("motions", [None, 3, "die", [None], [make_die(), "mill"]], ids=repr)
 def test_a_diagram_is_made_of_motions(motions: Any) -> None:
-    with pytest.raises(
-        cm.InputError, match=r"^The motions of the diagram are .*: give a list of m"
-    ):
+    match = r"^TimingDiagram is given motions(\[\d\])?=.*: give (a list, each )?a motion, made with"
+    with pytest.raises(cm.InputError, match=match):
         TimingDiagram(motions, RATE)
+    with pytest.raises(cm.InputError, match="The diagram has no motion: give at least one"):
+        TimingDiagram([], RATE)
 
 
 def test_two_motions_of_one_name_are_refused() -> None:
@@ -175,3 +176,16 @@ def test_diagrams_are_told_apart_by_what_they_are() -> None:
     assert make_diagram() != OVERLAPPED
     assert TimingDiagram([make_die()], RATE) == TimingDiagram((make_die(),), float(RATE))
     assert hash(make_diagram()) == hash(DIAGRAM)
+
+
+def test_a_diagram_at_another_rate_is_the_same_one_but_faster() -> None:
+    """Half as fast again: velocities by 3/2, accelerations by its square, jerks by its cube."""
+    faster = OVERLAPPED.at_rate(3000)
+    assert faster.motions == OVERLAPPED.motions
+    assert faster.cycle_time_s == 1.2
+    for power, peak in enumerate(["peak_velocity", "peak_acceleration", "peak_jerk"], start=1):
+        for name in faster.names:
+            slower = getattr(OVERLAPPED, peak)(name)
+            assert getattr(faster, peak)(name) == pytest.approx(1.5**power * slower)
+    with pytest.raises(cm.InputError, match="machine rate is 0 pieces/h"):
+        OVERLAPPED.at_rate(0)

@@ -23,7 +23,7 @@ from cammotion.teaching.shown import frame
 from cammotion.teaching.shown.choosing import show_answer
 from cammotion.teaching.shown.frame import Frame, Shown
 from cammotion.teaching.store import Store
-from cammotion.views.animation.svg import text_px
+from cammotion.views.names import text_px
 from cammotion.views.plots import COLOURS
 
 

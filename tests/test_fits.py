@@ -194,7 +194,7 @@ def test_a_fit_by_trying_every_pair_of_parts(designation: str) -> None:
         ("5 G7", "5 mm, and the letter G is confirmed here only for diameters over 6 up to 400 mm"),
         ("450 F7", "only for diameters over 3 up to 400 mm: give for example 400 mm"),
         ("40 t6", "no confirmed tolerance zone with the letter 't': use one of 'd', 'e'"),
-        ("40 JS7", "letter 'JS': use one of"),
+        ("40 JS7", "letter 'JS': did you mean 'js'"),
         ("g6", "by a diameter in mm, a letter and a grade, not 'g6': give for example '40 g6'"),
         ("40 H7/g6", "not '40 H7/g6': give for example '40 g6'"),
         ("-40 g6", "give for example '40 g6'"),
@@ -215,11 +215,13 @@ def test_what_is_no_fit_is_refused_in_words(asked: Any) -> None:
 
 
 def test_bad_formulas_are_refused_in_words() -> None:
-    for bad in (0, -1, math.nan, math.inf, 501, "40", None, [40, 50]):
+    for bad in (0, -1, math.nan, math.inf, 501, "forty", None, [40, 50]):
         with pytest.raises(cm.InputError, match=r"diameter .* for example 40 mm"):
             cm.tolerance_unit(bad)  # type: ignore[arg-type]
     with pytest.raises(cm.InputError, match="no formula here for the letter 'p': use one of 'd'"):
         cm.deviation_um(40, "p")
+    with pytest.raises(cm.InputError, match="the letter 'G': did you mean 'g'"):  # of a hole
+        cm.deviation_um(40, "G")
     for grade in (4, 12, 6.5, "7", True, None, [7]):
         with pytest.raises(cm.InputError, match="grades 5 to 11"):
             cm.grade_um(40, grade)  # type: ignore[arg-type]

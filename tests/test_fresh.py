@@ -54,6 +54,23 @@ def narrower(solve: Any) -> Callable[..., Any]:
     return narrow
 
 
+def nearer(solve: Any) -> Callable[..., Any]:
+    """Break the reserves: a tenth more is left than there is."""
+
+    def more(*given: Any, **named: Any) -> Any:
+        return [
+            replace(found, late_deg=1.1 * found.late_deg, times=1.1 * found.times)
+            for found in solve(*given, **named)
+        ]
+
+    return more
+
+
+def heavier(solve: Any) -> Callable[..., Any]:
+    """Break the peak of a torque: it is a hundredth too large."""
+    return lambda shaft: solve(shaft)._replace(value=1.01 * solve(shaft).value)
+
+
 def bounded(solve: Any) -> Callable[..., Any]:
     """Break the least acceleration: it promises too much."""
 
@@ -92,6 +109,8 @@ FAULTS: dict[str, Patch] = {
     "widenings": (cm, "with_angle", lambda right: lambda one, angle: right(one, angle * 0.999)),
     "widest": (cm, "widest_move", narrower),
     "each_way": (cm, "widest_move", narrower),
+    "reserves": (cm, "reserves", nearer),
+    "reserved": (cm, "widest_move", narrower),
     "tables": (cm, "read_segments", lambda right: lambda path: restarted(right(path))),
     "values": (MotionLaw, "__call__", scaled(1 + 1e-6)),
     "factors": (MotionLaw, "Ca", lambda right: property(lambda law: 1.01 * right.fget(law))),
@@ -107,6 +126,7 @@ FAULTS: dict[str, Patch] = {
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),
     "contacts": (cm.FollowerLoad, "where_loose", lambda right: lambda *given: right(*given)[1:]),
+    "camshafts": (cm.Camshaft, "peak_torque", heavier),
     "indexers": (cm.Indexer, "rms_torque_N_m", scaled(1.01)),
     "responses": (cm.StartResponse, "acceleration", scaled(1 + 1e-7)),
     "questions": (again, "whole_question", lambda _: lambda one, machine: one.question(machine)),

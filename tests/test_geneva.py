@@ -72,7 +72,7 @@ def test_as_a_law_it_is_the_same_wheel(slots: int) -> None:
     assert math.isinf(wheel.law.Cj)
 
 
-@pytest.mark.parametrize("slots", [2, 0, -4, 4.5, 61, math.nan, "8", None, True])
+@pytest.mark.parametrize("slots", [2, 0, -4, 4.5, 61, math.nan, "eight", None, True])
 def test_other_wheels_are_refused(slots: object) -> None:
     with pytest.raises(cm.InputError, match=r"number of slots .*for example 8"):
         cm.Geneva(slots)  # type: ignore[arg-type]
@@ -83,5 +83,5 @@ def test_out_of_the_slot_and_other_derivatives_are_refused() -> None:
     assert wheel.angle_deg == 90
     with pytest.raises(cm.InputError, match="driver angle is 46 deg"):
         wheel(46)
-    with pytest.raises(cm.InputError, match="derivative is 3; it has to be 0, 1 or 2"):
+    with pytest.raises(cm.InputError, match="derivative is 3; it has to be a whole number at le"):
         wheel(0, 3)

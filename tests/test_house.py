@@ -17,6 +17,7 @@ import cammotion
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "cammotion"
 
+MOST_LINES, MOST_LINES_OF_A_FILE = 3000, 300
 VIEW_LIBRARIES = {"matplotlib", "mpl_toolkits", "ipywidgets", "anywidget", "drawsvg", "PIL"}
 
 
@@ -149,3 +150,10 @@ def test_records_are_frozen() -> None:
     assert len({*records}) >= 20
     loose = [each.__qualname__ for each in records if each.__setattr__ is object.__setattr__]
     assert not loose, "these records can be changed"
+
+
+def test_the_small_shared_package_stays_small() -> None:
+    """What a lesson leans on is read in an afternoon: laws and machine together."""
+    small = [path for name, path in MODULES.items() if room_of(name) in {"laws", "machine"}]
+    assert sum(len(path.read_text("utf-8").splitlines()) for path in small) <= MOST_LINES
+    assert max(len(path.read_text("utf-8").splitlines()) for path in small) <= MOST_LINES_OF_A_FILE

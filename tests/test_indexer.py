@@ -155,7 +155,10 @@ BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: ANY.Indexer(38.5, 7.5, 0.75), r"stops is 7.5; it has to be a whole number.*8"),
     (lambda: ANY.Indexer(38.5, 8, 0), r"indexing time is 0 s.*for example 0.75 s"),
     (lambda: ANY.Indexer(38.5, 8, math.inf), r"indexing time is inf s"),
-    (lambda: ANY.Indexer(38.5, 8, 0.75, "sine"), r"no motion law 'sine': use one of 'constant"),
+    (
+        lambda: ANY.Indexer(38.5, 8, 0.75, "sine"),
+        r"no motion law 'sine': did you mean 'modified sine'",
+    ),
     (lambda: ANY.Indexer(38.5, 8, 0.75, cm.CONSTANT_VELOCITY), r"velocity.*jumps.*'modified sine'"),
     (lambda: table(friction_N_m=-10), r"friction torque is -10 N m.*at least 0.*10 N m"),
     (lambda: table(work_N_m=math.nan), r"work torque is nan N m"),

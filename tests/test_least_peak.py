@@ -11,12 +11,12 @@ from crowds import Small, designs, draw, draw_any, keeps, least_by_trying
 from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
-from cammotion.limits import joint_search as search_module
-from cammotion.limits.joint_bound import Outline, outline
-from cammotion.limits.least_peak import LeastPeak, least_peak
-from cammotion.limits.parts import Part
-from cammotion.limits.sides import sides_of
+from cammotion.whole import joint_search as search_module
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.whole.joint_bound import Outline, outline
+from cammotion.whole.least_peak import LeastPeak, least_peak
+from cammotion.whole.parts import Part
+from cammotion.whole.sides import sides_of
 
 STILL = {"mill": [DOWN_DEG], "die": [DOWN_DEG]}
 TRAVEL = {"die": (0, 50)}

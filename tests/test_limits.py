@@ -562,7 +562,10 @@ NUMBERS = [
     ({"jerk_limit": -math.inf}, r"^The jerk limit is -inf m/s³; "),
     ({"jerk_limit": -5}, r"^The jerk limit is -5 m/s³; "),
     ({"jerk_limit": 0}, r"^The jerk limit is 0 m/s³; "),
-    ({"jerk_limit": "20"}, r"^The jerk limit has to be a number in m/s³, not '20': give for "),
+    (
+        {"jerk_limit": "20"},
+        r"^The jerk limit has to be a number in m/s³, not '20': give it as a n",
+    ),
     ({"jerk_limit": np.array([20.0, 30.0])}, r"^The jerk limit has to be a single number here, "),
     (
         {"cells": 11},
@@ -592,7 +595,7 @@ ARCS = [
     ([(205, 205)], r"^The still arc goes from 205 to 205 deg; "),
     ([(205, 565)], r"^The still arc goes from 205 to 565 deg; .* within a turn: give, for example"),
     ([(205, math.inf)], r"^The cam angle is inf deg; "),
-    ([(205, "305")], r"^The cam angle has to be a number in deg, not '305': give for example"),
+    ([(205, "305")], r"^The cam angle has to be a number in deg, not '305': give it as a num"),
     ([(205, 310)], r"^In the still arc from 205 to 310 deg the die moves, from 305 to 310 deg; a "),
     (
         [(205, 305), (100, 151)],
@@ -617,8 +620,8 @@ def test_arcs_over_which_it_cannot_stand_are_refused(still: Any, match: str) -> 
 def test_what_is_no_question_is_refused() -> None:
     with pytest.raises(cm.InputError, match=r"^There is no motion 'punch': use one of 'mill', 'di"):
         least_acceleration(make_diagram(), "punch", EXAMPLE, still=STILL)
-    with pytest.raises(cm.InputError, match=r"^The clearance rules are \[\]: give one or a list"):
-        least_acceleration(make_diagram(), "die", [], still=STILL)
+    with pytest.raises(cm.InputError, match=r"^The clearance rules are None: give one or a list"):
+        least_acceleration(make_diagram(), "die", None, still=STILL)  # type: ignore[arg-type]
     unknown = ClearanceRule(beyond("punch", 19), only_while=within("mill", 0.65))
     with pytest.raises(cm.InputError, match=r"^There is no motion 'punch'"):
         least_acceleration(make_diagram(), "die", unknown, still=STILL)

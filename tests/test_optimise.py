@@ -9,8 +9,8 @@ from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 from scipy.optimize import differential_evolution
 
 import cammotion as cm
-from cammotion.limits.optimise import Optimised, optimise
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.whole.optimise import Optimised, optimise
 
 STILL = {"mill": [DOWN_DEG], "die": [DOWN_DEG]}
 BALANCE_DEG, BALANCED = 163.267, 0.94285  # deg and m/s2, both with cycloids
@@ -165,7 +165,7 @@ def test_what_makes_no_sense_is_said(changed: dict[str, Any], words: str) -> Non
 
 
 def test_a_wrong_answer_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    from cammotion.limits import optimise as module
+    from cammotion.whole import optimise as module
 
     monkeypatch.setattr(module, "_apart", lambda *_: iter(()))  # as if there were no rules
     with pytest.raises(WrongAnswerError, match="too deep"):

@@ -29,7 +29,7 @@ from machines import (
 
 import cammotion as cm
 from cammotion import ClearanceRule, MotionLaw, TimingDiagram, beyond, within
-from cammotion.limits import widest
+from cammotion.limits.frame import Frame
 from cammotion.limits.widest import WidestMove, with_angle
 from cammotion.machine.clearance import Condition
 
@@ -663,8 +663,8 @@ QUESTIONS: list[Callable[..., object]] = [
 
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_every_question_refuses_what_it_cannot_answer(question: Callable[..., object]) -> None:
-    for rules in (None, [], 3, "die", [RULE, None], beyond("die", 19)):
-        with pytest.raises(cm.InputError, match=r"^The clearance rules are .*: give one or a list"):
+    for rules in (None, 3, "die", [RULE, None], beyond("die", 19)):
+        with pytest.raises(cm.InputError, match=r"rules.*: give (one or a list|a ClearanceRu)"):
             question(make_diagram(), rules)
     unknown = ClearanceRule(beyond("punch", 19), only_while=within("mill", 0.65))
     with pytest.raises(cm.InputError, match=r"^There is no motion 'punch': use one of 'mill', 'di"):
@@ -672,6 +672,14 @@ def test_every_question_refuses_what_it_cannot_answer(question: Callable[..., ob
     unknown = ClearanceRule(beyond("die", 19), only_while=within("turret", 0.65))
     with pytest.raises(cm.InputError, match=r"^There is no motion 'turret': use one of 'mill', "):
         question(make_diagram(), unknown)
+
+
+def test_no_rule_is_broken_by_nothing_and_leaves_the_widest_move() -> None:
+    assert (*cm.find_violations(make_diagram(), []), *cm.find_clearances(make_diagram(), [])) == ()
+    with pytest.raises(cm.InputError, match="There is no rule, and so no clearance"):
+        cm.smallest_clearance(make_diagram(), [])
+    free = cm.widest_move(make_diagram(), "die", [])
+    assert free.angle_deg > cm.widest_move(make_diagram(), "die", RULE).angle_deg
 
 
 @pytest.mark.parametrize("question", QUESTIONS[:3])
@@ -688,7 +696,7 @@ def test_an_unknown_motion_is_not_widened() -> None:
 
 @pytest.mark.parametrize("half", [None, "die", 19, RULE], ids=["None", "die", "19", "a rule"])
 def test_a_rule_is_made_of_conditions(half: Any) -> None:
-    match = r"^A half of the clearance rule is .*: make it with beyond\('die', 19\) or within\("
+    match = r"^ClearanceRule is given (when|only_while)=.*: give a condition, made with beyond"
     with pytest.raises(cm.InputError, match=match):
         ClearanceRule(half, only_while=within("mill", 0.65))
     with pytest.raises(cm.InputError, match=match):
@@ -763,9 +771,9 @@ def test_a_wrong_answer_is_an_error_that_asks_to_be_reported(
 ) -> None:
     """A solver that misses the widest candidates, and one that takes a broken rule for kept."""
     module = "cammotion.limits.widest"
-    few = widest._Frame.candidates
+    few = Frame.candidates
     with monkeypatch.context() as broken:
-        broken.setattr(widest._Frame, "candidates", lambda *given: [(90.0, 90.0), *few(*given)])
+        broken.setattr(Frame, "candidates", lambda *given: [(90.0, 90.0), *few(*given)])
         with pytest.raises(cm.WrongAnswerError, match=r"could take more than 90\.0 deg.*report it"):
             cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
     monkeypatch.setattr(f"{module}._keeps", lambda *_: True)

@@ -3,6 +3,7 @@
 import json
 import re
 import shlex
+import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -56,6 +57,24 @@ def test_ci_calls_the_test_command_of_the_readme() -> None:
     assert run.endswith(
         '\npython3 workbook.py test --fresh --seconds 120 --seed "$(git rev-parse HEAD)"\n'
     )
+
+
+def test_each_direct_dependency_has_a_lowest_version() -> None:
+    """On which `.ci/versions lowest` runs the tests, as the README says."""
+    for needed in DIRECT:
+        assert {"~=", ">=", "=="} & {each.operator for each in needed.specifier}, needed.name
+    assert "`.ci/versions lowest`" in README
+    assert "`.ci/versions newest`" in README
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a script for bash")
+@pytest.mark.parametrize("words", [[], ["other"]])
+def test_which_versions_are_meant_is_asked_for(words: list[str]) -> None:
+    """Before anything is installed."""
+    command = ["/bin/bash", str(ROOT / ".ci" / "versions"), *words]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert ran.returncode == 2
+    assert ran.stderr == "Say which versions: .ci/versions lowest, or .ci/versions newest.\n"
 
 
 def test_the_readme_lists_every_notebook() -> None:

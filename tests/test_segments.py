@@ -135,8 +135,8 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     ),
     (
         lambda: Segment(from_deg=205, to_deg=150, from_mm=0, to_mm=0),
-        "The angle of a segment is -55 deg; it has to be a finite number above 0 and at most "
-        "360 deg: give for example 55 deg.",
+        "The segment from 205 to 150 deg ends before it begins: if it goes on over 360 deg, give "
+        "to_deg=510.",
     ),
     (
         lambda: Segment(from_deg=0, to_deg=55, from_mm=0, to_mm=50, law=HALF),
@@ -145,7 +145,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     ),
     (
         lambda: Segment(from_deg=0, to_deg=55, from_mm=0, to_mm=50, law="cycloid"),
-        "There is no motion law 'cycloid': use one of 'constant acceleration'",
+        "There is no motion law 'cycloid': did you mean 'cycloidal'",
     ),
 ]
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from small_workbook import move_starter, raiser
 
-from starter import commands, copies, environment, maintain
+from starter import commands, environment, folder, maintain
 
 
 @pytest.fixture(autouse=True)
@@ -23,6 +23,8 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (OSError(errno.EROFS, "read-only", "/x/.name.part"), f"write {Path('/x')}. "),
         (OSError(errno.EROFS, "read-only", "/x"), f"No permission to write {Path('/x')}. "),
         (OSError(errno.EIO, "input/output error"), "refused"),
+        (OSError(errno.ENAMETOOLONG, "File name too long", "/x"), "short path"),
+        (OSError(errno.EINVAL, "[WinError 1260] blocked"), "group policy"),
     ],
 )
 def test_what_the_system_refuses_is_said_in_words(
@@ -32,7 +34,7 @@ def test_what_the_system_refuses_is_said_in_words(
     words: str,
 ) -> None:
     """Errors of the operating system end in a sentence and an exit code."""
-    monkeypatch.setattr(copies, "work_folder", raiser(error))
+    monkeypatch.setattr(folder, "find", raiser(error))
     assert commands.run(["setup"]) == 1
     assert words in capsys.readouterr().err
 

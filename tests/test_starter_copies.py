@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from small_workbook import change, keep, move_starter, notebook, raiser
 
-from starter import commands, copies, environment, notebooks
+from starter import commands, copies, environment, folder, notebooks
 from starter.errors import WorkbookError
 
 
@@ -69,7 +69,7 @@ def test_an_edit_survives_an_update(
 
 def test_new_outputs_are_no_new_version(root: Path) -> None:
     """Only the cells' types and sources count."""
-    work = copies.work_folder("work")
+    work = folder.find("work")
     copies.lay_missing(work)
     content = notebook("02_maximum_acceleration", output_type="stream", name="stdout", text="4")
     (root / "notebooks" / "02_maximum_acceleration.ipynb").write_text(json.dumps(content))
@@ -241,7 +241,7 @@ def test_files_that_the_starter_did_not_lay_are_not_touched(
     root: Path, start: Callable[..., list[str]]
 ) -> None:
     """The package's progress, half a download, what macOS and JupyterLab put beside a file."""
-    work = copies.work_folder("work")
+    work = folder.find("work")
     for name in (
         "progress.json",
         ".progress.json.part",
@@ -266,21 +266,26 @@ def test_a_taken_name_is_not_overwritten(monkeypatch: pytest.MonkeyPatch, links:
     """Not even by a start that did not see the file come, with and without hard links."""
     if not links:
         monkeypatch.setattr("os.link", raiser(OSError(errno.EPERM, "no links")))
-    source, work = notebooks.originals()[0], copies.work_folder("work")
+    source, work = notebooks.originals()[0], folder.find("work")
     taken, free = work / "taken.ipynb", work / "free.ipynb"
     taken.write_text("mine")
-    assert not copies.lay(source, taken)
-    assert copies.lay(source, free)
+    assert not copies.lay(source, taken, work)
+    assert copies.lay(source, free, work)
     assert taken.read_text() == "mine"
     assert json.loads(free.read_text())["metadata"]["workbook"]["source"] == source.name
     assert sorted(path.name for path in work.iterdir()) == ["free.ipynb", "taken.ipynb"]
 
 
-@pytest.mark.parametrize("name", ["workbook.py", "notebooks", "work/x", "../work", "work x", ""])
-def test_other_folders_are_refused(name: str) -> None:
+@pytest.mark.parametrize(
+    "name", ["workbook.py", "notebooks", "work/x", "work x", "", ".", "./anna", "../wörk book/a"]
+)
+def test_other_folders_of_the_workbook_are_refused(
+    root: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
     """Only what .gitignore keeps out of commits can hold the learner's copies."""
+    monkeypatch.chdir(root)
     with pytest.raises(WorkbookError, match="work-anna"):
-        copies.work_folder(name)
+        folder.find(name)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need rights")
@@ -288,13 +293,13 @@ def test_a_work_folder_that_is_none_is_refused(root: Path) -> None:
     """A link to a folder elsewhere is one; a file, or a link to nowhere, is not."""
     (root / "work").symlink_to("elsewhere")
     with pytest.raises(WorkbookError, match="link to nowhere"):
-        copies.work_folder("work")
+        folder.find("work")
     (root / "elsewhere").mkdir()
-    copies.lay_missing(copies.work_folder("work"))
+    copies.lay_missing(folder.find("work"))
     assert len(list((root / "elsewhere").iterdir())) == 2
     (root / "work-file").write_text("mine")
     with pytest.raises(WorkbookError, match="work-file is a file"):
-        copies.work_folder("work-file")
+        folder.find("work-file")
 
 
 def lay_a_table(root: Path) -> Path:
@@ -330,5 +335,5 @@ def test_a_file_in_the_place_of_the_folder_of_tables_stays(
     lay_a_table(root)
     (root / "work").mkdir()
     (root / "work" / "data").write_text("mine")
-    assert "work/data is no folder: cam.csv could not be laid there." in start("setup")
+    assert "work/data is no folder: cam.csv was not laid." in start("setup")
     assert (root / "work" / "data").read_text() == "mine"

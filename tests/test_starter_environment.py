@@ -8,13 +8,15 @@ import shutil
 import socket
 import sys
 import time
+import zipfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 from small_workbook import move_starter, raiser
 
-from starter import commands, environment, inspection, installer, paths
+from starter import commands, environment, inspection, installer, paths, processes
 from starter.errors import WorkbookError
 from starter.inspection import Environment
 
@@ -25,6 +27,70 @@ SOUND = Environment(
     package="/here/src/cammotion",
     versions={"numpy": "2.4.6", "six": "1.17.0"},
 )
+
+
+# What pip 23 and 26 and uv said of a server with such a fault, or are known to say in Windows.
+SAID = [
+    (
+        "Could not fetch URL: There was a problem confirming the ssl certificate: SSLError("
+        "SSLCertVerificationError(1, '[SSL: CERTIFICATE_VERIFY_FAILED] certificate verify failed: "
+        "self-signed certificate')) - skipping\nERROR: No matching distribution found for six",
+        "a certificate of its own",
+    ),
+    ("error sending request\n  cause: invalid peer certificate: UnknownIssuer", "SSL_CERT_FILE"),
+    ("certificate verify failed: certificate has expired (_ssl.c:1006)", "date of this computer"),
+    ("certificate verify failed: certificate is not yet valid", "date of this computer"),
+    ("OSError('Tunnel connection failed: 407 Proxy Authentication Required')", "HTTPS_PROXY"),
+    ("client error (Connect)\n  cause: tunnel error: proxy authorization required", "HTTPS_PROXY"),
+    (
+        "'ProxyError('Cannot connect to proxy.', OSError('Tunnel connection failed: 403 Forbidden')"
+        "\nERROR: No matching distribution found for six",
+        "The download is forbidden",
+    ),
+    ("ERROR: HTTP error 403 while getting the file", "The download is forbidden"),
+    ("hint: An index returned a 403 Forbidden error.", "The download is forbidden"),
+    ("HTTP status client error (403 Forbidden) for url", "The download is forbidden"),
+    ("cause: client error (Connect)\n  cause: tunnel error: unsuccessful", "forbidden"),
+    (
+        "ERROR: Could not find a version that satisfies the requirement six (from versions: none)"
+        "\nERROR: No matching distribution found for six",
+        "has nothing of a package",
+    ),
+    ("Because six was not found in the package registry and you require it", "has nothing of"),
+    ("[Errno 2] No such file: 'x'\nHINT: ... Windows Long Path support enabled.", "short path"),
+    ("OSError: [WinError 206] Dateiname oder Erweiterung ist zu lang: 'C:\\\\x'", "short path"),
+    ("failed to create directory `C:\\cam" + "\\deep" * 50 + "` (os error 3)", "short path"),
+    ("File name too long (os error 36)", "short path"),
+    (
+        "OSError: [WinError 5] Zugriff verweigert: 'c:\\\\x.pyd'\nCheck the permissions.",
+        "is in use",
+    ),
+    ("error: failed to remove file `x.pyd`: Access is denied. (os error 5)", "is in use"),
+    ("PermissionError: [WinError 32] Le processus ne peut pas", "is in use"),
+    (
+        "Could not install packages due to an OSError: [Errno 13] Permission denied: 'x'",
+        "is in use",
+    ),
+    ("error: failed to remove file `x.pyd`: Zugriff verweigert (os error 5)", "is in use"),
+    ("error: failed to rename: le fichier est utilise (os error 32)", "is in use"),
+    ("error: failed to hardlink file: Vorgang in der Cloud ungueltig (os error 396)", "OneDrive"),
+    ("importing _x: library load disallowed by system policy", "group policy"),
+    ("the program is blocked by group policy", "group policy"),
+    ("[Errno 63] x", "short path"),
+    ("ERROR: 403 Client Error: Forbidden for url", "forbidden"),
+    ("invalid peer certificate: Expired", "date of this computer"),
+    ("Input/output error (os error 5)", "lines above"),
+    ("Broken pipe (os error 32)", "lines above"),
+    ("OSError: [WinError 1260] Ce programme est bloque", "group policy"),
+    ("Failed to query Python interpreter: blocked by group policy (os error 1260)", "group policy"),
+    ("DLL load failed: An Application Control policy has blocked this file.", "group policy"),
+    (
+        "warning: Failed to hardlink files; falling back to full copy.\nerror: failed to hardlink "
+        "file: The cloud operation cannot be performed on a file with incompatible hardlinks. "
+        "(os error 396)",
+        "OneDrive, which refuses the links",
+    ),
+]
 
 
 @pytest.fixture(autouse=True)
@@ -208,10 +274,11 @@ def test_an_update_that_touched_nothing_leaves_the_stamp(
         ("ERROR: No matching distribution found for numpy==2.4.6", "3.11, 3.12 and 3.13"),
         ("Because numpy has no wheels: No solution found when resolving", "3.11, 3.12 and 3.13"),
         ("something else", "lines above"),
+        *SAID,
     ],
 )
 def test_installers_are_understood(output: str, words: str) -> None:
-    """What pip and uv say is put into a sentence."""
+    """What pip and uv say, in any language of Windows, is put into a sentence."""
     assert words in installer.explain(output)
 
 
@@ -260,6 +327,52 @@ def test_too_small_a_disk_is_refused(root: Path, monkeypatch: pytest.MonkeyPatch
     assert not (root / ".venv").exists()
 
 
+def make_wheel(folder: Path) -> None:
+    """Make a package of one module, which pip can install without a network."""
+    info = "cam_probe-1.0.dist-info"
+    files = {
+        "cam_probe.py": "",
+        f"{info}/METADATA": "Metadata-Version: 2.1\nName: cam-probe\nVersion: 1.0\n",
+        f"{info}/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+        f"{info}/RECORD": "",
+    }
+    with zipfile.ZipFile(folder / "cam_probe-1.0-py3-none-any.whl", "w") as wheel:
+        for name, content in files.items():
+            wheel.writestr(name, content)
+
+
+@pytest.mark.parametrize(
+    "own",
+    [
+        {"PIP_USER": "1"},
+        {"PIP_TARGET": "elsewhere"},
+        {"PIP_PREFIX": "elsewhere"},
+        {"PIP_ROOT": "elsewhere"},
+        {"PIP_CONFIG_FILE": "pip.conf"},
+    ],
+    ids=str,
+)
+def test_packages_go_into_the_environment_whatever_the_user_has_set(
+    root: Path, monkeypatch: pytest.MonkeyPatch, own: dict[str, str]
+) -> None:
+    """A real pip, told to install for the user or elsewhere, by variables or by its file."""
+    make_wheel(root)
+    (root / "environment.txt").write_text("cam-probe==1.0\n")
+    (root / "pip.conf").write_text("[global]\nuser = true\n")
+    monkeypatch.setattr(installer, "find_uv", lambda: None)
+    use_bundled_pip(monkeypatch)
+    index = {"PIP_CONFIG_FILE": os.devnull, "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": "."}
+    for name, value in (index | own).items():
+        monkeypatch.setenv(name, str(root / value) if value == "pip.conf" else value)
+    monkeypatch.setenv("HOME", str(root))
+    environment.create()
+    installer.install_packages("[2/3]")
+    now = inspection.inspect()
+    assert now
+    assert now.versions["cam-probe"] == "1.0"
+    assert not (root / "elsewhere").exists()
+
+
 def test_no_network_takes_seconds(
     root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -291,6 +404,8 @@ def test_no_network_takes_seconds(
 
 def use_bundled_pip(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run pip from the wheel that ensurepip would install, where Python brings it: it is faster."""
-    for wheel in Path(ensurepip.__path__[0]).glob("_bundled/pip-*.whl"):
-        monkeypatch.setenv("PYTHONPATH", str(wheel))
+    wheel = next(Path(ensurepip.__path__[0]).glob("_bundled/pip-*.whl"), None)
+    if wheel:
+        with_pip = partial(processes.environ, PYTHONPATH=str(wheel))
+        monkeypatch.setattr(processes, "environ", with_pip)
         monkeypatch.setattr(installer, "add_pip", lambda: None)

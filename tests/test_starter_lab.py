@@ -1,20 +1,28 @@
 """JupyterLab: its port, its start and end, and the browser."""
 
+import os
 import secrets
 import signal
 import socket
 import subprocess
 import sys
 import threading
+from http import HTTPStatus
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 from small_workbook import move_starter
 
-from starter import browser, commands, environment, lab
+from starter import browser, commands, environment, lab, processes
 from starter.errors import WorkbookError
 
+OWN_SETTINGS = """
+c.IdentityProvider.token = "mine"
+c.PasswordIdentityProvider.hashed_password = "sha1:0123:4567"
+c.ServerApp.certfile = "/no/such/certificate.pem"
+c.ServerApp.base_url = "/mine/"
+"""
 SCREENS = ("SSH_CONNECTION", "DISPLAY", "WAYLAND_DISPLAY")
 
 
@@ -59,18 +67,19 @@ def test_a_port_whose_connections_just_closed_is_free() -> None:
 def test_the_lab_opens_and_ends(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """It answers with its token, not without, and is gone after Ctrl-C."""
+    """It answers with its token, not without, whatever the learner has set, and ends by Ctrl-C."""
     start = lab.start
 
     def start_and_press_ctrl_c(
-        port: int, token: str, passed_on: list[str]
+        port: int, token: str, served: Path, passed_on: list[str]
     ) -> "subprocess.Popen[str]":
-        process = start(port, token, passed_on)
+        process = start(port, token, served, passed_on)
         watchdog = threading.Timer(30, process.kill)
         watchdog.daemon = True
         watchdog.start()
-        assert lab.answers(port, token)
-        assert not lab.answers(port, "wrong")
+        assert lab.ask(port, token) == HTTPStatus.OK
+        assert lab.ask(port, "wrong") == lab.ask(port, "mine") == HTTPStatus.FORBIDDEN
+        assert token not in str(process.args)
         process.send_signal(signal.SIGINT)
         return process
 
@@ -79,6 +88,11 @@ def test_the_lab_opens_and_ends(
     monkeypatch.setattr(lab, "start", start_and_press_ctrl_c)
     for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
         monkeypatch.setenv(name, str(tmp_path / name))
+    (tmp_path / "JUPYTER_CONFIG_DIR").mkdir()
+    (tmp_path / "JUPYTER_CONFIG_DIR" / "jupyter_server_config.py").write_text(OWN_SETTINGS)
+    (tmp_path / "astray").mkdir()
+    (tmp_path / "astray" / "jupyterlab.py").write_text("raise SystemExit('led astray')")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path / "astray"))
     port = free_port()
     try:
         assert commands.run(["--no-browser", f"--port={port}", "--work=work-anna"]) == 0
@@ -100,14 +114,60 @@ def free_port() -> int:
 def let_lab_be(monkeypatch: pytest.MonkeyPatch, script: str) -> None:
     """Start this script instead of JupyterLab."""
     command = [sys.executable, "-c", script]
-    monkeypatch.setattr(lab, "command", lambda _port, _passed_on: command)
+    monkeypatch.setattr(lab, "command", lambda *_arguments: command)
 
 
 def test_a_lab_that_dies_shows_its_last_words(monkeypatch: pytest.MonkeyPatch) -> None:
     """A start that fails does not hang."""
     let_lab_be(monkeypatch, "raise SystemExit('no such option')")
     with pytest.raises(WorkbookError, match=r"no such option\n.*before it was ready"):
-        lab.start(8888, "token", [])
+        lab.start(8888, "token", Path(), [])
+
+
+@pytest.mark.parametrize(
+    ("status", "words"),
+    [
+        (HTTPStatus.FORBIDDEN, "refuses the token .* JUPYTER_CONFIG_DIR"),
+        (HTTPStatus.UNAUTHORIZED, "refuses the token .* JUPYTER_CONFIG_DIR"),
+        (HTTPStatus.BAD_GATEWAY, "answers only with status 502 on port 8888 after 0 s"),
+        (lab.NO_ANSWER, "does not answer on port 8888 after 0 s.* firewall"),
+    ],
+)
+def test_a_lab_that_never_gets_ready_is_not_waited_for_without_end(
+    monkeypatch: pytest.MonkeyPatch, status: int, words: str
+) -> None:
+    """What refuses, or stays silent too long, is ended with a sentence."""
+    ended: list[subprocess.Popen[str]] = []
+    stop = processes.stop
+
+    def note_and_stop(child: "subprocess.Popen[str]") -> None:
+        ended.append(child)
+        stop(child)
+
+    let_lab_be(monkeypatch, "import time; time.sleep(60)")
+    monkeypatch.setattr(lab, "ask", lambda _port, _token: status)
+    monkeypatch.setattr(lab, "PATIENCE", 0 if status not in lab.REFUSED else 60)
+    monkeypatch.setattr(processes, "stop", note_and_stop)
+    with pytest.raises(WorkbookError, match=words):
+        lab.start(8888, "token", Path(), [])
+    assert ended[0].returncode is not None
+
+
+def test_what_leads_python_astray_does_not_reach_a_child(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Packages of another place would come before those of the environment, in each kernel."""
+    for name in processes.ASTRAY:
+        monkeypatch.setenv(name, "astray")
+    monkeypatch.setenv("MINE", "stays")
+    let_lab_be(monkeypatch, "import os; raise SystemExit(str(dict(os.environ)))")
+    with pytest.raises(WorkbookError) as caught:
+        lab.start(8888, "token", Path(), [])
+    assert "astray" not in str(caught.value)
+    assert {"PYTHONPATH", "PYTHONHOME"} == {*processes.ASTRAY}
+    assert processes.environ(MORE="1") == {
+        name: value for name, value in os.environ.items() if value != "astray"
+    } | {"MORE": "1"}
 
 
 def test_a_lab_that_dies_later_is_not_said_to_have_been_stopped(
@@ -115,7 +175,7 @@ def test_a_lab_that_dies_later_is_not_said_to_have_been_stopped(
 ) -> None:
     """Its exit code is passed on."""
     let_lab_be(monkeypatch, "import time; time.sleep(0.2); raise SystemExit(3)")
-    monkeypatch.setattr(lab, "answers", lambda _port, _token: True)
+    monkeypatch.setattr(lab, "ask", lambda _port, _token: HTTPStatus.OK)
     assert commands.run(["--no-browser"]) == 3
     assert "has stopped" not in capsys.readouterr().out
 
@@ -136,7 +196,7 @@ def test_the_token_stays_off_the_browsers_command_line(
         return True
 
     let_lab_be(monkeypatch, "import time; time.sleep(0.2)")
-    monkeypatch.setattr(lab, "answers", lambda _port, _token: True)
+    monkeypatch.setattr(lab, "ask", lambda _port, _token: HTTPStatus.OK)
     monkeypatch.setattr(browser, "find_obstacle", lambda _no_browser: "")
     monkeypatch.setattr("webbrowser.open", open_page)
     monkeypatch.setattr(secrets, "token_hex", lambda _length: "secret")

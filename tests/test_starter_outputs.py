@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from small_workbook import keep, move_starter, notebook
 
-from starter import copies, notebooks
+from starter import copies, folder, notebooks
 
 PROSE = {"cell_type": "markdown", "id": "m", "metadata": {}, "source": "so"}
 
@@ -26,7 +26,7 @@ def original(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_neither_the_first_copy_nor_a_fresh_one_has_outputs(original: Path) -> None:
     """And neither is said to be old."""
     before = original.read_bytes()
-    work = copies.work_folder("work")
+    work = folder.find("work")
     copies.lay_missing(work)
     for path in (work / original.name, copies.lay_fresh(original, work)):
         code, prose = json.loads(path.read_text())["cells"]
@@ -39,7 +39,7 @@ def test_neither_the_first_copy_nor_a_fresh_one_has_outputs(original: Path) -> N
 
 def test_a_copy_with_outputs_keeps_them_and_is_not_old(original: Path) -> None:
     """The learner's own outputs, and those of copies that were laid with the workbook's."""
-    work = copies.work_folder("work")
+    work = folder.find("work")
     content, version = notebooks.read_original(original)
     note = {"workbook": {"source": original.name, "version": version}}
     (work / original.name).write_text(json.dumps(content | {"metadata": note}))

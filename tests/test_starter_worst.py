@@ -28,7 +28,7 @@ needs_fork = pytest.mark.skipif(sys.platform == "win32", reason="no fork, no SIG
 READY = """
 import json, os, signal, sys
 sys.path.insert(0, sys.argv[1])
-from starter import commands, copies, environment
+from starter import commands, copies, environment, folder
 environment.ensure = lambda: None
 
 def fork():
@@ -83,7 +83,7 @@ def killer(lines):
     return trace
 
 def is_killed(lines):
-    work = copies.work_folder(f"work-{lines}")
+    work = folder.find(f"work-{lines}")
     child = fork()
     if not child:
         sys.settrace(killer(lines))
@@ -92,10 +92,10 @@ def is_killed(lines):
     return os.waitpid(child, 0)[1] == signal.SIGKILL
 
 lines = 0
-shutil.copytree(copies.ROOT / "work", copies.ROOT / "work-0")
+shutil.copytree(folder.ROOT / "work", folder.ROOT / "work-0")
 while is_killed(lines):
     lines += 1
-    shutil.copytree(copies.ROOT / "work", copies.ROOT / f"work-{lines}")
+    shutil.copytree(folder.ROOT / "work", folder.ROOT / f"work-{lines}")
 print(lines)
 """
 
@@ -129,7 +129,7 @@ for _ in range(5):
         os.fsync = lambda _: os.kill(os.getpid(), signal.SIGKILL)
         commands.run(sys.argv[2:] or ["setup"])
     assert os.waitpid(child, 0)[1] == signal.SIGKILL
-    print(len(os.listdir(copies.ROOT / "work")))
+    print(len(os.listdir(folder.ROOT / "work")))
 """
 
 
@@ -200,7 +200,7 @@ def test_a_disk_full_at_any_step_is_said(
 # Leave so many pages free and start; make room and start again; take away what was laid.
 FILL = """
 import contextlib, io
-work, filler = copies.ROOT / "work", copies.ROOT / "work" / "filler"
+work, filler = folder.ROOT / "work", folder.ROOT / "work" / "filler"
 
 def start():
     said = io.StringIO()

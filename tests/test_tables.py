@@ -322,7 +322,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(to_mm="5"),
     ],
-    "Line 2 of bad.csv: There is no motion law 'cycloid': use one of 'constant acceleration'": [
+    "Line 2 of bad.csv: There is no motion law 'cycloid': did you mean 'cycloidal'": [
         HEADING,
         changed(law="cycloid", to_mm="5"),
     ],

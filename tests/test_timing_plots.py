@@ -136,11 +136,18 @@ def test_a_collision_is_marked_where_it_is() -> None:
 
 
 def test_twelve_mechanisms_get_a_lane_each() -> None:
+    """With its name beside it, and its range at the other end."""
     ax = cm.plot_timing(TWELVE)
-    spans = [(line.get_ydata().min(), line.get_ydata().max()) for line in ax.lines]  # type: ignore[union-attr]
+    to_axes = ax.transData.inverted()
+    spans = []
+    for line, motion in zip(ax.lines, TWELVE.motions, strict=True):
+        angles = np.asarray(line.get_xdata(), dtype=float)
+        assert np.allclose(line.get_ydata(), motion.position_mm(angles))
+        drawn = to_axes.transform(line.get_transform().transform(line.get_xydata()))
+        spans.append((drawn[:, 1].min(), drawn[:, 1].max()))
     assert all(low - above == pytest.approx(0.25) for (low, _), (_, above) in pairwise(spans))
-    assert [label.get_text() for label in ax.get_yticklabels()][:2] == ["0 to 100", "0 to 10"]
-    assert texts(ax) == list(TWELVE.names)
+    assert [label.get_text() for label in ax.get_yticklabels()] == list(TWELVE.names)
+    assert texts(ax)[:2] == ["0 to 100", "0 to 10"]
 
 
 def test_the_movement_of_an_indexing_motion_counts_from_the_nearest_stop() -> None:
@@ -208,7 +215,7 @@ def test_plots_refuse_what_they_cannot_draw() -> None:
         cm.plot_clearance({}, RULE)
     with pytest.raises(cm.InputError, match="There is no motion 'arm': use one of 'mill', 'die'"):
         cm.plot_clearance(BEFORE, cm.ClearanceRule(cm.beyond("arm", 1), cm.within("mill", 1)))
-    with pytest.raises(cm.InputError, match="The diagram is None: give a TimingDiagram"):
+    with pytest.raises(cm.InputError, match="is given diagram=None: give a timing diagram"):
         cm.plot_timing(None)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="colour"):
         cm.plot_timing(BEFORE, colour="red")  # type: ignore[call-arg]

@@ -44,9 +44,11 @@ def test_a_torque_that_is_there_at_once_is_a_jump() -> None:
 
 def test_nothing_and_another_quantity_are_refused() -> None:
     plot: Any = cm.plot_torque
-    with pytest.raises(cm.InputError, match=r"indexers are \{\}: give each a name"):
+    with pytest.raises(cm.InputError, match="no indexer to draw: give each by its name"):
         plot({})
-    with pytest.raises(cm.InputError, match="give each a name"):
+    with pytest.raises(
+        cm.InputError, match=r"indexers=.*: give a dictionary, for each name an Ind"
+    ):
         plot(TABLES["sine"])
     with pytest.raises(cm.InputError, match="no quantity 'energy': use one of 'torque', 'power'"):
         plot(TABLES, quantity="energy")

@@ -1,3 +1,6 @@
+from .drive.camshaft import Camshaft
+from .drive.process import ProcessForce
+from .drive.rates import RateLimit, rate_limits
 from .dynamics.chain import Chain, tuned_mass, two_masses
 from .dynamics.contact import Flights, follower_flights
 from .dynamics.loads import FollowerLoad
@@ -42,8 +45,8 @@ from .laws.motion_law import MotionLaw
 from .laws.scca_family import scca
 from .laws.symbols import x
 from .limits.least import LeastAcceleration, least_acceleration
-from .limits.least_peak import LeastPeak, least_peak
-from .limits.optimise import Optimised, optimise
+from .limits.quickest import quickest_move
+from .limits.reserves import Reserve, reserves
 from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.clearance import (
     ClearanceRule,
@@ -101,6 +104,8 @@ from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
 from .views.torque_plots import plot_torque
+from .whole.least_peak import LeastPeak, least_peak
+from .whole.optimise import Optimised, optimise
 
 __version__: str
 
@@ -117,6 +122,7 @@ __all__ = [
     "Box",
     "Button",
     "CamTable",
+    "Camshaft",
     "Chain",
     "ClearanceRule",
     "Control",
@@ -152,7 +158,10 @@ __all__ = [
     "PointMasses",
     "Polydyne",
     "PrintedLimits",
+    "ProcessForce",
     "ProfileLift",
+    "RateLimit",
+    "Reserve",
     "Ring",
     "RollerCam",
     "Rotor",
@@ -243,8 +252,11 @@ __all__ = [
     "polynomial",
     "predict",
     "progress",
+    "quickest_move",
+    "rate_limits",
     "read_cam_table",
     "read_segments",
+    "reserves",
     "residual_vibration",
     "return_",
     "rise",

@@ -8,7 +8,7 @@ the sign changes is bracketed. A peak narrower than two samples could be missed.
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,29 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
 
 Function = Callable[[Piece, Floats], Floats]
+
+
+class Stretch(Protocol):
+    """A part of the turn, of which it is known where its derivatives turn: a piece is one."""
+
+    @property
+    def low(self) -> float:
+        """Where it begins."""
+
+    @property
+    def high(self) -> float:
+        """Where it ends."""
+
+    @property
+    def turns(self) -> list[float]:
+        """Where it turns, in order."""
+
+    @property
+    def derivative(self) -> "Stretch":
+        """Its derivative."""
+
+
+S = TypeVar("S", bound=Stretch)
 
 _STEP_DEG = 0.25
 _LEAST_SAMPLES = 33
@@ -33,13 +56,13 @@ class Extreme(NamedTuple):
     at_deg: float
 
 
-def largest(function: Function, pieces: Sequence[Piece]) -> Extreme:
+def largest(function: Callable[[S, Floats], Floats], pieces: Sequence[S]) -> Extreme:
     """Return the largest value of a function over the pieces of a turn, and where it is."""
     (value, place), _ = summit(function, pieces)
     return Extreme(value, place % DEG_PER_TURN)
 
 
-def summit(function: Function, pieces: Sequence[Piece]) -> tuple[Extreme, Piece]:
+def summit(function: Callable[[S, Floats], Floats], pieces: Sequence[S]) -> tuple[Extreme, S]:
     """Return the largest value, its place as its piece counts it, and the piece."""
     sampled = [function(piece, samples(piece)) for piece in pieces]
     top = max(values.max() for values in sampled)
@@ -66,7 +89,7 @@ def where_positive(function: Function, pieces: Sequence[Piece]) -> list[Arc]:
     return arcs(found)
 
 
-def samples(piece: Piece) -> Floats:
+def samples(piece: Stretch) -> Floats:
     """Return places in a piece, close to one another and some between two cuts, with both ends."""
     count = max(_LEAST_SAMPLES, int(np.ceil((piece.high - piece.low) / _STEP_DEG)) + 1)
     ends = np.array([piece.low, *cuts(piece), piece.high])
@@ -74,13 +97,14 @@ def samples(piece: Piece) -> Floats:
     return np.union1d(np.linspace(piece.low, piece.high, count), between)
 
 
-def cuts(piece: Piece) -> list[float]:
+def cuts(piece: Stretch) -> list[float]:
     """Return in order where a piece's first three derivatives turn.
 
     Near there what is made of them has its peaks. And there, where the third has steps as in a law
     from points, the second has its kinks: between two cuts it is smooth.
     """
-    curve, found = piece, set[float]()
+    curve: Stretch = piece
+    found = set[float]()
     for _ in range(3):
         curve = curve.derivative
         with suppress(InputError):  # some turn so often that it cannot be proved
@@ -104,7 +128,9 @@ def _positive(function: Function, piece: Piece, places: Floats) -> Iterator[Arc]
         yield start, piece.high
 
 
-def _summits(function: Function, piece: Piece, values: Floats, least: float) -> Iterator[Extreme]:
+def _summits(
+    function: Callable[[S, Floats], Floats], piece: S, values: Floats, least: float
+) -> Iterator[Extreme]:
     """Yield what is largest beside each sample of at least this height that is a local summit.
 
     Of a level stretch the ends are enough.
@@ -121,7 +147,9 @@ def _summits(function: Function, piece: Piece, values: Floats, least: float) -> 
         yield found if found.value > sampled.value else sampled
 
 
-def _searched(function: Function, piece: Piece, bounds: tuple[float, float]) -> Extreme:
+def _searched(
+    function: Callable[[S, Floats], Floats], piece: S, bounds: tuple[float, float]
+) -> Extreme:
     from scipy.optimize import minimize_scalar
 
     found = minimize_scalar(

@@ -12,6 +12,8 @@ def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
     A file that is there already is left as it is, with an InputError, unless `overwrite` is True.
     """
     path = as_path(path)
+    if not isinstance(overwrite, bool):
+        raise InputError(f"The overwrite is {shorten(overwrite)}: give True or False.")
     try:
         content = text.encode("utf-8")
     except UnicodeEncodeError as wrong:
@@ -25,12 +27,12 @@ def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
             file.write(content)
     except FileExistsError:
         raise InputError(
-            f"The file {path.name} is there already and was left as it is: choose another name, "
+            f"The file {_name(path)} is there already and was left as it is: choose another name, "
             "or add overwrite=True."
         ) from None
     except OSError as wrong:
         raise InputError(
-            f"The file {path.name} cannot be written ({wrong.strerror}): choose a folder that is "
+            f"The file {_name(path)} cannot be written ({wrong.strerror}): choose a folder that is "
             "there and that you may write to."
         ) from None
     return path
@@ -47,8 +49,8 @@ def read_text(path: str | Path) -> str:
     except UnicodeDecodeError as wrong:
         line, byte = content.count(b"\n", 0, wrong.start) + 1, content[wrong.start]
         raise InputError(
-            f"The file {path.name} cannot be read: its line {line} has the byte {byte:#04x}, which "
-            "is no character in UTF-8. Save it in the spreadsheet as 'CSV UTF-8'."
+            f"The file {_name(path)} cannot be read: its line {line} has the byte {byte:#04x}, "
+            "which is no character in UTF-8. Save it in the spreadsheet as 'CSV UTF-8'."
         ) from None
 
 
@@ -58,12 +60,20 @@ def read_bytes(path: str | Path) -> bytes:
     try:
         return path.read_bytes()
     except (FileNotFoundError, NotADirectoryError):
-        raise InputError(f"There is no file {path.name}: give the path of one.") from None
+        raise InputError(f"There is no file {_name(path)}: give the path of one.") from None
     except OSError as wrong:
         raise InputError(
-            f"The file {path.name} cannot be read ({wrong.strerror}): give a file that you may "
+            f"The file {_name(path)} cannot be read ({wrong.strerror}): give a file that you may "
             "read."
         ) from None
+
+
+def is_folder(path: Path) -> bool:
+    """Tell whether a path is that of a folder; one that is too long for the system is of none."""
+    try:
+        return path.is_dir()
+    except OSError:
+        return False
 
 
 def as_path(path: Any) -> Path:
@@ -80,3 +90,7 @@ def as_path(path: Any) -> Path:
             "all: give one like 'machine.csv'."
         )
     return Path(path)
+
+
+def _name(path: Path) -> str:
+    return shorten(path.name, of=str)

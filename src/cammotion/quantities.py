@@ -2,12 +2,23 @@
 
 import math
 import numbers
-from collections.abc import Iterable
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from difflib import get_close_matches
+from linecache import getline
+from traceback import walk_tb
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+_TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
+_LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
+_NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
+_NONE: Mapping[str, str] = {}
+_TYPED = re.compile(r"[+-]?\d+([.,]\d+)?", re.ASCII)
 
 Floats = NDArray[np.float64]
 
@@ -19,6 +30,21 @@ class InputError(ValueError):
     """A value that makes no sense here; the message names it, what is allowed, and the fix."""
 
     __module__ = "cammotion"  # the name under which its reader can catch it
+
+    def _render_traceback_(self) -> list[str]:
+        """Return what a notebook shows: the reader's own lines and the sentence."""
+        own = [
+            f"line {line}: {getline(frame.f_code.co_filename, line).strip()}"
+            for frame, line in walk_tb(self.__traceback__)
+            if frame.f_globals.get("__name__") == "__main__"
+        ]
+        return [*own, f"{InputError.__name__}: {self}"]
+
+
+class UnknownNameError(InputError, KeyError):
+    """A name that is not known; of a mapping it is a KeyError, as usual."""
+
+    __str__ = Exception.__str__  # a KeyError shows its sentence in quotes
 
 
 class WrongAnswerError(RuntimeError):
@@ -37,7 +63,8 @@ class WrongAnswerError(RuntimeError):
 class Quantity:
     """A physical quantity with its unit and the range in which it makes sense.
 
-    `low` itself is allowed only where `low_included` is set; `high` always is.
+    `low` itself is allowed only where `low_included` is set; `high` always is. `kind` says in words
+    what is asked for.
 
     >>> Quantity("indexing angle", "deg", example=55, high=360).array([27.5, 55])
     array([27.5, 55. ])
@@ -49,6 +76,7 @@ class Quantity:
     low: float = 0.0
     high: float = math.inf
     low_included: bool = False
+    kind: str = "finite number"
 
     def array(self, value: ArrayLike) -> Floats:
         """Return `value` as an array of floats of the same shape, each of them in range.
@@ -60,7 +88,7 @@ class Quantity:
         if array.size == 0:
             raise InputError(f"The {self.name} is empty: give {self._example}.")
         least = array.min()  # many at once take no detour; nan is in no order
-        is_above = least > self.low or (self.low_included and least == self.low)
+        is_above = least > self._least or (self.low_included and least == self.low)
         if is_above and array.max() <= self.high < math.inf:
             return array
         inside = self._inside(array)
@@ -86,12 +114,12 @@ class Quantity:
         >>> Quantity("number of stops", "", example=8).whole(24.0)
         24
         """
-        number = self.number(value)
+        if type(value) is int and self.low < value <= min(self.high, 1 / _TINY):
+            return value  # the usual one takes no detour
+        quantity = replace(self, kind="whole number")
+        number = quantity.number(value)
         if number != int(number):
-            raise InputError(
-                f"The {self.name} is {number:g}; it has to be a whole number: give for example "
-                f"{self.example:g}."
-            )
+            raise InputError(quantity._refusal(number))
         return int(number)
 
     @property
@@ -108,6 +136,10 @@ class Quantity:
         return f" {low}{high}{self._unit}"
 
     @property
+    def _least(self) -> float:
+        return self.low or _TINY  # what has to be above 0 is not as good as 0
+
+    @property
     def _unit(self) -> str:
         return f" {self.unit}" if self.unit else ""
 
@@ -116,45 +148,94 @@ class Quantity:
         return f"for example {self.example:g}{self._unit}"
 
     def _as_floats(self, value: ArrayLike) -> Floats:
+        items = value if isinstance(value, list | tuple) else ()
+        if np.ma.is_masked(value) or any(item is np.ma.masked for item in items):
+            raise InputError(
+                f"The {self.name} has masked values, which are none: leave them out, for example "
+                "with .compressed()."
+            )
         try:
             array = np.asarray(value)
-        except ValueError:  # a ragged list
+        except (ValueError, TypeError):  # a ragged list, or what only seems to be one
             array = np.asarray(None)
         if array.dtype.kind in "iuf":
             return array.astype(np.float64, copy=False)
         if array.size == 0:
             return np.empty(0)
         if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
-            return array.astype(np.float64)
+            return np.array([_as_float(item) for item in array.flat]).reshape(array.shape)
+        typed = as_typed(value)
+        meant = f"it as a number, {typed} without quotes" if typed else self._example
         raise InputError(
             f"The {self.name} has to be a number{' in ' + self.unit if self.unit else ''}, "
-            f"not {shorten(value)}: give {self._example}."
+            f"not {shorten(value)}: give {meant}."
         )
 
     def _inside(self, array: Floats) -> NDArray[np.bool_]:
-        above = array >= self.low if self.low_included else array > self.low
-        return above & (array <= self.high) & np.isfinite(array)
+        above = array >= self.low if self.low_included else array > self._least
+        size = np.abs(array)
+        inside: NDArray[np.bool_] = above & (array <= self.high) & (size <= 1 / _TINY)
+        return inside
 
     def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:
         position = tuple(int(i) for i in np.argwhere(~inside)[0])
         where = f" (at position {', '.join(map(str, position))})" if position else ""
+        return self._refusal(array[position], where)
+
+    def _refusal(self, number: float, where: str = "") -> str:
+        kind = self.kind if _is_usual(number) else f"number of {_TINY:g} to {1 / _TINY:g}"
         return (
-            f"The {self.name} is {array[position]:g}{self._unit}{where}; it has to be a finite "
-            f"number{self.allowed}: give {self._example}."
+            f"The {self.name} is {number:g}{self._unit}{where}; it has to be a "
+            f"{kind}{self.allowed}: give {self._example}."
         )
 
 
-def one_of(what: str, name: Any, known: Iterable[str]) -> str:
-    """Return `name` if it is one of the `known` names; otherwise raise InputError listing them.
+def one_of(
+    what: str,
+    name: Any,
+    known: Iterable[str],
+    also: Mapping[str, str] = _NONE,
+    *,
+    is_exact: bool = False,
+) -> str:
+    """Return the one of the `known` names that `name` is; `also` has other names of them.
 
-    >>> one_of("motion law", "cycloidal", ["cycloidal", "cubic"])
+    Unless `is_exact` it may be in any case, where that is one of them alone. Otherwise raise
+    InputError with those that are near, or with all.
+
+    >>> one_of("motion law", "Cycloidal", ["cycloidal", "cubic"])
     'cycloidal'
     """
-    names = list(known)
-    if isinstance(name, str) and name in names:
-        return name
-    listed = ", ".join(f"'{known_name}'" for known_name in names)
-    raise InputError(f"There is no {what} {shorten(name)}: use one of {listed}.")
+    names = {known_name: known_name for known_name in known}
+    if isinstance(name, str):
+        if name in names:
+            return name
+        given, folded = name[:_LONG].casefold(), _folded({**also, **names})
+        if not is_exact and len(folded.get(given, ())) == 1:
+            return folded[given][0]
+        if near := _near(given, folded):
+            raise UnknownNameError(f"There is no {what} {shorten(name)}: did you mean {near}?")
+    listed = shorten(", ".join(f"'{each}'" for each in names), _LISTED, of=str)
+    raise UnknownNameError(f"There is no {what} {shorten(name)}: use one of {listed}.")
+
+
+def _folded(names: Mapping[str, str]) -> dict[str, list[str]]:
+    """Return by each name, without its case, the names that it may stand for."""
+    folded: dict[str, list[str]] = {}
+    for other, one in names.items():
+        meant = folded.setdefault(str(other).casefold(), [])
+        if str(one) not in meant:
+            meant.append(str(one))
+    return folded
+
+
+def _near(given: str, folded: Mapping[str, list[str]]) -> str:
+    """Return in words the names that may be meant, an empty text for none."""
+    ones = dict.fromkeys(one for meant in folded.values() for one in meant)
+    holding = [one for one in ones if len(given) >= _WORD and given in one.casefold()]
+    close = [one for each in get_close_matches(given, folded) for one in folded[each]]
+    meant = dict.fromkeys(f"'{one}'" for one in [*holding, *close])
+    return " or ".join([*meant][:_NEAR])
 
 
 def broadcast(**arrays: Floats) -> None:
@@ -169,14 +250,48 @@ def broadcast(**arrays: Floats) -> None:
         ) from None
 
 
-def shorten(value: object, length: int = 60) -> str:
+def shorten(value: object, length: int = 60, *, of: Callable[[object], str] = repr) -> str:
     """Return a value as a sentence can show it, however long it is."""
-    text = repr(value)
+    text = of(value)
     return text if len(text) <= length else text[: length - 3] + "..."
 
 
+def _is_usual(number: float) -> bool:
+    return not math.isfinite(number) or number == 0 or _TINY <= abs(number) <= 1 / _TINY
+
+
 def _is_real(item: object) -> bool:
-    return isinstance(item, numbers.Real) and not isinstance(item, (bool, np.bool_))
+    is_number = isinstance(item, numbers.Real | Decimal)
+    return is_number and not isinstance(item, (bool, np.bool_))
+
+
+def _as_float(item: Any) -> float:
+    try:
+        return float(item)
+    except OverflowError:  # 10**400, which no float can hold
+        return math.inf if item > 0 else -math.inf
+
+
+def as_typed(value: object) -> str:
+    """Return the number that a text is, with a decimal point; an empty text if it is none.
+
+    >>> as_typed("4,154"), as_typed(" 55 "), as_typed("die")
+    ('4.154', '55', '')
+    """
+    text = value.strip() if isinstance(value, str) else ""
+    return text.replace(",", ".") if _TYPED.fullmatch(text) else ""
+
+
+def listed(values: Any) -> tuple[Any, ...]:
+    """Return what can be gone through as a tuple; an empty one for a text, and for anything else.
+
+    >>> listed(range(2)), listed("die"), listed(None)
+    ((0, 1), (), ())
+    """
+    try:
+        return () if isinstance(values, str | bytes) else tuple(values)
+    except TypeError:
+        return ()
 
 
 def plain(values: Numbers) -> Numbers:

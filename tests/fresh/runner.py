@@ -22,6 +22,7 @@ from typing import Any
 from fresh import (
     check_cam_tables,
     check_cams,
+    check_camshafts,
     check_contacts,
     check_indexers,
     check_laws,
@@ -29,6 +30,7 @@ from fresh import (
     check_machines,
     check_measured,
     check_questions,
+    check_reserves,
     check_responses,
     check_widest,
 )
@@ -44,6 +46,8 @@ CHECKS: Mapping[str, Check] = {
     "widenings": check_widest.widenings,
     "widest": check_widest.widest,
     "each_way": check_widest.each_way,
+    "reserves": check_reserves.reserves,
+    "reserved": check_reserves.reserved,
     "tables": check_machines.tables,
     "values": check_laws.values,
     "factors": check_laws.factors,
@@ -59,6 +63,7 @@ CHECKS: Mapping[str, Check] = {
     "cams": check_cams.cams,
     "followers": check_cams.followers,
     "contacts": check_contacts.contacts,
+    "camshafts": check_camshafts.camshafts,
     "indexers": check_indexers.indexers,
     "responses": check_responses.responses,
     "questions": check_questions.questions,

@@ -192,16 +192,19 @@ def worst(
 ) -> tuple[float, float]:
     """Return the largest margin over the turn and its angle, refined where it is largest.
 
-    A margin of `enough` is as good as any larger one: then it is not refined.
+    Of a level stretch the ends are enough: else they are lost among so many as high. A margin of
+    `enough` is as good as any larger one: then it is not refined.
     """
     grid = grid_of(rule, tracks, coarse)
     values = margin(rule, tracks, grid)
     most, angle = float(values.max()), float(grid[np.argmax(values)])
-    if most >= enough:
+    before, after = np.roll(values, 1), np.roll(values, -1)
+    is_level = (values == before) & (values == after)
+    if most >= enough or is_level.all():
         return most, angle
     gaps = np.diff(grid, append=grid[0] + 360)
     reaches = np.maximum(gaps, np.roll(gaps, 1))
-    peaks = np.flatnonzero((values >= np.roll(values, 1)) & (values >= np.roll(values, -1)))
+    peaks = np.flatnonzero((values >= before) & (values >= after) & ~is_level)
     peaks = peaks[np.argsort(-values[peaks])][:PEAKS]
     centers, reach = grid[peaks], reaches[peaks]
     for _ in range(ZOOMS):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.bracketed import Extreme, Function, largest, where_positive
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc
@@ -16,6 +17,7 @@ from cammotion.quantities import Floats, Numbers, Quantity, plain
 MASS = Quantity("mass of the follower", "kg", example=12)
 STIFFNESS = Quantity("stiffness of the spring", "N/mm", example=5, low_included=True)
 PRELOAD = Quantity("preload of the spring", "N", example=100, low_included=True)
+LIFT = Quantity("height over the lowest position", "mm", example=10, low=-math.inf)
 WEIGHT = Quantity("weight on the cam", "N", example=117.7, low=-math.inf)
 
 _LEAST_N = 1e-12
@@ -52,11 +54,12 @@ class FollowerLoad:
         ):
             object.__setattr__(self, name, quantity.number(getattr(self, name)))
 
+    @checked
     def force_N(self, motion: Motion, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:  # noqa: N802
         """Return the force in N between follower and cam at a cam angle; below 0 it has left it."""
         lift = np.asarray(motion.position_mm(angle_deg)) - motion.range_mm[0]
         push = self.mass_kg * motion.derivative(2, angle_deg, rate_per_hour)
-        return plain(push + self.standing_N(lift))
+        return plain(push + self._standing(lift))
 
     def standing_N(self, lift_mm: Numbers) -> Numbers:  # noqa: N802
         """Return the force in N of spring and weight at a height in mm over the lowest position.
@@ -64,8 +67,9 @@ class FollowerLoad:
         >>> FollowerLoad(mass_kg=2, stiffness_N_per_mm=5, preload_N=100).standing_N(10)
         150.0
         """
-        return self.stiffness_N_per_mm * lift_mm + self.preload_N + self.weight_N
+        return plain(self._standing(LIFT.array(lift_mm)))
 
+    @checked
     def where_loose(self, motion: Motion, rate_per_hour: float) -> list[Arc]:
         """Return the arcs of the turn, in deg, over which spring and weight are too weak at a rate.
 
@@ -81,11 +85,13 @@ class FollowerLoad:
         """
         return where_positive(self._lack(motion, rate_per_hour), motion.curve.pieces)
 
+    @checked
     def least_force(self, motion: Motion, rate_per_hour: float) -> Extreme:
         """Return the least force in N between follower and cam in a turn, and where it is."""
         found = largest(self._lack(motion, rate_per_hour), motion.curve.pieces)
         return Extreme(-found.value, found.at_deg)
 
+    @checked
     def needed_preload_N(self, motion: Motion, rate_per_hour: float) -> float:  # noqa: N802
         """Return the least preload in N with which the follower stays on the cam at a rate.
 
@@ -94,6 +100,7 @@ class FollowerLoad:
         """
         return max(self.preload_N - self.least_force(motion, rate_per_hour).value, 0.0)
 
+    @checked
     def lift_off_rate(self, motion: Motion) -> float:
         """Return the machine rate in pieces/h above which the follower leaves the cam.
 
@@ -119,6 +126,9 @@ class FollowerLoad:
             return 0.0
         return 1 / math.sqrt(largest(share, pieces).value)
 
+    def _standing(self, lift_mm: Floats) -> Floats:
+        return np.asarray(self.stiffness_N_per_mm * lift_mm + self.preload_N + self.weight_N)
+
     def _lack(self, motion: Motion, rate_per_hour: float) -> Function:
         """Return the force in N that is lacking to stay on the cam, below 0 where there is one."""
         per_deg = self._inertia(rate_per_hour)
@@ -134,7 +144,7 @@ class FollowerLoad:
         return float(self.mass_kg * per_second**2 / MM_PER_M)
 
     def _standing_at(self, motion: Motion, piece: Piece, places: Floats) -> Floats:
-        return np.asarray(self.standing_N(piece.over(places.copy()) - motion.range_mm[0]))
+        return self._standing(piece.over(places.copy()) - motion.range_mm[0])
 
 
 def _bend(piece: Piece, places: Floats) -> Floats:

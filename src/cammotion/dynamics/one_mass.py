@@ -34,6 +34,9 @@ from cammotion.machine.kinematics import MM_PER_M, Move
 from cammotion.quantities import InputError, Numbers, Quantity
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=1.5, low=-1e6, high=1e6)
+_ORDER = Quantity(
+    "derivative (position, velocity, acceleration)", "", example=2, high=2, low_included=True
+)
 SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
 DAMPING = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
 _SAME, _PROBES = 1e-12, (0.3123, 0.7411)  # zones that differ by less there are one
@@ -94,15 +97,10 @@ class OneMass:
         >>> print(f"{OneMass('cycloidal', swings=4)(0.5):.4f}")
         0.4998
         """
-        if derivative not in range(_ACCELERATION + 1):
-            raise InputError(
-                f"The derivative is {derivative!r}; it has to be 0, 1 or 2, for the position, the "
-                "velocity or the acceleration of the mass."
-            )
-        times = _TIME.array(x)
-        if derivative == 0:
+        times, order = _TIME.array(x), _ORDER.whole(derivative)
+        if order == 0:
             return self._response.position_mm(times) / MM_PER_M
-        return (self._response.velocity, self._response.acceleration)[derivative - 1](times)
+        return (self._response.velocity, self._response.acceleration)[order - 1](times)
 
     @cached_property
     def peak(self) -> float:

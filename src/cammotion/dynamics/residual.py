@@ -7,6 +7,7 @@ run for long, where each move begins with what the moves before it have left.
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.dynamics.forcing import check_velocity
 from cammotion.dynamics.swing import Complexes, Swing
 from cammotion.laws.catalogue import as_law
@@ -52,6 +53,7 @@ def dynamic_factor(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float
     return plain(most.reshape(np.shape(ratios)) / as_law(law).Ca)
 
 
+@checked
 def running_residual(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.02) -> Numbers:
     """Return how far the mass swings in the dwell after the first move of a running machine.
 
@@ -78,6 +80,7 @@ def running_residual(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0
     return plain(swing.furthest(v[last]).reshape(np.shape(ratios)))
 
 
+@checked
 def running_factor(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.02) -> Numbers:
     """Return how many times the cam's peak acceleration the mass's is, in a running machine.
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.dynamics.chain import Chain
 from cammotion.dynamics.course import Course, Spots
 from cammotion.dynamics.forcing import Forcing, accelerations, check_velocity
@@ -154,6 +155,7 @@ class Response(ABC):
         return least, most
 
 
+@checked
 class MoveResponse(Response):
     """A follower that a `move` drives once, from rest, and then leaves alone; `at` is in s.
 
@@ -204,6 +206,7 @@ class MoveResponse(Response):
 class _TurnResponse(Response):
     """A follower that a motion drives turn after turn; `at` is a cam angle in deg."""
 
+    @checked
     def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:
         check_velocity(motion)
         self.chain, self.motion = chain, motion
@@ -278,6 +281,7 @@ class SteadyResponse(_TurnResponse):
     a whole number of times in a turn: then it swings more with each turn, without end.
     """
 
+    @checked
     def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:
         super().__init__(chain, motion, rate_per_hour)
         matrix, row = self._course.passage

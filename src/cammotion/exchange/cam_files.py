@@ -11,6 +11,7 @@ import numpy as np
 from ezdxf import units
 from ezdxf.filemanagement import new as new_drawing
 
+from cammotion.arguments import checked
 from cammotion.files import write_new
 from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.drawing import Stroke, strokes
@@ -33,6 +34,7 @@ _EDGE_MM, _LINE_MM = 5.0, 0.25
 _TABLES = {".csv": ",", ".txt": "\t"}
 
 
+@checked
 def write_cam(  # noqa: PLR0913 - what a workshop may ask for
     cam: DiscCam,
     path: str | Path,
@@ -66,8 +68,6 @@ def write_cam(  # noqa: PLR0913 - what a workshop may ask for
     cam angle in deg,x in mm,y in mm,pitch curve x in mm,pitch curve y in mm
     0.0,0.0,150.0,0.0,160.0
     """
-    if not isinstance(cam, DiscCam):
-        raise InputError(f"The cam is {shorten(cam)}: give a RollerCam or a FlatFacedCam.")
     tolerance = TOLERANCE.number(tolerance_mm)
     kind = Path(path).suffix.lower() if isinstance(path, str | Path) else ""
     if kind not in {*_DRAWINGS, *_TABLES}:

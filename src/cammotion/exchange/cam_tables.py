@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.ma import MaskError
 
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
 from cammotion.exchange.table_meaning import (
@@ -17,7 +18,7 @@ from cammotion.exchange.table_meaning import (
 from cammotion.exchange.table_text import read_text
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.measured.cam_table import CamTable
-from cammotion.quantities import Floats, InputError, one_of
+from cammotion.quantities import Floats, InputError, one_of, shorten
 
 _FEWEST = 8
 
@@ -107,12 +108,12 @@ def _columns(given: Any) -> tuple[int, int] | None:
         return None
     try:
         first, second = map(int, given)
-    except (TypeError, ValueError, OverflowError):
+    except (TypeError, ValueError, OverflowError, MaskError):
         first = second = 0
     if min(first, second) < 1 or first == second:
         raise InputError(
-            f"The columns are {given!r}: give the numbers of two columns, counted from 1, for "
-            "example (1, 3)."
+            f"The columns are {shorten(given)}: give the numbers of two columns, counted from 1, "
+            "for example (1, 3)."
         )
     return first - 1, second - 1
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS
-from cammotion.files import as_path, write_new
+from cammotion.files import as_path, is_folder, write_new
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
 from cammotion.machine.motions import Motion
@@ -71,16 +71,16 @@ def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
     179.9;29.3364
     """
     as_diagram(diagram)
-    one_of("form of a cam table", form, FORMS)
+    form = one_of("form of a cam table", form, FORMS)
     if derivatives is not None:
-        one_of("unit of the derivatives", derivatives, _UNITS)
+        derivatives = one_of("unit of the derivatives", derivatives, _UNITS)
         if form == "codesys":
             raise InputError(
                 "CODESYS reads a table of two columns: leave out the derivatives, or write the "
                 "plain form."
             )
     separator = (";" if form == "plain" else "\t") if separator is None else separator
-    one_of("separator", separator, SEPARATORS)
+    one_of("separator", separator, SEPARATORS)  # which have no case
     if one_of("decimal mark", decimal, DECIMALS) == separator:
         raise InputError("The comma cannot be both separator and decimal mark: change one of them.")
     places = PLACES.whole(decimals)
@@ -173,7 +173,7 @@ def _write(
 ) -> dict[str, Path]:
     """Write the files, unless one of them is there already."""
     place = as_path(folder)
-    if not place.is_dir():
+    if not is_folder(place):
         raise InputError(
             f"There is no folder {shorten(place.name)}: make it, or give another one; each "
             "mechanism gets a file of its own in it."

@@ -11,7 +11,7 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, one_of, shorten
 
 DWELL = "dwell"
 NUMBERS = {
@@ -86,7 +86,17 @@ class _Laws:
         """Return the law that a line names, and says in full if `text` is not empty."""
         if not text:
             named = {law.name.strip(): law for law in self._given}
-            return None if name == DWELL else (KNOWN | named).get(name, name)
+            if name == DWELL:
+                return None
+            found = (
+                named.get(name) or KNOWN.get(name) or one_of("motion law", name, [*named, *LAWS])
+            )
+            if isinstance(found, str) and found != name:  # in an older table another law's name
+                raise InputError(
+                    f"There is no motion law {shorten(name)}: write {found!r}, or give your own "
+                    "among the `laws`."
+                )
+            return found
         if name in RESERVED and not text.startswith(OWN):
             raise InputError(
                 f"The law is called {name!r}, but '{IN_FULL}' says another one: empty that cell "

@@ -120,7 +120,7 @@ def read_segments(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Timing
 
 def _in_full(law: MotionLaw) -> list[str]:
     """Return the cells that say what a law is; empty for one of the catalogue under its name."""
-    known = LAWS[law.name] if law.name in LAWS else KNOWN.get(law.name)
+    known = LAWS[law.name] if law.name in {*LAWS} else KNOWN.get(law.name)
     if known and is_same_law(known, law):
         return [""]
     text = (OWN if law.name in RESERVED else "") + law_as_text(law)

@@ -58,5 +58,5 @@ def curvature(follower: RollerFollower, lift: Lift, prime: Any) -> Floats:
 
 def points(place: NDArray[np.complexfloating], angle_deg: ArrayLike) -> Floats:
     """Return places as the cam at 0 deg has them, as points (x, y) in an array (..., 2)."""
-    seen = place * np.exp(1j * np.radians(angle_deg))
+    seen = place * np.exp(1j * np.radians(np.asarray(angle_deg, dtype=float)))
     return np.stack([seen.real, seen.imag], axis=-1)

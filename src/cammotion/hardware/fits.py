@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
+import numpy as np
+
+from cammotion.arguments import checked
 from cammotion.hardware.iso_286 import (
     GRADES,
     LAST_GRADE_OF_K,
@@ -22,6 +25,7 @@ from cammotion.quantities import InputError, Quantity, one_of, shorten
 Kind = Literal["clearance", "transition", "interference"]
 
 _DIAMETER = Quantity("diameter", "mm", example=40, high=STEPS_MM[-1])
+DEVIATION = Quantity("deviation", "µm", example=-9, low=-1e6, high=1e6)
 _LETTERS = (*UPPER, SYMMETRIC, *LOWER)
 _UNITS = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100}
 _POWERS = {  # um = factor * mm ** power, with the sign of the deviation
@@ -95,10 +99,11 @@ def deviation_um(diameter_mm: float, letter: str) -> float:
     >>> print(f"{deviation_um(40, 'g'):.1f}")
     -8.7
     """
-    factor, power = _POWERS[one_of("formula here for the letter", letter, _POWERS)]
+    factor, power = _POWERS[one_of("formula here for the letter", letter, _POWERS, is_exact=True)]
     return float(factor * mean_diameter_mm(diameter_mm) ** power)
 
 
+@checked
 @dataclass(frozen=True, repr=False)
 class Limits:
     """How far a part may be from its nominal size: a diameter in mm, deviations in um.
@@ -111,6 +116,12 @@ class Limits:
     zone: str
     upper_um: float
     lower_um: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "diameter_mm", _DIAMETER.number(self.diameter_mm))
+        for name in ("upper_um", "lower_um"):
+            number = DEVIATION.number(getattr(self, name))
+            object.__setattr__(self, name, int(number) if number.is_integer() else number)
 
     def __repr__(self) -> str:
         """Write it as a drawing does."""
@@ -239,7 +250,7 @@ class Fit:
 
 def _limits(diameter_mm: float, letter: str, grade: int) -> Limits:
     at = _step(diameter_mm)
-    one_of("confirmed tolerance zone with the letter", letter, _LETTERS)
+    one_of("confirmed tolerance zone with the letter", letter, _LETTERS, is_exact=True)
     width = GRADES[_checked_grade(grade)][at]
     zone = f"{letter}{grade}"
     if letter == SYMMETRIC:
@@ -261,7 +272,7 @@ def _step(diameter_mm: float) -> int:
 
 
 def _checked_grade(grade: Any) -> int:
-    if isinstance(grade, bool) or grade not in (*GRADES,):
+    if not isinstance(grade, int | np.integer) or grade not in (*GRADES,):
         raise InputError(
             f"The grade is {shorten(grade)}; there are the grades 5 to 11 here: give for example 7."
         )

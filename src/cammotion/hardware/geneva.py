@@ -19,12 +19,12 @@ from numpy.typing import ArrayLike
 
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
-from cammotion.quantities import InputError, Numbers, Quantity, plain
+from cammotion.quantities import Numbers, Quantity, plain
 
 _SLOTS = Quantity("number of slots", "", example=8, low=3, high=60, low_included=True)
+_DERIVATIVE = Quantity("derivative", "", example=1, high=2, low_included=True)
 _ROUNDING = 1e-12
 _SMALL = 1e-16  # a term of the series that changes no digit
-_ACCELERATION = 2
 
 
 @dataclass(frozen=True)
@@ -99,14 +99,13 @@ class Geneva:
         end = self.angle_deg / 2 * (1 + _ROUNDING)
         quantity = Quantity("driver angle", "deg", example=0, low=-end, high=end, low_included=True)
         alpha, k = np.radians(quantity.array(alpha_deg)), self.ratio
-        if derivative == 0:
+        order = _DERIVATIVE.whole(derivative)
+        if order == 0:
             return plain(np.arctan2(k * np.sin(alpha), 1 - k * np.cos(alpha)))
         under = 1 - 2 * k * np.cos(alpha) + k**2
-        if derivative == 1:
+        if order == 1:
             return plain(k * (np.cos(alpha) - k) / under)
-        if derivative == _ACCELERATION:
-            return plain(-k * (1 - k**2) * np.sin(alpha) / under**2)
-        raise InputError(f"The derivative is {derivative!r}; it has to be 0, 1 or 2.")
+        return plain(-k * (1 - k**2) * np.sin(alpha) / under**2)
 
     @cached_property
     def law(self) -> MotionLaw:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.hardware.followers import Places, RollerFollower, SwingingRoller, TranslatingRoller
 from cammotion.hardware.traced_profile import Traced
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -43,6 +44,7 @@ class ProfileLift:
     off_mm: float
 
 
+@checked
 def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     x_mm: ArrayLike,
     y_mm: ArrayLike,

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
+from cammotion.arguments import checked
 from cammotion.bracketed import samples, summit
 from cammotion.hardware.disc_cam import check_motion, lift_of, travel_mm
 from cammotion.hardware.envelope import Lift, curvature, pressure_angle
@@ -28,6 +29,7 @@ _ENOUGH = 1e-11  # a share of the pressure angle, or of the curvature, that is r
 _CLOSE_MM = 1e-11
 
 
+@checked
 def smallest_prime_radius(
     motion: Motion,
     follower: RollerFollower,
@@ -58,6 +60,7 @@ def smallest_prime_radius(
     return _Asked(motion, follower, steepest, sharpest).solved()
 
 
+@checked
 def smallest_base_radius(motion: Motion, *, profile_radius_mm: float = 0) -> float:
     """Return the radius in mm of the smallest base circle of a cam with a flat face, solved for.
 

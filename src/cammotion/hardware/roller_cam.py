@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
+from cammotion.arguments import checked
 from cammotion.bracketed import Extreme, largest
 from cammotion.hardware.disc_cam import (
     DiscCam,
@@ -75,6 +76,7 @@ class RollerCam(DiscCam):
         """Return the pitch curve, on which the roller's centre is, as points (..., 2) in mm."""
         return points(self._path(self.lift(angle_deg))[0], angle_deg)
 
+    @checked
     def profile_mm(self, angle_deg: ArrayLike, *, outer: bool = False) -> Floats:
         """Return the points (x, y) in mm that touch the roller, in an array (..., 2).
 
@@ -83,6 +85,7 @@ class RollerCam(DiscCam):
         """
         return self._beside(angle_deg, self.roller_mm if outer else -self.roller_mm)
 
+    @checked
     def cutter_mm(self, angle_deg: ArrayLike, radius_mm: float, *, outer: bool = False) -> Floats:
         """Return the way of a cutter's centre, as points (..., 2) in mm, of another radius.
 
@@ -177,6 +180,7 @@ class RollerCam(DiscCam):
         """Where the far flank of a groove has a cusp: its pitch curve is too hollow."""
         return self._sharper_than_roller(-1)
 
+    @checked
     def cut_away(self, *, outer: bool = False) -> list[Arc]:
         """Return the arcs over which the cutter has taken the profile away elsewhere in the turn.
 

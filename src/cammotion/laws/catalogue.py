@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy
 
+from cammotion.arguments import checked
 from cammotion.laws.curve import mirrored
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.reader import read
@@ -21,6 +22,7 @@ _half, _pi, _ROUNDING = sympy.Rational(1, 2), sympy.pi, 1e-9
 _BOUNDARY = Quantity("boundary value", "", example=0, low=-1e9)
 
 
+@checked
 def polynomial(
     start: Sequence[float],
     end: Sequence[float],
@@ -57,6 +59,7 @@ def polynomial(
     return law
 
 
+@checked
 def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
     """Return a straight line in the middle, joined at both ends by polynomials of degree five.
 
@@ -107,14 +110,17 @@ _KNOWN: dict[str, tuple[Callable[[], Any], tuple[str, ...]]] = {
 }
 """For each name what makes S, an expression or a curve, and the other names of the law."""
 
+_OTHERS = {other: name for name, (_, others) in _KNOWN.items() for other in others}
+
 
 class Catalogue(Mapping[str, MotionLaw]):
-    """Laws by their names, each made when it is first asked for."""
+    """Laws by their names, in any case, or by others; each made when it is first asked for."""
 
     def __init__(self) -> None:
         self._made: dict[str, MotionLaw] = {}
 
     def __getitem__(self, name: str) -> MotionLaw:
+        name = one_of("motion law", name, _KNOWN, _OTHERS)
         if name not in self._made:
             make, others = _KNOWN[name]
             self._made[name] = MotionLaw(name, make(), others)
@@ -140,7 +146,7 @@ def as_law(law: Any) -> MotionLaw:
     >>> as_law("cycloidal")
     MotionLaw('cycloidal')
     """
-    return law if isinstance(law, MotionLaw) else LAWS[one_of("motion law", law, LAWS)]
+    return law if isinstance(law, MotionLaw) else LAWS[law]
 
 
 def _boundary(given: Any, which: str) -> tuple[sympy.Rational, ...]:

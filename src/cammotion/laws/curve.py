@@ -12,6 +12,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 import sympy
 
+from cammotion.alike import Alike
 from cammotion.laws.piece import Number, Piece, Placed
 from cammotion.quantities import Floats
 
@@ -32,8 +33,10 @@ class Branch(NamedTuple):
         return self.piece.solve(height, self.low, self.high)
 
 
-class Curve:
+class Curve(Alike):
     """Smooth pieces one after the other, without a gap between them."""
+
+    made_of = ("pieces",)
 
     def __init__(self, pieces: Iterable[Piece]) -> None:
         self.pieces = tuple(pieces)

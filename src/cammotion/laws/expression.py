@@ -24,6 +24,8 @@ _PARTS = 200  # into which a zone may be cut to see that
 class Expression(Proved):
     """An expression in `x`, evaluated as it is written, and bounded by interval arithmetic."""
 
+    made_of = ("_expression", "low", "high")
+
     def __init__(self, expression: sympy.Expr, low: float, high: float) -> None:
         self._expression, self.low, self.high = expression, low, high
 

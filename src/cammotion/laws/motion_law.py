@@ -16,14 +16,17 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.laws.curve import Curve, mirrored
 from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain
+from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain, shorten
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
+_HEIGHT = Quantity("displacement S", "", example=0.5, low=-math.inf)
+_ORDER = Quantity("derivative (S, V, A, J)", "", example=2, high=3, low_included=True)
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
 _ROUNDING = 1e-12  # of S
 _MISSED = 1e-9  # by so much S may miss 0 and 1 at its ends, and what was solved for
@@ -32,7 +35,7 @@ _JERK = 3  # the highest derivative a law is asked for
 _HALF = sympy.Rational(1, 2)
 
 
-class MotionLaw:
+class MotionLaw(Alike):
     """A motion law: its `name` and its one expression `s` in `cammotion.x`, 0 <= x <= 1.
 
     `also_called` lists its other names in the field; `curve` is S over x, to reckon with. (`s` may
@@ -50,6 +53,7 @@ class MotionLaw:
     name: str
     curve: Curve
     also_called: tuple[str, ...]
+    made_of = ("name", "curve")
 
     def __init__(self, name: str, s: sympy.Expr | Curve, also_called: tuple[str, ...] = ()) -> None:
         is_curve = isinstance(s, Curve)
@@ -89,11 +93,7 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3)([0, 0.5, 1], derivative=1)
         array([0. , 1.5, 0. ])
         """
-        if not (isinstance(derivative, int | np.integer) and 0 <= derivative <= _JERK):
-            raise InputError(
-                f"The derivative is {derivative!r}; it has to be 0, 1, 2 or 3, for S, V, A or J."
-            )
-        return plain(self.curve.derived(derivative)(_TIME.array(x)))
+        return plain(self.curve.derived(_ORDER.whole(derivative))(_TIME.array(x)))
 
     @property
     def Cv(self) -> float:  # noqa: N802 (the field's symbol)
@@ -231,19 +231,19 @@ class MotionLaw:
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3).where_above(0.5)
         [(0.5, 1.0)]
         """
-        return self.curve.where(s, 1, _ROUNDING)
+        return self.curve.where(_HEIGHT.number(s), 1, _ROUNDING)
 
     def where_below(self, s: float) -> list[tuple[float, float]]:
         """Return the intervals of x in which S < s, in order; solved for, not sampled."""
-        return self.curve.where(s, -1, _ROUNDING)
+        return self.curve.where(_HEIGHT.number(s), -1, _ROUNDING)
 
     def check_way(self) -> None:
         """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1 without a jump."""
         start, end = self.curve.ends
         if max(abs(start), abs(end - 1)) > _MISSED:
             raise InputError(
-                f"The law {self.name!r} goes from S(0) = {start:g} to S(1) = {end:g}; a move goes "
-                "from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
+                f"The law {self.name!r} goes from S(0) = {start:.10g} to S(1) = {end:.10g}; a move "
+                "goes from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
             )
         if jumps := self._jumps(0):
             raise InputError(
@@ -251,7 +251,7 @@ class MotionLaw:
             )
 
     def __repr__(self) -> str:
-        return f"MotionLaw({self.name!r})"
+        return f"MotionLaw({shorten(self.name)})"
 
     @property
     def _middle_velocity(self) -> sympy.Expr:

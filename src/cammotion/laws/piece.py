@@ -8,6 +8,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import sympy
 
+from cammotion.alike import Alike
 from cammotion.laws.symbols import x
 from cammotion.quantities import Floats
 
@@ -15,7 +16,7 @@ Number: TypeAlias = Any  # SymPy comes without types
 """A float, or an exact number of SymPy that stays exact in the expressions made of it."""
 
 
-class Piece(ABC):
+class Piece(Alike, ABC):
     """A smooth curve from `low` to `high`."""
 
     low: float
@@ -82,6 +83,8 @@ class Placed(Piece):
     A negative `width` turns it round. Turns and extremes are those of the inner piece, which finds
     them once for all its places.
     """
+
+    made_of = ("inner", "shift", "width", "_offset", "factor")
 
     def __init__(
         self, inner: Piece, shift: Number, width: Number, offset: Number, factor: Number

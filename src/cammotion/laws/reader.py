@@ -11,7 +11,7 @@ from cammotion.laws.expression import Expression, real_number
 from cammotion.laws.piece import Piece
 from cammotion.laws.series import Series, Wave
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import InputError
+from cammotion.quantities import InputError, shorten
 
 _TAME = 1e5  # larger terms that cancel each other would leave too few digits of a float
 _HIGHEST = 30  # the degree up to which powers are multiplied out
@@ -36,9 +36,9 @@ def cut(name: str, law: object) -> tuple[Zone, ...]:
     """
     others = sorted(map(str, law.free_symbols - {x})) if isinstance(law, sympy.Expr) else []
     if not isinstance(law, sympy.Expr) or others:
-        said = f"has the symbol {', '.join(others)}" if others else f"is {law!r}"
+        said = f"has the symbol {', '.join(others)}" if others else f"is {shorten(law)}"
         raise InputError(
-            f"The expression of the law {name!r} {said}; it has to be a SymPy expression in "
+            f"The expression of the law {shorten(name)} {said}; it has to be a SymPy expression in "
             "cammotion.x alone: give, for example, 3*x**2 - 2*x**3."
         )
     if not law.has(sympy.Piecewise):
@@ -51,8 +51,8 @@ def cut(name: str, law: object) -> tuple[Zone, ...]:
     cuts = [end for zone in zones for end in (zone.low, zone.high)]
     if (cuts[:1], cuts[1:-1:2], cuts[-1:]) != ([0], cuts[2::2], [1]):
         raise InputError(
-            f"The cases of the law {name!r} do not follow each other from x = 0 to 1: write them "
-            "in order, as (S, x <= a), and the last one with the condition True."
+            f"The cases of the law {shorten(name)} do not follow each other from x = 0 to 1: write "
+            "them in order, as (S, x <= a), and the last one with the condition True."
         )
     return tuple(zones)
 

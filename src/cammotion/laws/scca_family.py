@@ -8,6 +8,7 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.laws.curve import mirrored
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series, Wave
@@ -31,6 +32,7 @@ _ROUNDING = 1e-9
 _pi = sympy.pi
 
 
+@checked
 def scca(
     b: float, c: float, d: float, *, name: str = "", also_called: tuple[str, ...] = ()
 ) -> MotionLaw:

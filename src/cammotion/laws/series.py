@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterable
 from functools import cached_property, partial
 from itertools import zip_longest
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
@@ -72,6 +72,8 @@ class Series(Proved):
     `write` makes the expression for which it stands, with exact numbers, when that is asked for.
     """
 
+    made_of = ("powers", "waves", "low", "high")
+
     def __init__(
         self,
         powers: tuple[float, ...],
@@ -82,6 +84,10 @@ class Series(Proved):
     ) -> None:
         self.powers, self.waves, self.low, self.high, self._write = powers, waves, low, high, write
         self.is_constant = len(powers) == 1 and not waves
+
+    def __getstate__(self) -> dict[str, Any]:
+        made = {"expression": self.expression} if self._write else {}
+        return super().__getstate__() | {"_write": None} | made
 
     @property
     def cost(self) -> int:

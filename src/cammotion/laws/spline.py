@@ -19,6 +19,8 @@ class Spline(Piece):
     u = x - knot. The slope of each is a parabola at most, so that its zeros have a closed form.
     """
 
+    made_of = ("knots", "rows")
+
     def __init__(self, knots: Floats, rows: Floats) -> None:
         self.knots, self.rows = knots, rows
         self.low, self.high = float(knots[0]), float(knots[-1])

@@ -20,7 +20,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, POSITION
-from cammotion.quantities import Floats, InputError, shorten
+from cammotion.quantities import Floats, InputError, listed, shorten
 
 _ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
 _SLACK_DEG = 10 * ROUNDING_DEG  # ends of arcs that are nearer to each other are one node
@@ -184,7 +184,7 @@ def still_arcs(motion: Motion, still: Any) -> list[Arc]:
     Raises InputError for what is no list of them, and for one that is not longer than nothing and
     shorter than a turn.
     """
-    given = list(still) if isinstance(still, Iterable) else []
+    given = [*listed(still)]
     if not given:
         raise InputError(
             f"The arcs over which the {motion.name} has to stand are {shorten(still)}: give at "

@@ -12,11 +12,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc, complement, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.segments import POSITION
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, listed, shorten
 
 
 @dataclass(frozen=True)
@@ -55,16 +56,30 @@ class Condition:
 
 
 def beyond(motion: str, limit_mm: float) -> Condition:
-    """Return the condition that a motion is further than `limit_mm`, for a `ClearanceRule`."""
+    """Return the condition that a motion is further than `limit_mm`, for a `ClearanceRule`.
+
+    Further up: a part that works downwards from 0 has to be described with its depth upwards.
+    An indexing motion counts from its nearest stop, both ways alike.
+
+    >>> str(beyond("die", 19))
+    'beyond 19 mm'
+    """
     return Condition(motion, limit_mm, True)
 
 
 def within(motion: str, limit_mm: float) -> Condition:
-    """Return the condition that a motion is at most at `limit_mm`, for a `ClearanceRule`."""
+    """Return the condition that a motion is at most at `limit_mm`, for a `ClearanceRule`.
+
+    An indexing motion counts from its nearest stop, both ways alike.
+
+    >>> str(within("mill", 0.65))
+    'within 0.65 mm'
+    """
     return Condition(motion, limit_mm, False)
 
 
-@dataclass(frozen=True)
+@checked
+@dataclass(frozen=True, repr=False)
 class ClearanceRule:
     """One motion may be somewhere only while another one is somewhere.
 
@@ -76,17 +91,14 @@ class ClearanceRule:
     only_while: Condition
 
     def __post_init__(self) -> None:
-        for condition in (self.when, self.only_while):
-            if not isinstance(condition, Condition):
-                raise InputError(
-                    f"A half of the clearance rule is {shorten(condition)}: make it with "
-                    "beyond('die', 19) or within('mill', 0.65)."
-                )
         if self.when.motion == self.only_while.motion:
             raise InputError(
                 f"Both halves of the clearance rule are about {self.when.motion!r}: name two "
                 "motions."
             )
+
+    def __repr__(self) -> str:
+        return f"ClearanceRule({self})"
 
     def violated_arcs(self, diagram: TimingDiagram) -> list[Arc]:
         """Return the arcs over which the rule is broken; one that crosses 360 deg ends above."""
@@ -101,7 +113,7 @@ class ClearanceRule:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Clearance:
     """How near a diagram comes to breaking a rule, in mm, and the cam angle at which it does.
 
@@ -114,8 +126,12 @@ class Clearance:
     clearance_mm: float
     angle_deg: float | None
 
+    def __repr__(self) -> str:
+        at = "" if self.angle_deg is None else f" at {self.angle_deg:.5g} deg"
+        return f"Clearance({self.clearance_mm:.4g} mm{at}: {self.rule})"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Violation:
     """A rule that is broken over an arc, and by how much at the worst place in it.
 
@@ -128,6 +144,9 @@ class Violation:
     end_deg: float
     excess_mm: float
     angle_deg: float
+
+    def __repr__(self) -> str:
+        return f"Violation({self})"
 
     def __str__(self) -> str:
         """Say what is too deep, by how much and where."""
@@ -148,6 +167,11 @@ def find_violations(
 
     None is missed, however short, down to the rounding of 1e-9 deg. Raises InputError for what is
     no rule and for a rule about an unknown motion.
+
+    >>> import cammotion as cm
+    >>> deeper = cm.EXAMPLE.diagram.with_motion(cm.with_angle(cm.EXAMPLE.die, 125))
+    >>> len(find_violations(deeper, cm.EXAMPLE.rule)), find_violations(deeper, [])
+    (2, ())
     """
     return tuple(
         Violation(rule, start, end, -room, angle)
@@ -160,7 +184,12 @@ def find_violations(
 def find_clearances(
     diagram: TimingDiagram, rules: ClearanceRule | Iterable[ClearanceRule]
 ) -> tuple[Clearance, ...]:
-    """Return the smallest clearance that each rule leaves, and where, in the order of the rules."""
+    """Return the smallest clearance that each rule leaves, and where, in the order of the rules.
+
+    >>> import cammotion as cm
+    >>> find_clearances(cm.EXAMPLE.diagram, cm.EXAMPLE.rule)[0].clearance_mm
+    19.0
+    """
     found = []
     for rule in as_rules(diagram, rules):
         open_arcs = rule.only_while.opposite.arcs(diagram)
@@ -172,8 +201,16 @@ def find_clearances(
 def smallest_clearance(
     diagram: TimingDiagram, rules: ClearanceRule | Iterable[ClearanceRule]
 ) -> Clearance:
-    """Return the smallest of the clearances that the rules leave."""
-    return min(find_clearances(diagram, rules), key=lambda found: found.clearance_mm)
+    """Return the smallest of the clearances that the rules leave; there has to be a rule.
+
+    >>> import cammotion as cm
+    >>> print(f"{smallest_clearance(cm.EXAMPLE.diagram, cm.EXAMPLE.rule).clearance_mm:g} mm")
+    19 mm
+    """
+    found = find_clearances(diagram, rules)
+    if not found:
+        raise InputError("There is no rule, and so no clearance: give at least one.")
+    return min(found, key=lambda found: found.clearance_mm)
 
 
 def as_rules(
@@ -182,8 +219,9 @@ def as_rules(
     """Return the rules as a tuple; raise InputError unless they are rules for this diagram."""
     as_diagram(diagram)
     anything: Any = [rules] if isinstance(rules, ClearanceRule) else rules
-    given = tuple(anything) if isinstance(anything, Iterable) else ()
-    if not given or not all(isinstance(rule, ClearanceRule) for rule in given):
+    given = listed(anything)
+    is_none = isinstance(rules, list | tuple) and not rules
+    if not (given or is_none) or not all(isinstance(rule, ClearanceRule) for rule in given):
         raise InputError(
             f"The clearance rules are {shorten(rules)}: give one or a list, for example "
             "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))."

@@ -2,24 +2,27 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
 
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, Move, cycle_time, over_time
-from cammotion.machine.motions import Motion
+from cammotion.machine.motions import HEADING, Motion
 from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import InputError, Numbers, Quantity, one_of, plain, shorten
+from cammotion.shown import as_table
 
 TIME = Quantity("time", "s", example=0.9, low=-math.inf)
 
 
-@dataclass(frozen=True)
+@checked
+@dataclass(frozen=True, repr=False)
 class TimingDiagram:
     """The motions of any number of mechanisms, and the machine rate N in pieces/h.
 
@@ -40,20 +43,21 @@ class TimingDiagram:
     rate_per_hour: float
 
     def __post_init__(self) -> None:
-        given: Any = self.motions
-        motions = tuple(given) if isinstance(given, Iterable) else ()
-        if not motions or not all(isinstance(motion, Motion) for motion in motions):
-            raise InputError(
-                f"The motions of the diagram are {shorten(given)}: give a list of motions, made "
-                "with motion and indexing_motion."
-            )
-        object.__setattr__(self, "motions", motions)
+        if not self.motions:
+            raise InputError("The diagram has no motion: give at least one.")
         object.__setattr__(self, "rate_per_hour", RATE.number(self.rate_per_hour))
         name, times = Counter(self.names).most_common(1)[0]
         if times > 1:
             raise InputError(
                 f"{times} motions of the diagram are called {name!r}: give each its own name."
             )
+
+    def __repr__(self) -> str:
+        names = shorten(", ".join(self.names), of=str)
+        return f"TimingDiagram({names} at {self.rate_per_hour:g} pieces/h)"
+
+    def _repr_html_(self) -> str:
+        return as_table(HEADING, [row for motion in self.motions for row in motion.rows])
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -69,11 +73,15 @@ class TimingDiagram:
         """Return the motion of that name; an unknown one raises InputError with the known."""
         return self.motions[self.names.index(one_of("motion", name, self.names))]
 
+    @checked
     def with_motion(self, motion: Motion) -> "TimingDiagram":
         """Return the diagram with this motion in the place of that of the same name."""
-        self[motion.name]
-        motions = [motion if old.name == motion.name else old for old in self.motions]
-        return TimingDiagram(tuple(motions), self.rate_per_hour)
+        old = self[motion.name]
+        return replace(self, motions=[motion if each is old else each for each in self.motions])
+
+    def at_rate(self, rate_per_hour: float) -> "TimingDiagram":
+        """Return the same motions at another machine rate, in pieces/h."""
+        return replace(self, rate_per_hour=rate_per_hour)
 
     def angle_deg(self, time_s: ArrayLike) -> Numbers:
         """Return the cam angle in deg at a time in s, a number or an array; 0 deg is at 0 s."""
@@ -116,14 +124,11 @@ class TimingDiagram:
 
     def moves(self, name: str) -> tuple[Move, ...]:
         """Return the rises and returns of a motion as moves, each as if from rest to rest."""
+        rate = self.rate_per_hour
         return tuple(
-            Move(
-                stroke_mm=abs(segment.change_mm),
-                angle_deg=segment.angle_deg,
-                rate_per_hour=self.rate_per_hour,
-                law=as_law(segment.law),
-            )
+            Move(stroke_mm=abs(way), angle_deg=segment.angle_deg, rate_per_hour=rate, law=law)
             for segment in self[name].moves
+            for way, law in [(segment.change_mm, as_law(segment.law))]
         )
 
     def peak_velocity(self, name: str) -> float:

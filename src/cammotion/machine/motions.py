@@ -7,27 +7,30 @@ each turn takes it one pitch on, from stop to stop, until the stops have closed 
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
 from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment
-from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain, shorten
+from cammotion.shown import as_table
 
 _NOISE = 1e-8  # what is less, as a share of the largest value of all, is rounding everywhere
 _ROUNDING = 1e-9  # by so much angles in deg and positions in mm may differ and mean the same
+HEADING = ("motion", "from deg", "to deg", "from mm", "to mm", "law")
 
 
-@dataclass(frozen=True)
+@checked
+@dataclass(frozen=True, repr=False)
 class Motion:
     """What one mechanism does during a turn; `motion` and `indexing_motion` make one in words.
 
@@ -41,14 +44,29 @@ class Motion:
     stops: int | None = None
 
     def __post_init__(self) -> None:
-        if not isinstance(self.name, str) or not self.name.strip():
+        if not self.name.strip():
             raise InputError(f"The name of a motion is {shorten(self.name)}: give one like 'die'.")
         object.__setattr__(self, "name", self.name.strip())
-        object.__setattr__(self, "segments", _segments(self.name, self.segments))
+        if not self.segments:
+            raise InputError(f"The motion {self.name!r} has no segment: give at least one.")
         for before, after in pairwise(self.segments):
             self._check_joint(before, after)
         self._check_turn()
         self._check_end()
+
+    def __repr__(self) -> str:
+        low, high = self.range_mm
+        stops = f", {self.stops} stops" if self.stops else ""
+        parts = f"{len(self.segments)} segments from {low:.6g} to {high:.6g} mm"
+        return f"Motion({shorten(self.name)}, {parts}{stops})"
+
+    @property
+    def rows(self) -> list[tuple[str | float, ...]]:
+        """What a table lists of each segment: motion, angles in deg, positions in mm, law."""
+        return [(self.name, *segment.row) for segment in self.segments]
+
+    def _repr_html_(self) -> str:
+        return as_table(HEADING, self.rows)
 
     @property
     def is_indexing(self) -> bool:
@@ -270,23 +288,10 @@ class Motion:
             )
         if self.stops is None:
             return
-        if not isinstance(self.stops, int) or isinstance(self.stops, bool) or self.stops < 1:
-            raise InputError(
-                f"The number of stops of {self.name!r} is {shorten(self.stops)}; it has to be a "
-                "whole number above 0: give, for example, 24."
-            )
+        stops = Quantity(f"number of stops of {self.name!r}", "", example=24, high=1e9)
+        object.__setattr__(self, "stops", stops.whole(self.stops))
         if abs(way) <= _ROUNDING:
             raise InputError(
                 f"The indexing motion {self.name!r} ends where it began, and an indexing motion "
                 "moves on: leave out its return, or make it with motion."
             )
-
-
-def _segments(name: str, given: Any) -> tuple[Segment, ...]:
-    segments = tuple(given) if isinstance(given, Iterable) else ()
-    if not segments or not all(isinstance(segment, Segment) for segment in segments):
-        raise InputError(
-            f"The segments of {name!r} are {shorten(given)}: give a list of Segment, or make the "
-            "motion with motion('die', rise(50, over_deg=55), dwell(100), ...)."
-        )
-    return segments

@@ -8,7 +8,7 @@ from cammotion.laws.catalogue import as_law, polynomial
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.kinematics import STROKE
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE, POSITION, Segment
+from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment, part_angle
 from cammotion.quantities import InputError, shorten
 
 MATCHED = "matched"
@@ -45,14 +45,14 @@ def return_(stroke_mm: float, *, over_deg: float, law: str | MotionLaw = "cycloi
 
 def dwell(angle_deg: float) -> Part:
     """Return a dwell over `angle_deg`, a number above 0 and at most 360 deg."""
-    return Part(PART_ANGLE.number(angle_deg))
+    return Part(part_angle(angle_deg))
 
 
 def _move(way: int, stroke_mm: float, over_deg: float, law: str | MotionLaw) -> Part:
     return Part(
-        PART_ANGLE.number(over_deg),
+        part_angle(over_deg),
         way * STROKE.number(stroke_mm),
-        law if law == MATCHED else as_law(law),
+        law if isinstance(law, str) and law == MATCHED else as_law(law),
     )
 
 

@@ -1,7 +1,7 @@
 """Segments: the rises, returns and dwells of which a motion is made."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from cammotion.laws.catalogue import as_law
@@ -14,6 +14,18 @@ from cammotion.quantities import InputError, Quantity
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
 PART_ANGLE = Quantity("angle of a segment", "deg", example=55, high=FULL_TURN_DEG)
+_ANY_ANGLE = replace(PART_ANGLE, low=-math.inf, high=math.inf)
+
+
+def part_angle(angle_deg: float) -> float:
+    """Return the angle of a segment in deg; raise InputError for none, or for more than a turn."""
+    angle = _ANY_ANGLE.number(angle_deg)
+    if 1.1 * FULL_TURN_DEG < angle <= 2 * FULL_TURN_DEG:
+        raise InputError(
+            f"The angle of a segment is {angle:g} deg, and a turn of the cam is 360: give at most "
+            f"that, or {angle / 2:g} if you count the 720 deg of a crankshaft."
+        )
+    return PART_ANGLE.number(angle)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,7 +51,12 @@ class Segment:
         for end in ("from", "to"):
             for quantity, field in ((CAM_ANGLE, f"{end}_deg"), (POSITION, f"{end}_mm")):
                 object.__setattr__(self, field, quantity.number(getattr(self, field)))
-        PART_ANGLE.number(self.angle_deg)
+        if self.angle_deg < 0:
+            raise InputError(
+                f"The segment from {self.from_deg:g} to {self.to_deg:g} deg ends before it begins: "
+                f"if it goes on over 360 deg, give to_deg={self.to_deg + FULL_TURN_DEG:g}."
+            )
+        part_angle(self.angle_deg)
         if self.law is not None:
             object.__setattr__(self, "law", as_law(self.law))  # looked up once
             as_law(self.law).check_way()
@@ -69,6 +86,12 @@ class Segment:
     def is_dwell(self) -> bool:
         """Whether the mechanism stands still."""
         return self.law is None
+
+    @property
+    def row(self) -> tuple[str | float, ...]:
+        """Its angles in deg, its positions in mm, and the name of its law."""
+        law = as_law(self.law).name if self.law else self.kind
+        return self.from_deg, self.to_deg, self.from_mm, self.to_mm, law
 
     @property
     def kind(self) -> str:

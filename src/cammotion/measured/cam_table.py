@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
 
@@ -16,6 +17,7 @@ _FEWEST = 8  # points
 _EVEN = 1e-6  # by such a share of their mean the steps of even angles may differ
 
 
+@checked
 @dataclass(frozen=True, eq=False)
 class CamTable:
     """Positions of a follower over the cam angle, from a measurement, a drawing or a program.
@@ -103,7 +105,12 @@ def _column(quantity: Quantity, values: ArrayLike) -> Floats:
 
 
 def _check_order(angles: Floats, is_cycle: bool) -> None:
-    steps = np.diff(angles)
+    steps, turn = np.diff(angles), 2 * np.pi
+    if is_cycle and turn * (1 - 2 / angles.size) < np.ptp(angles) <= turn:
+        raise InputError(
+            f"The cycle goes from {angles[0]:g} to {angles[-1]:g} deg, which in radians is a turn: "
+            "give the cam angles in deg, for example np.degrees(angles)."
+        )
     if np.min(steps) <= 0:
         n = int(np.argmax(steps <= 0))
         raise InputError(

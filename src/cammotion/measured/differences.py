@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
 from cammotion.quantities import Floats, Quantity
@@ -58,6 +59,7 @@ class Differences:
         return np.asarray(spread * ERROR.number(error_rms_mm))
 
 
+@checked
 def differences(table: CamTable, rate_per_hour: float) -> Differences:
     """Return velocity and acceleration of a table by finite differences at a rate.
 

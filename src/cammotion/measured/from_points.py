@@ -6,11 +6,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.fits import Fit, Monotone, Periodic, Through
 from cammotion.measured.sampled_law import SampledLaw
 from cammotion.measured.smoothing import AMOUNT
-from cammotion.quantities import Floats, InputError, Quantity, one_of
+from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 
 _PLACE = Quantity("x of the points", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("s of the points", "", example=0.5, low=-1.0, high=2.0, low_included=True)
@@ -84,15 +85,16 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     slopes = _SLOPE.array(end_slopes)
     if slopes.shape != (2,):
         raise InputError("The end_slopes have to be two numbers: give for example (0, 0).")
-    if smoothing is not None and fit in ("through", "monotone"):
+    kind = one_of("fit", fit, ("through", "smooth", "monotone", "periodic"))
+    if smoothing is not None and kind in ("through", "monotone"):
         raise InputError(
-            f"The smoothing is {smoothing!r}, and a fit {fit!r} has none: give fit='smooth', or "
-            "fit='periodic'."
+            f"The smoothing is {shorten(smoothing)}, and a fit {kind!r} has none: give "
+            "fit='smooth', or fit='periodic'."
         )
     amount = None if smoothing is None else AMOUNT.number(smoothing)
     given = (float(slopes[0]), float(slopes[1]))
     found: Fit
-    match one_of("fit", fit, ("through", "smooth", "monotone", "periodic")):
+    match kind:
         case "through":
             found = Through(places, given)
         case "smooth":
@@ -108,6 +110,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     return law
 
 
+@checked
 def law_from_table(
     table: CamTable,
     *,
@@ -189,11 +192,16 @@ def _checked(x: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:
             f"lists of the same length, with at least {_FEWEST} numbers each."
         )
     for what, values in (("x", places), ("s", ways)):
+        if abs(values[-1] - values[0]) <= _ROUNDING:
+            raise InputError(
+                f"The {what} of the points ends where it begins, at {values[0]:g}; a law is one "
+                "rise or one return: give the points between two rests."
+            )
         if max(abs(values[0]), abs(values[-1] - 1)) > _ROUNDING:
             raise InputError(
-                f"The {what} of the points goes from {values[0]:g} to {values[-1]:g}; a motion law "
-                f"goes from 0 to 1: subtract the first {what}, and divide by the last less the "
-                "first."
+                f"The {what} of the points goes from {values[0]:.10g} to {values[-1]:.10g}; a "
+                f"motion law goes from 0 to 1: subtract the first {what}, and divide by the last "
+                "less the first."
             )
         values[[0, -1]] = 0, 1
     steps = np.diff(places)

@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, one_of, plain
@@ -84,6 +85,7 @@ class Harmonics:
         return np.asarray(table.position_mm - self.rebuilt(number, table.angle_deg))
 
 
+@checked
 def harmonics(table: CamTable) -> Harmonics:
     """Return the harmonics of a table that is a cycle with even angles, by the discrete transform.
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.differences import ERROR
@@ -82,6 +83,7 @@ class SmoothedTable:
         return CubicSpline(angles, positions, bc_type=ends)
 
 
+@checked
 def smoothed(table: CamTable, amount: float | None = None) -> SmoothedTable:
     """Return the smoothing spline of a table: a periodic one of a cycle, else one with free ends.
 

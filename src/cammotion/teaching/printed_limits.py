@@ -7,7 +7,11 @@ that are in use. Some are planted. Which ones they are is for the learner to fin
 import re
 from dataclasses import dataclass
 
+from cammotion.arguments import checked
+from cammotion.hardware.fits import DEVIATION
 
+
+@checked
 @dataclass(frozen=True, repr=False)
 class PrintedLimits:
     """A line of a table: the limits in um of a zone, for diameters over one to another, in mm.
@@ -21,6 +25,11 @@ class PrintedLimits:
     to_mm: int
     upper_um: float
     lower_um: float
+
+    def __post_init__(self) -> None:
+        for name in ("upper_um", "lower_um"):
+            number = DEVIATION.number(getattr(self, name))
+            object.__setattr__(self, name, int(number) if number.is_integer() else number)
 
     def __repr__(self) -> str:
         """Write the line."""

@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle, PathPatch
 from matplotlib.path import Path
 
+from cammotion.arguments import checked
 from cammotion.hardware.drawing import strokes
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.roller_cam import RollerCam
-from cammotion.quantities import InputError, shorten
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, write
 
@@ -30,6 +30,7 @@ _SIZE_IN = 5.2
 _STEM = 0.75  # of the follower over the roller, as a share of the travel
 
 
+@checked
 def plot_cam(
     cam: RollerCam | FlatFacedCam, *, bore_mm: float | None = None, ax: Axes | None = None
 ) -> Axes:
@@ -45,8 +46,6 @@ def plot_cam(
     >>> plot_cam(cam).get_xlabel()
     'x in mm'
     """
-    if not isinstance(cam, RollerCam | FlatFacedCam):
-        raise InputError(f"The cam is {shorten(cam)}: give a RollerCam or a FlatFacedCam.")
     if ax is None:
         ax = blank_axes(_SIZE_IN, _SIZE_IN, layout="constrained")
     for stroke in strokes(cam, _TOLERANCE_MM, bore_mm=bore_mm):

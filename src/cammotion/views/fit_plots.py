@@ -6,6 +6,7 @@ from textwrap import fill
 import numpy as np
 from matplotlib.axes import Axes
 
+from cammotion.arguments import checked
 from cammotion.hardware.fits import Fit, Limits
 from cammotion.quantities import InputError
 from cammotion.views.pictures import blank_axes
@@ -17,6 +18,7 @@ _INK = "#1b1b1b"
 _SIZE, _LINE = 11, 28  # of a text in points, and how many letters a line has
 
 
+@checked
 def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
     """Draw the tolerance zones of a fit, or of several side by side; return the Axes.
 

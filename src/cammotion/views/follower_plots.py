@@ -8,7 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.dynamics.residual import (
+    RATIO,
     dynamic_factor,
     residual_vibration,
     running_factor,
@@ -19,9 +21,11 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, one_of
+from cammotion.views.ends import label_ends
 from cammotion.views.law_plots import as_laws
+from cammotion.views.names import as_label, labels
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import COLOURS, LINE_STYLES, colour, style_axes, style_line
+from cammotion.views.plots import style_axes, style_line
 
 QUANTITIES = {
     "residual": "swing after the move / stroke",
@@ -34,9 +38,9 @@ _FLOOR = 1e-4  # of the stroke, where the logarithmic axis begins
 _PLACES = 1441  # of a turn
 _AFTER = 1.5  # indexing times after a move
 _BEYOND, _FINE = 4.0, 0.01  # how far above tm/Tn is looked for what is worst, and how finely
-_GAP = 0.052  # between two labels, as a share of the axis
 
 
+@checked
 def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     laws: str | MotionLaw | Iterable[str | MotionLaw] | None = None,
     *,
@@ -59,9 +63,9 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     'tm/Tn, swings of the mass during the move'
     """
     drawn = as_laws([*LAWS] if laws is None else laws)
-    at = _RATIOS if ratios is None else np.asarray(ratios, dtype=float)
-    asked = one_of("quantity", quantity, QUANTITIES)
-    if asked == "worst" and motion is not None:
+    at = _RATIOS if ratios is None else np.atleast_1d(RATIO.array(ratios))
+    quantity = one_of("quantity", quantity, QUANTITIES)
+    if quantity == "worst" and motion is not None:
         raise InputError(
             "The quantity 'worst' is that of a single move; in a running machine it would be that "
             "of a resonance: leave the motion out, or ask for the 'residual'."
@@ -69,37 +73,38 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     if ax is None:
         ax = blank_axes(8.6, 5.2, layout="constrained")
     style_axes(ax, "tm/Tn, swings of the mass during the move", QUANTITIES[quantity])
-    ends = []
+    ends, lines = [], []
     for number, law in enumerate(drawn):
-        values = _values(law, at, asked, damping_ratio, motion)
-        line = style_line(ax.plot(at, values, label=law.name)[0], number)
-        shift = number // len(COLOURS)  # the seventh line has the first colour and other dashes
-        line.set(linestyle=LINE_STYLES[(number + shift) % len(LINE_STYLES)], linewidth=1.6)
+        values = _values(law, at, quantity, damping_ratio, motion)
+        line = style_line(ax.plot(at, values, label=as_label(law.name))[0], number)
+        line.set_linewidth(1.6)
+        lines.append(line)
         late = values[at >= at[0] + 0.85 * (at[-1] - at[0])]
         ends.append(float(late.max()))
-    if asked != "factor":
+    if quantity != "factor":
         ax.set_yscale("log")
         ax.set_ylim(_FLOOR, 2 if motion is None else None)
         ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     ax.set_xlim(0, at[-1])
-    _label_ends(ax, [law.name for law in drawn], ends)
+    label_ends(ax, lines, ends, labels([law.name for law in drawn]))
     return ax
 
 
 def _values(
-    law: MotionLaw, at: Floats, asked: str, damping_ratio: float, motion: Motion | None
+    law: MotionLaw, at: Floats, quantity: str, damping_ratio: float, motion: Motion | None
 ) -> Floats:
-    if asked == "worst":
+    if quantity == "worst":
         fine = np.arange(at.min(), at.max() + _BEYOND, _FINE)
         swings = np.asarray(residual_vibration(law, fine, damping_ratio))
         return np.interp(at, fine, np.maximum.accumulate(swings[::-1])[::-1])
     if motion is None:
-        single = residual_vibration if asked == "residual" else dynamic_factor
+        single = residual_vibration if quantity == "residual" else dynamic_factor
         return np.asarray(single(law, at, damping_ratio))
-    running = running_residual if asked == "residual" else running_factor
+    running = running_residual if quantity == "residual" else running_factor
     return np.asarray(running(motion.with_law(law), at, damping_ratio))
 
 
+@checked
 def plot_response(
     response: Response,
     *,
@@ -140,43 +145,3 @@ def plot_response(
     ax.margins(x=0)
     ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=4, frameon=False)
     return ax
-
-
-def _label_ends(ax: Axes, names: Sequence[str], heights: Sequence[float]) -> None:
-    """Write the name of each curve at its right end, moved apart where they would meet."""
-    ends = ax.transData.transform([(0, height) for height in heights])
-    shares = _apart(ax.transAxes.inverted().transform(ends)[:, 1])
-    lines = {line.get_label(): line for line in ax.lines}
-    for number, (name, share) in enumerate(zip(names, shares, strict=True)):
-        sample = ax.plot([1.01, 1.06], [share, share], transform=ax.transAxes, clip_on=False)[0]
-        sample.update_from(lines[name])  # its dashes, since two may have one colour
-        sample.set(transform=ax.transAxes, clip_on=False, label=f"_{name}")
-        ax.annotate(
-            name,
-            (1.07, share),
-            xycoords="axes fraction",
-            color=colour(number),
-            fontsize=10,
-            va="center",
-        )
-
-
-def _apart(shares: Floats) -> Floats:
-    """Return heights in the same order, at least a line apart and within the axis.
-
-    >>> _apart(np.array([0.5, 0.5, 0.2])).round(3)
-    array([0.474, 0.526, 0.2  ])
-    """
-    order = np.argsort(shares, kind="stable")
-    steps = np.arange(len(shares)) * _GAP
-    free = np.clip(shares[order], 0, 1) - steps  # which may not fall: pooled where they do
-    pools: list[list[float]] = []
-    for each in free:
-        pools.append([each])
-        while len(pools) > 1 and np.mean(pools[-2]) > np.mean(pools[-1]):
-            pools[-2:] = [pools[-2] + pools[-1]]
-    placed = np.concatenate([np.full(len(pool), np.mean(pool)) for pool in pools])
-    placed = np.clip(placed, 0, max(1 - steps[-1], 0)) + steps
-    found = np.empty_like(placed)
-    found[order] = placed
-    return np.asarray(found)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import InputError, one_of, shorten
@@ -18,6 +19,7 @@ _PLACES = 1001
 _REST = 0.06  # of the time, drawn before the move and after it
 
 
+@checked
 def plot_laws(
     laws: str | MotionLaw | Iterable[str | MotionLaw], *, curve: str = "A", ax: Axes | None = None
 ) -> Axes:
@@ -30,7 +32,8 @@ def plot_laws(
     'acceleration A'
     """
     drawn = as_laws(laws)
-    derivative = [*CURVES].index(one_of("curve", curve, CURVES))
+    curve = one_of("curve", curve, CURVES)
+    derivative = [*CURVES].index(curve)
     if ax is None:
         ax = blank_axes(7.5, 4.6, layout="constrained")
     style_axes(ax, "x = t/tm", CURVES[curve])
@@ -45,6 +48,7 @@ def plot_laws(
     return ax
 
 
+@checked
 def plot_ranking(
     peaks: Mapping[str, float],
     *,
@@ -64,12 +68,6 @@ def plot_ranking(
     ['cycloidal', 'constant acceleration']
     """
     as_laws(peaks)
-    endless = [name for name, peak in peaks.items() if not math.isfinite(peak)]
-    if endless:
-        raise InputError(
-            f"The peak of {endless[0]!r} is {peaks[endless[0]]:g}, which no bar can show: leave "
-            "this law out."
-        )
     if ax is None:
         ax = blank_axes(7.5, 4.4, layout="constrained")
     style_axes(ax, f"{quantity} (hatched: the acceleration jumps)", "")

@@ -14,10 +14,13 @@ import sympy as sp
 from matplotlib.axes import Axes
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
+from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError
+from cammotion.machine.segments import POSITION
+from cammotion.quantities import Floats, InputError, Quantity, shorten
+from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
 from cammotion.views.timing_plots import BROKEN
@@ -28,9 +31,12 @@ _DARK = "#555555"
 _GAP = 0.042  # between two labels, of the height of the picture
 _NEAR = 0.2  # of its width: labels of points so near to each other keep their distance
 
+_PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
+_END = Quantity("end of an axis", "m/s2", example=1.5, low_included=True)
 Pair = tuple[float, float]
 
 
+@checked
 def plot_jerk_price(
     found: Iterable[LeastAcceleration],
     named: Mapping[str, Pair] | None = None,
@@ -63,12 +69,13 @@ def plot_jerk_price(
             "The price of a jerk is a curve over the limits to it: give results of "
             "least_acceleration with at least two different jerk limits, for example 8 and 12 m/s³."
         )
-    name = best[0].motion.name
+    name = _called(best[0])
     ax = _square(ax, (7.5, 4.6), f"peak jerk of the {name} in m/s³", name)
     reached = np.array([each.reached for each in best])
     _shade(ax, limits, np.array([each.bound for each in best]))
     ax.plot(limits, reached, color=BEST, linewidth=2, label="least peak that was reached")
     if unlimited is not None:
+        unlimited = _PEAK.number(unlimited)
         ax.axhline(unlimited, color=_DARK, linestyle="--", linewidth=1.5)
         text = f"jerk without limit: {unlimited:.3f}"
         ax.annotate(text, (limits[-1], unlimited), (-4, -5), **_OFFSET, ha="right", va="top")
@@ -77,10 +84,11 @@ def plot_jerk_price(
     ax.set(xlim=limits[[0, -1]], ylim=(min(heights) - 0.16, max(heights) + 0.06))
     ax.plot(*_columns(shown.values()), "o", color=NAMED, label="named laws")
     _label_points(ax, shown)
-    ax.legend(loc="upper right", fontsize=10)
+    add_legend(ax, loc="upper right")
     return ax
 
 
+@checked
 def plot_front(
     found: Iterable[tuple[LeastAcceleration, LeastAcceleration]],
     designs: Mapping[str, Iterable[Pair]] | None = None,
@@ -113,23 +121,32 @@ def plot_front(
         raise InputError(
             "A front is a curve: give at least two pairs of results of least_acceleration."
         )
-    one, other = (each.motion.name for each in pairs[0])
+    low, high = (_END.number(end) for end in ends)
+    if low >= high:
+        raise InputError(
+            f"The ends of the axes are {low:g} and {high:g} m/s2: give the lower one first, for "
+            "example (0.3, 1.5)."
+        )
+    one, other = map(_called, pairs[0])
     ax = _square(ax, (6, 5.6), f"peak acceleration of the {one} in m/s²", other)
     sides, heights = (np.array([pair[n].bound for pair in pairs]) for n in (0, 1))
     _shade(ax, np.append(0.0, sides), np.append(heights[0], heights))
     ax.plot(*_columns([(a.reached, b.reached) for a, b in pairs]), color=BEST, linewidth=2)
     ax.lines[-1].set_label("the best that was found, any law")
-    for name, curve in (designs or {}).items():
-        ax.plot(*_columns(curve), "--", color=NAMED, linewidth=2, label=name)
-    ax.plot([0, ends[1]], [0, ends[1]], ":", color=_DARK, label="both equally hard driven")
-    for name, point in (points or {}).items():
+    for name, label in _labelled(designs or {}):
+        ax.plot(*_columns((designs or {})[name]), "--", color=NAMED, linewidth=2)
+        name_line(ax.lines[-1], label, name)
+    ax.plot([0, high], [0, high], ":", color=_DARK, label="both equally hard driven")
+    for name, label in _labelled(points or {}):
+        point = (points or {})[name]
         ax.plot(*point, "o", color=NAMED)
-        ax.annotate(name, point, (8, 4), **_OFFSET)
-    ax.set(xlim=ends, ylim=ends, aspect="equal")
-    ax.legend(loc="upper right", fontsize=10)
+        plain(ax.annotate(label, point, (8, 4), **_OFFSET))
+    ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
+    add_legend(ax, loc="upper right")
     return ax
 
 
+@checked
 def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     designs: Mapping[str, TimingDiagram],
     name: str,
@@ -159,25 +176,36 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     if not designs:
         raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
     start, span = still[1], (still[0] - still[1]) % DEG_PER_TURN
+    if not span:
+        raise InputError(
+            f"The {name} stands from {still[0]:g} to {still[1]:g} deg, which is no time or the "
+            "whole turn: give where it stands, for example still=(205, 305)."
+        )
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
     if ax is None:
         height = 5.4 if with_acceleration else 3.4
         ax = blank_axes(7.5, height)
-    style_axes(ax, "", f"height y of the {name} in mm")
+    names = next(iter(designs.values())).names
+    called = dict(zip(names, labels(names), strict=True)).get(name, "")
+    style_axes(ax, "", f"height y of the {called} in mm")
     lower = ax
     if with_acceleration:
         lower = make_axes_locatable(ax).append_axes("bottom", size=1.5, pad=0.2, sharex=ax)
         style_axes(lower, "", "acceleration\nin m/s²")
         ax.tick_params(labelbottom=False)
-    for number, (label, design) in enumerate(designs.items()):
+    for number, (label, (title, design)) in enumerate(
+        zip(labels([*designs], TITLE), designs.items(), strict=True)
+    ):
         way = design.position_mm(name, start + u) - design.position_mm(name, start)
         up = 1 if way[np.abs(way).argmax()] > 0 else -1
-        style_line(ax.plot(u, up * way, label=label)[0], number)
+        name_line(style_line(ax.plot(u, up * way)[0], number), label, title)
         if with_acceleration:
             acceleration = up * design.acceleration(name, start + u)
-            style_line(lower.plot(u, acceleration, label=label)[0], number)
+            line = style_line(lower.plot(u, acceleration)[0], number)
+            name_line(line, label, title)
     _draw_corners(ax, corners)
     if usual_mm is not None:
+        usual_mm = POSITION.number(usual_mm)
         ax.axhline(usual_mm, **REFERENCE_STYLE)
         write(ax, f"{usual_mm:g} mm", (0, usual_mm), REFERENCE_STYLE["color"], offset=(2, -16))
     places = [0, corners[0][0], sum(corner[0] for corner in corners) / 2, corners[1][0], span]
@@ -187,10 +215,11 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     above.set_xticks(places, [f"{(start + place) % DEG_PER_TURN:g}" for place in places])
     above.set_xlabel("cam angle in deg", fontsize=11)
     ax.set(xlim=(0, span), ylim=(0, 1.25 * ax.get_ylim()[1]))
-    ax.legend(loc="upper right", fontsize=10)
+    add_legend(ax, loc="upper right")
     return ax
 
 
+@checked
 def plot_weight(
     weight: sp.Expr, span: tuple[sp.Symbol, float, float], *, ax: Axes | None = None
 ) -> Axes:
@@ -206,6 +235,10 @@ def plot_weight(
     """
     symbol, low, high = span
     places = np.linspace(float(low), float(high), 1041)
+    if weight.free_symbols - {symbol} or (not weight.is_extended_real and not weight.free_symbols):
+        raise InputError(
+            f"The weight is {shorten(weight)}: give a real expression in {symbol} alone."
+        )
     heights = np.broadcast_to(sp.lambdify(symbol, weight)(places), places.shape)
     if ax is None:
         ax = blank_axes(7.5, 2.4, layout="constrained")
@@ -253,12 +286,13 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
     """Write names to the right of points, from below upwards, none over another."""
     width, height = np.ptp(ax.get_xlim()), np.ptp(ax.get_ylim())
     placed: list[Pair] = []
-    for name, (x, y) in sorted(points.items(), key=lambda item: item[1][1]):
+    for name, label in sorted(_labelled(points), key=lambda pair: points[pair[0]][1]):
+        x, y = points[name]
         near = [at[1] for at in placed if abs(at[0] - x) < _NEAR * width]
         level = max([y, *[at + _GAP * height for at in near]])
         placed.append((x, level))
-        ax.annotate(
-            name,
+        written = ax.annotate(
+            label,
             (x, y),
             (x + 0.04 * width, level),
             fontsize=10,
@@ -266,3 +300,16 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
             va="center",
             arrowprops={"arrowstyle": "-", "color": "#999999"},
         )
+        plain(written)
+
+
+def _called(found: LeastAcceleration) -> str:
+    """Return what the motion of a result is called in a picture."""
+    names = found.design.names
+    return dict(zip(names, labels(names), strict=True))[found.motion.name]
+
+
+def _labelled(given: Iterable[str]) -> list[tuple[str, str]]:
+    """Return names, each with the short one that is written for it."""
+    names = [*given]
+    return [*zip(names, labels(names, TITLE), strict=True)]

@@ -8,12 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MultipleLocator
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.measured.cam_table import CamTable
-from cammotion.measured.differences import differences
+from cammotion.measured.differences import ERROR, differences
 from cammotion.measured.inch import MM_PER_INCH
 from cammotion.measured.smoothing import SmoothedTable
-from cammotion.quantities import Floats, InputError, one_of
+from cammotion.quantities import Floats, InputError, Quantity, one_of
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import colour, style_axes, style_line
 
@@ -25,6 +26,7 @@ _WIDE = 0.8  # of the way between two ranks, for all bars of a rank
 _TOLD = 3  # of the bars have their value above them
 
 
+@checked
 def plot_measured(
     tables: Mapping[str, CamTable | SmoothedTable],
     rate_per_hour: float,
@@ -49,7 +51,10 @@ def plot_measured(
     """
     if not isinstance(tables, Mapping) or not tables:
         raise InputError('There is no table to draw: give each a name, as in {"cam": table}.')
+    unit = one_of("unit of length", unit, METRES)
     ax = _axes(ax, "cam angle in deg", "acceleration", unit)
+    if error_mm is not None:
+        error_mm = ERROR.number(error_mm)
     for number, (name, table) in enumerate(tables.items()):
         is_smooth = isinstance(table, SmoothedTable)
         curve = _curve(table, rate_per_hour, error_mm)
@@ -71,6 +76,10 @@ def plot_measured(
     return ax
 
 
+_AMPLITUDE = Quantity("amplitude", "m/s2", example=3, low_included=True)
+
+
+@checked
 def plot_harmonics(
     amplitudes: Mapping[str, ArrayLike],
     *,
@@ -87,13 +96,17 @@ def plot_harmonics(
     >>> plot_harmonics({"cam": [3, 0, 1]}).get_xlabel()
     'rank of the harmonic'
     """
-    if not isinstance(amplitudes, Mapping) or not amplitudes:
+    if not amplitudes:
         raise InputError('There are no harmonics to draw: give a name, as in {"cam": amplitudes}.')
+    unit = one_of("unit of length", unit, METRES)
     ax = _axes(ax, "rank of the harmonic", "amplitude of acceleration", unit)
+    most = max(np.size(each) for each in amplitudes.values())
+    if critical is not None:
+        critical = Quantity("rank", "", example=18, high=most).whole(critical)
     wide = _WIDE / len(amplitudes)
     last = 1
     for number, (name, given) in enumerate(amplitudes.items()):
-        heights = np.asarray(given, float) / METRES[unit]
+        heights = np.atleast_1d(_AMPLITUDE.array(given)) / METRES[unit]
         ranks = np.arange(1, heights.size + 1)
         last = max(last, heights.size)
         left = ranks - _WIDE / 2 + wide * (number + 0.5)
@@ -121,7 +134,7 @@ _ABOVE: dict[str, Any] = {
 
 def _axes(ax: Axes | None, across: str, up: str, unit: str) -> Axes:
     """Return styled axes in a unit, with metres on the right where it is the inch."""
-    metres = METRES[one_of("unit of length", unit, METRES)]
+    metres = METRES[unit]
     if ax is None:
         ax = blank_axes(7.5, 4.2, layout="constrained")
     style_axes(ax, across, f"{up} in {unit}/s²")

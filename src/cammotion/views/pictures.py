@@ -11,12 +11,16 @@ import numpy as np
 from IPython.display import display
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
+from cammotion.views.names import printable
 from cammotion.views.paper import STYLE
 
+_EDGE_INCHES = 0.1
+_QUICK = {"compress_level": 3}  # a cell that runs waits for it
 _CURVE = 10  # points that a line has at least that is more than a mark
 
 
@@ -25,10 +29,17 @@ class PictureFigure(Figure):
 
     def _ipython_display_(self) -> None:
         """Show it ourselves: a plot's PNG alone has no words in JupyterLab."""
+        display(as_bundle(self.png(), describe(self)), raw=True)  # type: ignore[no-untyped-call]
+
+    def png(self) -> bytes:
+        """Return the picture as a PNG, cut to what is drawn."""
         picture = io.BytesIO()
-        self.savefig(picture, format="png", bbox_inches="tight")
-        bundle = as_bundle(picture.getvalue(), describe(self))
-        display(bundle, raw=True)  # type: ignore[no-untyped-call]
+        edges: Any = "tight"
+        if self.get_layout_engine() is None:  # found here they cost one drawing less
+            renderer = RendererAgg(*self.bbox.size, self.dpi)  # type: ignore[no-untyped-call]
+            edges = self.get_tightbbox(renderer).padded(_EDGE_INCHES)
+        self.savefig(picture, format="png", bbox_inches=edges, pil_kwargs=_QUICK)
+        return picture.getvalue()
 
 
 def blank_axes(width: float, height: float, *, layout: Any = None) -> Axes:
@@ -75,7 +86,7 @@ def _sentences(ax: Axes) -> Iterator[str]:
     if ax.containers and bars:
         yield f"Bars: {'; '.join(bars)}."
     marks = [str(patch.get_label()) for patch in ax.patches]
-    if named := [mark for mark in marks if mark and not mark.startswith("_")]:
+    if named := [printable(mark) for mark in marks if mark and not mark.startswith("_")]:
         yield f"Marked: {'; '.join(named)}."
     words = _words(ax.texts)
     if words:
@@ -85,11 +96,15 @@ def _sentences(ax: Axes) -> Iterator[str]:
 def _range(curve: Line2D) -> str:
     """Return the name of a curve, which it may not have, with its least and largest value."""
     low, high = (end(np.asarray(curve.get_ydata(), float)) + 0.0 for end in (np.nanmin, np.nanmax))
-    name = str(curve.get_label())
-    return f"{'one' if name.startswith('_') else name} from {low:.3g} to {high:.3g}"
+    name = str(curve.get_gid() or curve.get_label())
+    name = "one" if name.startswith("_") else printable(name)
+    return f"{name} from {low:.3g} to {high:.3g}"
 
 
 def _words(texts: Iterable[Text]) -> list[str]:
     """Return texts on one line each, without those that are empty."""
-    lines = (" ".join(text.get_text().replace("$", "").split()) for text in texts)
-    return [line for line in lines if line]
+    words = (
+        text.get_text().replace("$", "") if text.get_parse_math() else text.get_text()
+        for text in texts
+    )
+    return [line for line in map(printable, words) if line]

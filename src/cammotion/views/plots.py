@@ -17,8 +17,12 @@ from matplotlib.lines import Line2D
 from matplotlib.text import Annotation
 from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, one_of
+from cammotion.views.ends import LINE_INCHES, inches, label_ends, overfull, would_meet
+from cammotion.views.names import labels as short_labels
+from cammotion.views.names import name_line, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.scales import as_text
 
@@ -34,6 +38,8 @@ CURVES = {
     "jerk": "jerk j in m/s³",
 }
 _SAMPLES = 241
+_WIDTH_INCHES, _HEIGHT_INCHES, _BAR_INCHES = 7.5, 4.2, 0.24
+_WRITTEN = 11  # the size of a name at a curve, in points
 _HIGHER = 1.25  # so many times as high as all others is the bar of an infinite peak
 
 
@@ -57,6 +63,7 @@ def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
     return time, np.asarray(functions[one_of("curve", curve, CURVES)](time))
 
 
+@checked
 def plot_curves(
     moves: Move | Iterable[Move],
     *,
@@ -67,55 +74,79 @@ def plot_curves(
     """Draw one curve of each move against time and return the Axes.
 
     `curve` is one of "displacement", "velocity", "acceleration" and "jerk"; `labels`, one for each
-    move, stand at the end of its curve, or under its lowest place, and are the indexing angles
-    unless given. Where the peak is infinite, which no curve shows, the label says so. Raises
-    InputError for an unknown curve, no move, and labels of another number.
+    move, stand at the end of its curve, or under its lowest place, or all at the side where they
+    would meet, and are the indexing angles unless given. Where the peak is infinite, which no curve
+    shows, the label says so. Raises InputError for an unknown curve, no move, and labels of another
+    number.
 
     >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     >>> plot_curves(die, curve="velocity").get_ylabel()
     'velocity v in m/s'
     """
     moves, labels = _labelled(moves, labels)
-    one_of("curve", curve, CURVES)
-    ax = _styled(ax, "time t in s", CURVES[curve])
-    for number, (move, label) in enumerate(zip(moves, labels, strict=True)):
-        time, values = sample_curve(move, curve)
-        style_line(ax.plot(time, values, label=label)[0], number)
-        peak = "" if math.isfinite(_peak(move, curve)) else ", peak ∞"
-        at, offset = _free_place(values)
-        write(ax, label + peak, (time[at], values[at]), colour(number), offset)
-    ax.axhline(0, color="#000000", linewidth=0.8)
+    curve = one_of("curve", curve, CURVES)
+    height = _HEIGHT_INCHES if len(moves) <= len(COLOURS) else LINE_INCHES * len(moves) / 0.77
+    ax = _styled(ax, "time t in s", CURVES[curve], max(height, _HEIGHT_INCHES))
     ax.margins(x=0.08, y=0.12)
+    lines, said, places, offsets = [], [], [], []
+    for number, (move, name) in enumerate(zip(moves, short_labels(labels), strict=True)):
+        time, values = sample_curve(move, curve)
+        line = style_line(ax.plot(time, values)[0], number)
+        lines.append(name_line(line, name, labels[number]))
+        said.append(name if math.isfinite(_peak(move, curve)) else f"{name}, peak ∞")
+        at, offset = _free_place(values)
+        places.append((time[at], values[at]))
+        offsets.append(offset)
+    ax.axhline(0, color="#000000", linewidth=0.8)
+    if would_meet(ax, said, places, offsets, _WRITTEN):
+        label_ends(ax, lines, [height for _, height in places], said)
+        return ax
+    for number, name in enumerate(said):
+        plain(write(ax, name, places[number], colour(number), offsets[number]))
     return ax
 
 
+@checked
 def plot_peaks(
     moves: Iterable[Move], *, labels: Sequence[str] | None = None, ax: Axes | None = None
 ) -> Axes:
     """Draw the peak acceleration of each move as a bar, its value above it; return the Axes.
 
-    `labels`, one for each move, stand under the bars and are the indexing angles unless given. The
-    bar of an infinite peak, under the sign ∞, is hatched and a quarter higher than all others.
-    Raises InputError for no move, and for labels of another number.
+    `labels`, one for each move, stand under the bars and are the indexing angles unless given;
+    where they have no room there, the bars lie. The bar of an infinite peak, under the sign ∞, is
+    hatched and a quarter longer than all others. Raises InputError for no move, and for labels of
+    another number.
 
     >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     >>> plot_peaks([die], labels=["die"]).get_ylabel()
     'peak acceleration a_max in m/s²'
     """
+    across, up = "" if labels else "indexing angle Bm", "peak acceleration a_max in m/s²"
     moves, labels = _labelled(moves, labels)
-    ax = _styled(ax, "indexing angle Bm", "peak acceleration a_max in m/s²")
+    names = short_labels(labels)
+    is_flat = overfull(names, 0.775 * _WIDTH_INCHES if ax is None else inches(ax)[0])
+    height = max(_HEIGHT_INCHES, _BAR_INCHES * len(names) / 0.77) if is_flat else _HEIGHT_INCHES
+    ax = _styled(ax, *((up, across) if is_flat else (across, up)), height)
     peaks = np.array([move.peak_acceleration for move in moves])
     highest = max(peaks[np.isfinite(peaks)], default=1.0)
     heights = np.where(np.isfinite(peaks), peaks, _HIGHER * highest)
-    bars = ax.bar(labels, heights, color=COLOURS[0], width=0.6)
+    places = range(len(names))
+    draw = ax.barh if is_flat else ax.bar
+    bars = draw(places, heights, 0.6, color=COLOURS[0])
+    axis = ax.yaxis if is_flat else ax.xaxis
+    axis.set_ticks(places, names)
+    plain(*axis.get_ticklabels())
+    if is_flat:
+        ax.invert_yaxis()
     for bar, peak in zip(bars, peaks, strict=True):
         bar.set(hatch="" if math.isfinite(peak) else "//", edgecolor="white", linewidth=0)
     ax.bar_label(bars, [as_text(peak, "#.3g") for peak in peaks], padding=3, fontsize=11)
-    ax.margins(y=0.12)
-    ax.grid(visible=False, axis="x")
+    ax.margins(x=0.12 if is_flat else None, y=None if is_flat else 0.12)
+    ax.grid(visible=False, axis="y" if is_flat else "x")
     return ax
 
 
+@checked
 def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axes:
     """Draw peak acceleration against indexing angle on logarithmic scales; return the Axes.
 
@@ -162,6 +193,7 @@ def style_axes(ax: Axes, xlabel: str, ylabel: str) -> None:
     ax.set_facecolor("white")
     ax.set_xlabel(xlabel, fontsize=11)
     ax.set_ylabel(ylabel, fontsize=11)
+    plain(ax.xaxis.label, ax.yaxis.label)
     ax.tick_params(labelsize=10)
     ax.grid(visible=True, color="#dddddd", linewidth=0.8)
     ax.set_axisbelow(True)
@@ -170,13 +202,27 @@ def style_axes(ax: Axes, xlabel: str, ylabel: str) -> None:
 
 def style_line(line: Line2D, number: int) -> Line2D:
     """Give a line the colour and the dashes of its number."""
-    line.set(color=colour(number), linestyle=LINE_STYLES[number % len(LINE_STYLES)], linewidth=2)
+    line.set(color=colour(number), linestyle=dashes_of(number), linewidth=2)
     return line
+
+
+def dashes_of(number: int) -> Any:
+    """Return the line style of a number: where a colour comes again it has other dashes.
+
+    >>> colour(0) == colour(6), dashes_of(0), dashes_of(6)
+    (True, '-', '--')
+    """
+    return LINE_STYLES[(number + number // len(COLOURS)) % len(LINE_STYLES)]
 
 
 def colour(number: int) -> str:
     """Return the colour of the line with that number, the first being 0."""
     return COLOURS[number % len(COLOURS)]
+
+
+def dark(number: int) -> tuple[float, float, float]:
+    """Return the colour of that number for a text, red, green and blue from 0 to 1."""
+    return mixed(colour(number), "black", 0.4)
 
 
 def mixed(name: str, other: str, share: float) -> tuple[float, float, float]:
@@ -204,15 +250,15 @@ def write(
         offset,
         textcoords="offset points",
         color=color,
-        fontsize=11,
+        fontsize=_WRITTEN,
         ha="left" if offset[0] > 0 else "right" if offset[0] else "center",
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
     )
 
 
-def _styled(ax: Axes | None, xlabel: str, ylabel: str) -> Axes:
+def _styled(ax: Axes | None, xlabel: str, ylabel: str, height: float = _HEIGHT_INCHES) -> Axes:
     if ax is None:
-        ax = blank_axes(7.5, 4.2)
+        ax = blank_axes(_WIDTH_INCHES, height)
     style_axes(ax, xlabel, ylabel)
     return ax
 
@@ -230,9 +276,8 @@ def _free_place(values: Floats) -> tuple[int, tuple[float, float]]:
 def _labelled(
     moves: Move | Iterable[Move], labels: Sequence[str] | None
 ) -> tuple[list[Move], list[str]]:
-    several: Any = [moves] if isinstance(moves, Move) else moves
-    moves = list(several) if isinstance(several, Iterable) else []
-    if not moves or not all(isinstance(move, Move) for move in moves):
+    moves = [moves] if isinstance(moves, Move) else [*moves]
+    if not moves:
         raise InputError(
             "There is nothing to draw: give one Move or a list of them, for example "
             "[Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)]."

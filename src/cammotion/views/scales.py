@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.ticker import LogLocator
 from numpy.typing import ArrayLike
 
+_THOUSAND = 1000
 _ONE_TWO_FIVE = LogLocator(subs=(1, 2, 5))
 
 
@@ -39,3 +40,13 @@ def as_text(value: float, digits: str) -> str:
     ('4.15', '∞')
     """
     return format(value, digits) if math.isfinite(value) else "∞"
+
+
+def short_number(value: float) -> str:
+    """Return a number for a scale.
+
+    >>> short_number(0.1111), short_number(-1000.4), short_number(-1e-12)
+    ('0.111', '−1000', '0')
+    """
+    value = round(value, 10) or 0.0
+    return f"{value:.{3 if abs(value) < _THOUSAND else 4}g}".replace("-", "−")

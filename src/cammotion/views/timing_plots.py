@@ -1,6 +1,5 @@
 """Pictures of timing diagrams and of clearances, with units at every axis."""
 
-import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -9,21 +8,34 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
-from cammotion.machine.arcs import Arc, arcs
+from cammotion.arguments import checked
+from cammotion.machine.arcs import arcs
 from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
-from cammotion.machine.diagram import TimingDiagram, as_diagram
+from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
-from cammotion.quantities import InputError, one_of
+from cammotion.quantities import InputError, Quantity, one_of
+from cammotion.views.bars import HATCHES, draw_bars
 from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
+from cammotion.views.lanes import (
+    LANE_INCHES,
+    SHARED_AXIS,
+    Values,
+    curves_of,
+    draw_lanes,
+    draw_shared,
+    room_inches,
+    say_infinite,
+)
+from cammotion.views.named import readable
+from cammotion.views.names import TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import CURVES, colour, mixed, style_axes, style_line, write
+from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
 
 TICK_DEG = 30
-SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
-LANE = 0.75  # the share of a lane that a curve fills
-BAR_INCHES, ROW_INCHES = 0.33, 1.4
+BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4
+WIDTH_INCHES, LEFT_INCHES, RIGHT_INCHES = 9.0, 1.125, 0.9  # of a notebook's page, and its margins
+_TITLE_INCHES = 0.45  # beside the names of the rows, for what they show
 DOT_DEG, LABELLED_DOT_DEG = 5, 15
 ROOM = 0.03  # of an axis, so that it does not hide a path along it
 ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
@@ -31,12 +43,12 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "acceleration": TimingDiagram.acceleration,
     "jerk": TimingDiagram.jerk,
 }
-HATCHES = {"rise": "///", "return": "\\\\\\", "dwell": ""}
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
 BROKEN: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
-_NARROWEST_LABEL_DEG = 12
+_SPAN = Quantity("span of the axis", "mm", example=5)
 
 
+@checked
 def plot_timing(
     diagram: TimingDiagram,
     *,
@@ -51,35 +63,43 @@ def plot_timing(
     `rules`, where the two motions of a rule do; a broken rule is marked. `rows`,
     any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle; a row
     names the mechanisms whose peak is infinite. More than four mechanisms get a lane each, with a
-    scale of its own. Raises InputError for an unknown row, and for a rule about a motion that the
-    diagram lacks.
+    scale of its own and its range beside it. Long names are shortened; the words of the picture
+    have them in full. Raises InputError for more than 24 mechanisms, for an unknown row, and for a
+    rule about a motion that the diagram lacks.
 
     >>> import cammotion as cm
     >>> ax = plot_timing(cm.EXAMPLE.diagram, rules=cm.EXAMPLE.rule, rows=["acceleration"])
     >>> ax.get_ylabel()
     'displacement in mm'
     """
-    for row in rows:
-        one_of("row", row, ROWS)
+    rows = [one_of("row", row, ROWS) for row in rows]
     given = as_rules(diagram, rules) if rules else ()
-    names = as_diagram(diagram).names
+    names = labels(readable(diagram).names)
+    in_lanes = len(names) > SHARED_AXIS
+    heights = [LANE_INCHES * len(names)] * (1 + len(rows))
+    if not in_lanes:
+        heights = [CURVES_INCHES, *[ROW_INCHES for _ in rows]]
+    bars_inches = BAR_INCHES * len(names)
     if ax is None:
-        curves = 2.6 if len(names) <= SHARED_AXIS else 0.42 * len(names)
-        height = curves + BAR_INCHES * len(names) + (ROW_INCHES + 0.2) * len(rows)
-        ax = blank_axes(9, height / 0.77)
+        ax = _page(names, sum(heights) + bars_inches + 0.2 * len(rows))
     style_axes(ax, "", "displacement in mm")
     divider = make_axes_locatable(ax)
-    bars = divider.append_axes("bottom", size=BAR_INCHES * len(names), pad=0.12, sharex=ax)
-    lower = [divider.append_axes("bottom", size=ROW_INCHES, pad=0.2, sharex=ax) for _ in rows]
-    _draw_displacements(ax, diagram)
-    _draw_bars(bars, diagram)
+    bars = divider.append_axes("bottom", size=bars_inches, pad=0.12, sharex=ax)
+    lower = [
+        divider.append_axes("bottom", size=height, pad=0.2, sharex=ax) for height in heights[1:]
+    ]
+    ax.set_xlim(0, DEG_PER_TURN)
+    _draw_curves(ax, diagram)
+    draw_bars(bars, diagram.motions, names)
     for axis, row in zip(lower, rows, strict=True):
-        _draw_row(axis, diagram, row)
+        style_axes(axis, "", CURVES[row].replace(" in ", "\nin "))
+        _draw_curves(axis, diagram, row)
     _shade(ax, diagram, given)
     _share_angle(ax, bars, *lower)
     return ax
 
 
+@checked
 def plot_clearance(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     rule: ClearanceRule,
@@ -107,115 +127,70 @@ def plot_clearance(
     if ax is None:
         ax = blank_axes(7.5, 4.6)
     across, up = rule.only_while, rule.when
-    style_axes(ax, describe_offset(across, named), describe_offset(up, named))
+    first = next(iter(named.values()))
+    called = dict(zip(first.names, labels(first.names), strict=True))
+    style_axes(
+        ax,
+        *(describe_offset(first[half.motion], called[half.motion]) for half in (across, up)),
+    )
     highest = max(diagram[up.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
     widest = max(diagram[across.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
     near = min(widest, max(8 * across.limit_mm, 0.05 * widest))
     broken = [
         violation for diagram in named.values() for violation in find_violations(diagram, rule)
     ]
-    span = span_mm or (widest if broken else near)  # no broken rule outside the picture
+    span = widest if broken else near  # no broken rule outside the picture
+    if span_mm is not None:
+        span = _SPAN.number(span_mm)
     ax.set_xlim(-ROOM * span, span)
     ax.set_ylim(-ROOM * highest, 1.1 * highest)
     region = _forbidden_region(rule, ax)
     ax.add_patch(region)
-    labels: dict[tuple[float, float], str] = {}
+    angles: dict[tuple[float, float], str] = {}
     for number, (name, diagram) in enumerate(named.items()):
-        labels = _draw_path(ax, diagram, rule, number, name) or labels
-    for place, label in labels.items():  # the last path's; the others have theirs below or above
+        angles = _draw_path(ax, diagram, rule, number) or angles
+        if any(named):
+            name_line(ax.lines[-2], labels([*named], TITLE)[number], name)
+    for place, label in angles.items():  # the last path's; the others have theirs below or above
         write(ax, label, place, colour(number), offset=(-3, -17))
     if any(named):
-        ax.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False, fontsize=10)
+        add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     middle_x, middle_y = region.get_center()
     write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
     return ax
 
 
-def describe_offset(condition: Condition, designs: Mapping[str, TimingDiagram]) -> str:
-    """Return the label of an axis of the clearance map."""
-    motion = next(iter(designs.values()))[condition.motion]
+def describe_offset(motion: Motion, name: str) -> str:
+    """Return the label of an axis of the clearance map, for a motion that is called so there."""
     what = "distance from a stop" if motion.is_indexing else "position"
-    return f"{motion.name}: {what} in mm"
+    return f"{name}: {what} in mm"
 
 
-def _draw_displacements(ax: Axes, diagram: TimingDiagram) -> None:
-    in_lanes = len(diagram.motions) > SHARED_AXIS
-    ticks: dict[float, str] = {}
-    for number, motion in enumerate(diagram.motions):
-        angles = curve_angles(motion)
-        heights = displacement(motion, angles)
-        if in_lanes:
-            low, high = heights.min(), heights.max()
-            lane = len(diagram.motions) - 1 - number
-            heights = lane + LANE * (heights - low) / ((high - low) or 1)
-            ticks[lane + LANE / 2] = "{:g} to {:g}".format(*np.round([low, high], 6) + 0.0)
-        style_line(ax.plot(angles, heights, label=motion.name)[0], number)
-        middle = _highest_stay(motion)
-        top = float(np.interp(middle, angles, heights))
-        write(ax, motion.name, (middle, top), colour(number), offset=(0, -4 if in_lanes else 5))
-    if in_lanes:
-        ax.set_yticks([*ticks], [*ticks.values()])
-        ax.tick_params(axis="y", length=0)
-        ax.grid(visible=False, axis="y")
-        ax.set_ylim(-0.2, len(diagram.motions) + 0.1)
-    else:
-        ax.margins(y=0.14)
+def _page(names: Sequence[str], height: float) -> Axes:
+    """Return the axes of a picture as wide as a notebook's page, with room for names."""
+    left = max(LEFT_INCHES, room_inches(names) + _TITLE_INCHES)
+    in_lanes = len(names) > SHARED_AXIS
+    right = WIDTH_INCHES - (room_inches(["−1000 to 1000"]) + 0.15 if in_lanes else RIGHT_INCHES)
+    ax = blank_axes(WIDTH_INCHES, height / 0.77)
+    ax.figure.subplots_adjust(left=left / WIDTH_INCHES, right=right / WIDTH_INCHES)
+    return ax
 
 
-def _highest_stay(motion: Motion) -> float:
-    """Return the cam angle of the middle of the longest dwell furthest from the start."""
-    within = [segment for segment in motion.segments if segment.is_dwell] or motion.segments
-    far = max(within, key=lambda s: (abs(s.from_mm - motion.start_mm), s.angle_deg))
-    return min(max((far.from_deg + far.to_deg) / 2 % DEG_PER_TURN, 12), DEG_PER_TURN - 12)
+def _draw_curves(ax: Axes, diagram: TimingDiagram, row: str | None = None) -> None:
+    """Draw the displacements, or a row below them: on one scale, or each in its lane."""
+    values = displacement if row is None else _derivative(diagram, row)
+    curves = curves_of(diagram.motions, values)
+    peaks = None if row is None else [getattr(diagram, f"peak_{row}")(n) for n in diagram.names]
+    if len(curves) > SHARED_AXIS:
+        draw_lanes(ax, curves, peaks)
+        return
+    draw_shared(ax, curves, is_named=row is None)
+    if peaks is not None:
+        say_infinite(ax, curves, peaks)
 
 
-def _draw_bars(ax: Axes, diagram: TimingDiagram) -> None:
-    style_axes(ax, "", "")
-    for number, motion in enumerate(diagram.motions):
-        for segment in motion.segments:
-            parts = arcs([(segment.from_deg, segment.to_deg)])  # two where it runs on over 360
-            for part in parts:
-                label = f"{motion.name}: {segment.kind} from {part[0]:.5g} to {part[1]:.5g} deg"
-                _draw_bar(ax, number, part, segment).set_label(label)
-            start, end = max(parts, key=lambda part: part[1] - part[0])
-            if end - start >= _NARROWEST_LABEL_DEG:
-                middle, label = (start + end) / 2, f"{segment.angle_deg:.5g}°"
-                box = {"facecolor": "white", "edgecolor": "none", "pad": 1}
-                ax.text(middle, number, label, fontsize=10, ha="center", va="center", bbox=box)
-    ax.set_ylim(len(diagram.motions) - 0.45, -0.55)
-    ax.set_yticks(range(len(diagram.motions)), diagram.names)
-    ax.tick_params(axis="y", length=0)
-    ax.spines["left"].set_visible(False)
-
-
-def _draw_bar(ax: Axes, row: int, span: Arc, segment: Segment) -> Rectangle:
-    start, end = span
-    half = 0.06 if segment.is_dwell else 0.36
-    bar = Rectangle(
-        (start, row - half),
-        end - start,
-        2 * half,
-        facecolor="white" if segment.is_dwell else mixed(colour(row), "white", 0.75),
-        edgecolor=colour(row),
-        hatch=HATCHES[segment.kind],
-        linewidth=1.2,
-    )
-    ax.add_patch(bar)
-    return bar
-
-
-def _draw_row(ax: Axes, diagram: TimingDiagram, row: str) -> None:
-    style_axes(ax, "", CURVES[row].replace(" in ", "\nin "))
-    for number, motion in enumerate(diagram.motions):
-        angles = curve_angles(motion)
-        values = ROWS[row](diagram, motion.name, angles)
-        style_line(ax.plot(angles, values, label=motion.name)[0], number)
-    ax.axhline(0, color="#000000", linewidth=0.8)
-    peak = getattr(diagram, f"peak_{row}")
-    if infinite := [name for name in diagram.names if math.isinf(peak(name))]:
-        said = f"peak ∞: {', '.join(infinite)}"
-        ax.text(1, 1.01, said, ha="right", va="bottom", fontsize=10, transform=ax.transAxes)
-    ax.margins(y=0.1)
+def _derivative(diagram: TimingDiagram, row: str) -> Values:
+    return lambda motion, angles: np.asarray(ROWS[row](diagram, motion.name, angles))
 
 
 def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -> None:
@@ -225,8 +200,9 @@ def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -
     where_broken = [(broken.start_deg, broken.end_deg) for broken in violations]
     grey: dict[str, Any] = {"facecolor": "white", "edgecolor": "#555555"}
     key = [Patch(**grey, hatch=hatch, label=kind) for kind, hatch in HATCHES.items()]
+    is_calm = len(diagram.names) > SHARED_AXIS  # dots behind many lanes are in their way
     for label, found, style in (
-        ("overlap", overlaps, OVERLAP),
+        ("overlap", overlaps, OVERLAP | {"hatch": ""} if is_calm else OVERLAP),
         ("rule broken", where_broken, BROKEN),
     ):
         for start, end in arcs(found):
@@ -238,7 +214,6 @@ def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -
 
 
 def _share_angle(*axes: Axes) -> None:
-    axes[0].set_xlim(0, DEG_PER_TURN)
     axes[0].set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
     for ax in axes[:-1]:
         ax.tick_params(axis="x", labelbottom=False)
@@ -246,7 +221,7 @@ def _share_angle(*axes: Axes) -> None:
 
 
 def _draw_path(
-    ax: Axes, diagram: TimingDiagram, rule: ClearanceRule, number: int, name: str
+    ax: Axes, diagram: TimingDiagram, rule: ClearanceRule, number: int
 ) -> dict[tuple[float, float], str]:
     """Draw a path with its dots; return where the cam angles belong that name some of them.
 
@@ -254,7 +229,7 @@ def _draw_path(
     """
     across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
     close = np.union1d(curve_angles(across), curve_angles(up))
-    style_line(ax.plot(across.offset_mm(close), up.offset_mm(close), label=name)[0], number)
+    style_line(ax.plot(across.offset_mm(close), up.offset_mm(close))[0], number)
     angles = np.arange(0, DEG_PER_TURN, DOT_DEG)
     x, y = np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
     under_way = (x > 0) & (y > 0) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])

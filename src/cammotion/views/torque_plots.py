@@ -5,16 +5,20 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.axes import Axes
 
+from cammotion.arguments import checked
 from cammotion.hardware.indexer import Indexer
-from cammotion.quantities import InputError, one_of, shorten
+from cammotion.quantities import InputError, one_of
+from cammotion.views.names import MOST, TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import style_axes, style_line
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
 _PLACES = 1001
+_FEW_ROWS, _ROW_INCHES = 3, 0.2  # of the legend
 _REST = 0.06  # of the time, drawn before the index and after it
 
 
+@checked
 def plot_torque(
     indexers: Mapping[str, Indexer], *, quantity: str = "torque", ax: Axes | None = None
 ) -> Axes:
@@ -28,21 +32,25 @@ def plot_torque(
     >>> plot_torque({"table": cm.Indexer(38.5, stops=8, time_s=0.75)}).get_ylabel()
     'torque on the table in N m'
     """
-    if not isinstance(indexers, Mapping) or not indexers:
+    if not indexers:
         raise InputError(
-            f"The indexers are {shorten(indexers)}: give each a name, for example "
-            '{"table": cammotion.Indexer(38.5, stops=8, time_s=0.75)}.'
+            "There is no indexer to draw: give each by its name, for example "
+            '{"table": Indexer(38.5, stops=8, time_s=0.75)}.'
         )
-    one_of("quantity", quantity, QUANTITIES)
+    quantity = one_of("quantity", quantity, QUANTITIES)
+    called = labels([*indexers], TITLE)
+    columns = 1 if max(map(len, called)) > MOST else 2
     if ax is None:
-        ax = blank_axes(7.5, 4.2, layout="constrained")
+        rows = -(-len(called) // columns)
+        height = 4.2 + _ROW_INCHES * max(rows - _FEW_ROWS, 0)
+        ax = blank_axes(7.5, height, layout="constrained")
     style_axes(ax, "x = t/tm", QUANTITIES[quantity])
     x = np.linspace(0, 1, _PLACES)
     for number, (name, indexer) in enumerate(indexers.items()):
         values = indexer.torque_N_m(x) if quantity == "torque" else indexer.power_W(x)
         points = np.column_stack([[-_REST, 0, *x, 1, 1 + _REST], [0, 0, *values, 0, 0]])
-        style_line(ax.plot(*points.T, label=name)[0], number)
+        name_line(style_line(ax.plot(*points.T)[0], number), called[number], name)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
-    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    add_legend(ax, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=columns, frameon=False)
     return ax

@@ -22,6 +22,8 @@ from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.animation.picture import TURN
 from cammotion.views.animation.plate_cam import STEP_DEG, PlateCam
 from cammotion.views.animation.turret import HALF_TURN, Turret
+from cammotion.views.named import short_diagram, short_rule
+from cammotion.views.names import printable
 from cammotion.views.plots import colour
 
 WIDTH_PX, HEIGHT_PX = 760, 380
@@ -51,8 +53,9 @@ def cam_machine(diagram: TimingDiagram, rule: ClearanceRule, *, turn_s: float = 
             f"The motions of the diagram are {', '.join(map(repr, diagram.names))}: give one "
             "indexing motion and one other, and the clearance rule that links the two."
         )
-    ((name, (die,)),) = found.items()
-    turret = Turret(diagram.names.index(name), diagram[name], [die], WIDTH_PX)
+    short, rule = short_diagram(diagram), short_rule(diagram, rule)
+    ((name, (die,)),) = find_dies(short, (rule,)).items()
+    turret = Turret(short.names.index(name), short[name], [die], WIDTH_PX)
     return _Machine(turret, die, TURN.number(turn_s)).draw()
 
 
@@ -82,7 +85,7 @@ class _Machine:
     @property
     def _description(self) -> str:
         mill, die = self.turret.motion, self.die.motion
-        return svg.printable(
+        return printable(
             f"One turn of the camshaft, shown in {self.turn_s:g} s. A cam on the shaft lifts a "
             f"roller at the left end of a lever; the right end pushes the {die.name} "
             f"{self.die.travel:g} mm down, into a pocket of the {mill.name}, which has moved on "

@@ -13,8 +13,10 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import Trace
+from cammotion.views.lanes import SHARED_AXIS
+from cammotion.views.names import text_px
 from cammotion.views.plots import colour
-from cammotion.views.timing_plots import SHARED_AXIS
+from cammotion.views.scales import short_number
 
 LEFT_PX = 48  # for the scale
 GAP_PX, WIDEST_LABEL_PX = 7, 110  # beside the ends of the curves, and for what stands there
@@ -43,6 +45,7 @@ class Lane:
     ticks: Sequence[float]
     top: float
     height: float
+    is_bare: bool = False
 
     def y(self, value: float) -> float:
         """Return where a value is, in px below the chart's top."""
@@ -85,7 +88,8 @@ class Chart:
         self._draw_grid(plot)
         for lane in self.lanes:
             self._draw_lane(plot, lane)
-        heading = svg.label(self.heading, LEFT_PX, 11, size=svg.SMALL)
+        room = self.width + GAP_PX + WIDEST_LABEL_PX
+        heading = svg.label(self.heading, LEFT_PX, 11, width=room, size=svg.SMALL)
         return svg.placed(0, 0, heading, plot, *(self._draw_key() if found else ()))
 
     def draw_dots(self, turn_s: float) -> Any:
@@ -117,7 +121,7 @@ class Chart:
         if lane.low <= 0 <= lane.high:
             plot.append(zero.M(0, svg.px(lane.y(0))).h(svg.px(self.width)))
         for tick in lane.ticks:
-            text = svg.short_number(tick)
+            text = short_number(tick)
             low = lane.top + lane.height
             y = min(max(lane.y(tick) + 4, lane.top + 10), low)  # within its own lane
             plot.append(svg.label(text, -6, y, size=svg.SMALL, text_anchor="end"))
@@ -128,18 +132,28 @@ class Chart:
             style = svg.line_style(curve.number)
             plot.append(svg.polyline(zip(xs, line.values, strict=True), **style))
             ends.append(line.values[-1])
-        heights = _spread(ends, lane.top + 4, lane.top + lane.height - 4)
-        for curve, height in zip(lane.curves, heights, strict=True):
-            plot.append(
-                svg.label(
-                    curve.label,
-                    self.width + GAP_PX,
-                    height + 4,
-                    width=WIDEST_LABEL_PX,
-                    fill=svg.dark(curve.number),
-                    font_weight="bold",
-                )
-            )
+        is_long = any(
+            text_px(curve.label, svg.NORMAL, bold=True) > WIDEST_LABEL_PX for curve in lane.curves
+        )
+        size, most = (svg.SMALL, 2) if is_long or lane.is_bare else (svg.NORMAL, 1)
+        pitch = _LABEL_PX * most
+        edge = 4 + (pitch - _LABEL_PX) / 2
+        places = spread(ends, lane.top + edge, lane.top + lane.height - edge, pitch)
+        if lane.is_bare:
+            places = [lane.top + lane.height / 2]
+        for curve, place in zip(lane.curves, places, strict=True):
+            plot.extend(self._name(curve, place, size, most))
+
+    def _name(self, curve: LabelledCurve, place: float, size: int, most: int) -> Iterable[Any]:
+        """Write what stands at a curve's end about a height, in so many lines at most."""
+        lines = [curve.label]
+        if most > 1:
+            lines = svg.wrapped(curve.label, WIDEST_LABEL_PX, size, bold=True, most=most)
+        first = place + 4 - _LABEL_PX / 2 * (len(lines) - 1)
+        bold: dict[str, Any] = {"fill": svg.dark(curve.number), "font_weight": "bold"}
+        for number, line in enumerate(lines):
+            at = self.width + GAP_PX, first + _LABEL_PX * number
+            yield svg.label(line, *at, width=WIDEST_LABEL_PX, size=size, **bold)
 
     def _draw_key(self) -> Iterable[Any]:
         right = LEFT_PX + self.width
@@ -176,17 +190,19 @@ def _lane(curves: Sequence[LabelledCurve], top: float, height: float, bare: bool
     locator = MaxNLocator(4, steps=[1, 2, 5, 10])
     ticks = [low, high] if bare else [t for t in locator.tick_values(low, high) if low <= t <= high]
     room = 0.06 * (high - low)
-    return Lane(curves, low - room, high + room, ticks, top, height)
+    return Lane(curves, low - room, high + room, ticks, top, height, bare)
 
 
-def _spread(places: Sequence[float], low: float, high: float) -> Floats | list[float]:
+def spread(
+    places: Sequence[float], low: float, high: float, pitch: float = _LABEL_PX
+) -> Floats | list[float]:
     """Return the places moved apart, in order, to where labels do not cover each other."""
     order = sorted(range(len(places)), key=lambda number: places[number])
     moved = list(places)
     for above, number in zip([None, *order], order, strict=False):
-        least = low if above is None else moved[above] + _LABEL_PX
+        least = low if above is None else moved[above] + pitch
         moved[number] = max(moved[number], least)
     for below, number in zip([None, *order[::-1]], order[::-1], strict=False):
-        most = high if below is None else moved[below] - _LABEL_PX
+        most = high if below is None else moved[below] - pitch
         moved[number] = min(moved[number], most)
     return moved

@@ -26,6 +26,7 @@ from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import CAMSHAFT, trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
+from cammotion.views.names import text_px
 from cammotion.views.scales import as_text, drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
@@ -40,6 +41,7 @@ class Design:
     title: str
     diagram: TimingDiagram
     rules: tuple[ClearanceRule, ...]
+    in_full: tuple[str, ...] = ()  # what its short names stand for
 
     @cached_property
     def violations(self) -> tuple[Violation, ...]:
@@ -69,6 +71,13 @@ class Design:
             for name in (names if all_of_them else [self._hardest])
         ]
         return f"{'' if all_of_them else 'largest '}peak acceleration: {', '.join(peaks)} m/s²"
+
+    def headline(self, room: float) -> str:
+        """Return the peaks in so many px: the largest first, where not all have room."""
+        if text_px(self.peaks, svg.NORMAL) <= room:
+            return self.peaks
+        largest = as_text(self.diagram.peak_acceleration(self._hardest), ".3g")
+        return f"largest peak: {largest} m/s², {self._hardest}"
 
     @property
     def verdict(self) -> str:
@@ -128,7 +137,9 @@ class Layout:
             for design in designs
             for curve in (*self._displacements(design), *self._accelerations(design))
         ]
-        widest = min(max(svg.text_px(label, bold=True) for label in labels), WIDEST_LABEL_PX)
+        widest = min(
+            max(text_px(label, svg.NORMAL, bold=True) for label in labels), WIDEST_LABEL_PX
+        )
         self.chart = INNER_PX - LEFT_PX - GAP_PX - widest
         self.timing = max(self._timing(design).whole_height for design in designs)
         self.acceleration_top = HEADER_PX + self.scene + self.alarm + self.timing + 10
@@ -160,7 +171,7 @@ class Layout:
             0,
             0,
             svg.label(design.title, 0, 20, width=room, size=svg.LARGE, font_weight="bold"),
-            svg.label(design.peaks, 0, 39, width=room),
+            svg.label(design.headline(room), 0, 39, width=room),
         )
         if design.verdict:
             alarmed: dict[str, Any] = (
@@ -189,7 +200,7 @@ class Layout:
             seen.append(svg.box(0, top, INNER_PX, ALARM_PX - 4, fill=svg.PALE_ALARM))
             alarm.append(seen)
             small: dict[str, Any] = {"size": svg.SMALL, "fill": svg.ALARM, "stroke": "none"}
-            lines = svg.wrapped(str(broken), INNER_PX - 8, svg.SMALL)
+            lines = svg.wrapped(str(broken), INNER_PX - 8, svg.SMALL, most=2)
             for line, y in zip(lines, (top + 13, top + 28), strict=False):
                 alarm.append(svg.label(line, 4, y, width=INNER_PX - 8, **small))
         return alarm
@@ -229,7 +240,10 @@ class Layout:
     def _acceleration(self, design: Design) -> Chart:
         lane = acceleration_lane(self._accelerations(design), self.peak, ACCELERATION_PX)
         of = " and ".join(design.accelerated)
-        return Chart(f"acceleration of the {of} in m/s²", [lane], self.chart)
+        heading = f"acceleration of the {of} in m/s²"
+        if text_px(heading, svg.SMALL) > INNER_PX - LEFT_PX:  # the unit is not what is cut
+            heading = f"acceleration in m/s² of the {of}"
+        return Chart(heading, [lane], self.chart)
 
 
 def _peak_label(peak: float, name: str) -> str:

@@ -15,6 +15,7 @@ from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.animation.picture import TURN
 from cammotion.views.plots import colour
+from cammotion.views.scales import short_number
 
 WIDTH_PX, HEIGHT_PX = 760, 330
 _CENTRE, _RADIUS, _STATIONS, _STATION = (165.0, 165.0), 140.0, 0.86, 14.0
@@ -87,7 +88,7 @@ class _Drawing:
         yield draw.Path(**ink).M(_LEFT, _ZERO).H(_RIGHT)
         yield draw.Path(**ink).M(_LEFT, _ZERO - _HIGH - 20).V(_ZERO + _HIGH + 10)
         for value in (np.max(self.torques), np.min(self.torques)):
-            text = svg.short_number(round(float(value)))
+            text = short_number(round(float(value)))
             yield svg.label(text, _LEFT - 6, self._y(value) + 4, text_anchor="end")
         yield svg.label("0", _LEFT - 6, _ZERO + 4, text_anchor="end")
         yield svg.label("one cycle", _RIGHT, _ZERO + 18, text_anchor="end")

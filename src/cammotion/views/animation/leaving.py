@@ -30,6 +30,7 @@ from cammotion.views.animation.moving_picture import MovingPicture
 from cammotion.views.animation.picture import TURN
 from cammotion.views.animation.player import SHOWN_ANGLE
 from cammotion.views.animation.still import Still, stopped
+from cammotion.views.names import printable
 from cammotion.views.plots import colour
 
 MAGNIFICATION = Quantity("magnification of the gap", "times", example=10, low=1, low_included=True)
@@ -174,7 +175,7 @@ class _Picture:
     def draw(self) -> str:
         """Draw it all and return the SVG."""
         title = "A follower leaves its cam"
-        drawing = svg.sheet(WIDTH_PX, HEIGHT_PX, title, svg.printable(self.of.description))
+        drawing = svg.sheet(WIDTH_PX, HEIGHT_PX, title, printable(self.of.description))
         drawing.extend([*self._header(), *self._machine(), *self._bursts()])
         drawing.append(svg.placed(_CHART_X, _HEADER, *draw_charts(self._curves, self.turn_s)))
         return str(drawing.as_svg(header=""))

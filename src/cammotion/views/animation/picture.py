@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from cammotion.arguments import checked
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, Quantity, shorten
@@ -20,6 +21,8 @@ from cammotion.views.animation.moving_picture import MovingPicture
 from cammotion.views.animation.player import SHOWN_ANGLE
 from cammotion.views.animation.scene import Scene
 from cammotion.views.animation.still import Still, stopped
+from cammotion.views.named import names_in_full, readable, short_diagram, short_rule
+from cammotion.views.names import printable
 
 TURN = Quantity("time of a turn in the animation", "s", example=9)
 COLUMNS = 2  # more designs come below: smaller, they could not be read
@@ -78,7 +81,7 @@ class Animation(MovingPicture):
             )
         description = f"At a cam angle of {angle:g}°: {'; '.join(said)}"
         moving = _sheet(columns, height, f"The machine at {angle:g}°", description)
-        return Still(stopped(moving, angle), svg.printable(description))
+        return Still(stopped(moving, angle), printable(description))
 
     @property
     def description(self) -> str:
@@ -89,6 +92,7 @@ class Animation(MovingPicture):
                 f"The machine in motion, {diagram.cycle_time_s:.4g} s a turn "
                 f"({diagram.rate_per_hour:g} pieces/h), shown in {self.turn_s:g} s.",
                 *(f"{design.title} ({design.describe()})" for design in self.designs),
+                *dict.fromkeys(said for design in self.designs for said in design.in_full),
                 *self._magnified,
             ]
         )
@@ -105,6 +109,7 @@ class Animation(MovingPicture):
         return float(self.designs[0].diagram.cycle_time_s)
 
 
+@checked
 def animate(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     *,
@@ -162,7 +167,7 @@ def _sheet(columns: Sequence[Any], height: float, title: str, description: str) 
     """Return the SVG of columns `height` px high, side by side and below one another."""
     whole = height * -(-len(columns) // COLUMNS)
     width = COLUMN_PX * min(len(columns), COLUMNS)
-    drawing = svg.sheet(width, whole, svg.printable(title), svg.printable(description))
+    drawing = svg.sheet(width, whole, printable(title), printable(description))
     for number, column in enumerate(columns):
         row, place = divmod(number, COLUMNS)
         drawing.append(svg.placed(place * COLUMN_PX + MARGIN_PX, row * height, column))
@@ -170,11 +175,17 @@ def _sheet(columns: Sequence[Any], height: float, title: str, description: str) 
 
 
 def _design(title: Any, diagram: Any, rules: Any) -> Design:
-    if not isinstance(title, str) or not svg.printable(title):
+    if not isinstance(title, str) or not printable(title):
         raise InputError(f"The title of a design is {shorten(title)}: give one like 'overlap'.")
     if not isinstance(diagram, TimingDiagram):
         raise InputError(
             f"The design {title!r} is {shorten(diagram)}: give a TimingDiagram of the motions, for "
             "example TimingDiagram([mill, die], rate_per_hour=2000)."
         )
-    return Design(svg.printable(title), diagram, () if rules == () else as_rules(diagram, rules))
+    found = () if rules == () else as_rules(readable(diagram), rules)
+    return Design(
+        printable(title),
+        short_diagram(readable(diagram)),
+        tuple(short_rule(diagram, rule) for rule in found),
+        tuple(names_in_full(diagram)),
+    )

@@ -13,20 +13,23 @@ from cammotion.machine.motions import Motion
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import trace_position
 from cammotion.views.plots import colour
+from cammotion.views.scales import short_number
 
 SLIDE_PX = 124
 IN_ROW = 5
 _TOP, _TRACK = 16.0, 64.0
+_LINE, _LINES = 13, 3  # of a name
 
 
 class Slide:
     """A block on a rail beside a scale in mm."""
 
-    height: float = SLIDE_PX
-
     def __init__(self, number: int, motion: Motion, width: float) -> None:
         self.number, self.motion, self.width = number, motion, width
         self.names: Sequence[str] = [motion.name]
+        room = self.width - 6
+        self._name_lines = svg.wrapped(motion.name, room, svg.SMALL, bold=True, most=_LINES)
+        self.height: float = SLIDE_PX + _LINE * max(len(self._name_lines) - 2, 0)
 
     @classmethod
     def find(
@@ -59,9 +62,8 @@ class Slide:
         body.extend(svg.alarm(broken_arcs.get(self.motion.name, []), turn_s, (-14, -7, 28, 14)))
         group.append(svg.placed(middle, height.values[0], body))
         bold: dict[str, Any] = {"fill": svg.dark(self.number), "font_weight": "bold"}
-        lines = svg.wrapped(self.motion.name, self.width - 6, svg.SMALL, bold=True)
-        for line, y in zip(lines, (bottom + 22, bottom + 35), strict=False):
-            at, room = (self.width / 2, y), self.width - 4
+        for number, line in enumerate(self._name_lines):
+            at, room = (self.width / 2, bottom + 22 + _LINE * number), self.width - 4
             group.append(
                 svg.label(line, *at, width=room, size=svg.SMALL, text_anchor="middle", **bold)
             )
@@ -75,5 +77,5 @@ class Slide:
             ticks.M(svg.px(right), svg.px(_TOP + share * _TRACK)).h(-length)
         yield ticks.M(svg.px(right), _TOP).v(_TRACK)
         for value, y in ((high, _TOP), (low, _TOP + _TRACK))[: 2 if high > low else 1]:
-            text, at = svg.short_number(value), (right - 11, y + 4)
+            text, at = short_number(value), (right - 11, y + 4)
             yield svg.label(text, *at, text_anchor="end", size=svg.SMALL)

@@ -4,7 +4,6 @@
 typed goes into texts and titles only.
 """
 
-import unicodedata
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -14,8 +13,10 @@ from matplotlib.colors import to_hex
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
+from cammotion.views import plots
 from cammotion.views.animation.keyframes import Trace
-from cammotion.views.plots import COLOURS, LINE_STYLES, colour, mixed
+from cammotion.views.names import cut, printable, text_px
+from cammotion.views.plots import colour, dashes_of, mixed
 from cammotion.views.timing_plots import BROKEN
 
 FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
@@ -34,7 +35,6 @@ STYLE = """
 
 _DASHES = {"-": (), "--": (3.7, 1.6), "-.": (6.4, 1.6, 1, 1.6), ":": (1, 1.65)}
 _HATCH_PX = 7
-_THOUSAND = 1000
 
 
 def sheet(width: float, height: float, title: str, description: str) -> draw.Drawing:
@@ -81,13 +81,12 @@ def pale(number: int) -> str:
 
 def dark(number: int) -> str:
     """Return the colour of a mechanism for text."""
-    return to_hex(mixed(colour(number), "black", 0.4))
+    return to_hex(plots.dark(number))
 
 
 def line_style(number: int) -> dict[str, Any]:
     """Return colour, width and dashes of the curve of a mechanism."""
-    # from the seventh mechanism on colours come again, but with other dashes
-    style = LINE_STYLES[(number + number // len(COLOURS)) % len(LINE_STYLES)]
+    style = dashes_of(number)
     dashes = _DASHES[style] if isinstance(style, str) else style[1]
     pattern = " ".join(f"{px(2 * dash):g}" for dash in dashes)
     return {
@@ -98,28 +97,13 @@ def line_style(number: int) -> dict[str, Any]:
     }
 
 
-def printable(text: str) -> str:
-    """Return a text in one line, without what XML cannot hold."""
-    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
+def wrapped(
+    text: str, width: float, size: int = NORMAL, *, bold: bool = False, most: int | None = None
+) -> list[str]:
+    """Return the lines into which a text is broken to be no wider than `width` px.
 
-
-def short_number(value: float) -> str:
-    """Return a number for a scale.
-
-    >>> short_number(0.1111), short_number(-1000.4), short_number(-1e-12)
-    ('0.111', '−1000', '0')
+    Where that is more than `most` lines, the last one ends in an ellipsis.
     """
-    value = round(value, 10) or 0.0
-    return f"{value:.{3 if abs(value) < _THOUSAND else 4}g}".replace("-", "−")
-
-
-def text_px(text: str, size: int = NORMAL, *, bold: bool = False) -> float:
-    """Return how wide a text becomes in the widest of the fonts, about, in px."""
-    return size * (1.13 if bold else 1) * sum(map(_ems, text))
-
-
-def wrapped(text: str, width: float, size: int = NORMAL, *, bold: bool = False) -> list[str]:
-    """Return the lines into which a text is broken to be no wider than `width` px."""
     lines = [""]
     for word in printable(text).split():
         longer = f"{lines[-1]} {word}".strip()
@@ -127,6 +111,8 @@ def wrapped(text: str, width: float, size: int = NORMAL, *, bold: bool = False) 
             lines.append(word)
         else:
             lines[-1] = longer
+    if most is not None and len(lines) > most:
+        lines[most - 1 :] = [cut(" ".join(lines[most - 1 :]), width, size, bold=bold)]
     return lines
 
 
@@ -139,9 +125,9 @@ def label(
     """
     whole = printable(text)
     style = {"fill": INK, "stroke": "white", "stroke_width": 3} | style
-    cut = _cut(whole, width, size, bold=style.get("font_weight") == "bold")
-    element = draw.Text(cut, size, px(x), px(y), **style)
-    if cut != whole:
+    shown = cut(whole, width, size, bold=style.get("font_weight") == "bold")
+    element = draw.Text(shown, size, px(x), px(y), **style)
+    if shown != whole:
         element.append_title(whole)
     return element
 
@@ -239,20 +225,3 @@ def _key_times(angles_deg: Iterable[float] | Floats) -> str:
 def _short(value: float, digits: int) -> str:
     text = f"{px(value, digits):.{digits}f}"
     return text.rstrip("0").rstrip(".")
-
-
-def _cut(text: str, width: float, size: int, *, bold: bool) -> str:
-    if text_px(text, size, bold=bold) <= width:
-        return text
-    while text and text_px(text + "…", size, bold=bold) > width:
-        text = text[:-1]
-    return text.rstrip() + "…"
-
-
-def _ems(character: str) -> float:
-    """Return how wide a character is, in the widest of the fonts."""
-    if unicodedata.east_asian_width(character) in "WF" or character in "mwMW@%…":
-        return 1.0
-    if character in "fijlrt.,;:()'|! -":
-        return 0.42
-    return 0.74 if character.isupper() else 0.64

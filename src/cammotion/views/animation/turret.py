@@ -2,6 +2,7 @@
 
 import copy
 import math
+import operator
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any
@@ -14,16 +15,20 @@ from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
 from cammotion.views.animation import svg
+from cammotion.views.animation.aside import ASIDE_PX
 from cammotion.views.animation.dies import Die, find_dies
 from cammotion.views.animation.keyframes import Trace, trace_position
+from cammotion.views.animation.turret_texts import ALARM_PX, CAPTION_PX, name_room, turret_texts
+from cammotion.views.names import text_px
 from cammotion.views.plots import colour
-from cammotion.views.scales import round_down
 
 TURRET_PX, _BELOW_PX = 192, 6
 _LAND = 0.22  # of gap and pocket together: what is left of the rim below a pocket
 _STROKE_PX = 1.8
 HALF_TURN = 180.0
 _NAME_PX = 110  # at most so much is left free for the name of an outer die
+_FEW = 3  # dies that have their names beside them; more have them at both sides
+_ROW_PX = 15  # of a name there
 
 
 class Turret:
@@ -33,7 +38,6 @@ class Turret:
         self.number, self.motion, self.dies = number, motion, dies
         self.names: Sequence[str] = [motion.name, *(die.motion.name for die in dies)]
         self.width, self.panel = width, TURRET_PX if dies else 0.6 * TURRET_PX
-        self.height: float = self.panel + _BELOW_PX
         self.stops = motion.stops or 1
         self.step = 360 / self.stops
         self.degs = [(place - (len(dies) - 1) / 2) * self.step for place in range(len(dies))]
@@ -52,7 +56,15 @@ class Turret:
         tolerance = min((die.tolerance_mm for die in dies), default=0.0)
         loose = self.tool_width + 2 * tolerance * self.pitch / true_pitch
         self.pocket_width = min(loose, 0.9 * self.pitch, 1.4 * self.radius)
-        self.scale, self.centre = self._fit()
+        names = [text_px(die.motion.name, svg.NORMAL, bold=True) for die in self.dies]
+        widest = max(names, default=0.0)
+        self.scale, self.centre = self._fit(widest + 12)
+        rooms = [name_room(self, deg) for deg in self.degs]
+        self.is_crowded = len(dies) > _FEW or any(map(operator.gt, names, rooms))
+        if self.is_crowded:
+            self.panel = max(TURRET_PX, _ROW_PX * (len(dies) + 1) / 2 + ALARM_PX + CAPTION_PX)
+            self.scale, self.centre = self._fit(ASIDE_PX + 12, CAPTION_PX)
+        self.height: float = self.panel + _BELOW_PX
         self.stroke_px = _STROKE_PX
 
     @classmethod
@@ -73,8 +85,11 @@ class Turret:
         least = max(0.3 * high, 4 * math.pi * self.pocket / self.stops)
         return max(min(true_pitch, 1.2 * high), least) if self.dies else true_pitch
 
-    def _fit(self) -> tuple[float, float]:
-        """Return px per mm, and how far below the panel's top the centre is."""
+    def _fit(self, name_px: float, below_px: float = 0.0) -> tuple[float, float]:
+        """Return px per mm, and how far below the panel's top the centre is.
+
+        With several dies it leaves `name_px` free at either side; `below_px` are free below it.
+        """
         angles = np.radians(self.degs or [0.0])
         outer = self.radius + self.above
         is_small = self.radius <= max(self.above, 1.2 * self.pitch)
@@ -83,11 +98,12 @@ class Turret:
         top = max(outer * np.cos(angles) + 0.6 * self.tool_width * np.abs(np.sin(angles)))
         across = 2 * max(outer * np.abs(np.sin(angles))) + 1.5 * self.tool_width
         least = across if self.dies else min(2.4 * self.pitch, 2.2 * self.radius)
-        names = [svg.text_px(die.motion.name, bold=True) for die in self.dies]
-        beside = 2 * min(max(names) + 12, _NAME_PX) if len(names) > 1 else 0
+        most = name_px if below_px else min(name_px, _NAME_PX)
+        beside = 2 * most if len(self.dies) > 1 else 0
         fits = (self.width - beside) / max(across, least)
-        scale = min((self.panel - 8) / (top - bottom), fits)
-        return float(scale), float(4 + top * scale)
+        scale = min((self.panel - 8 - below_px) / (top - bottom), fits)
+        spare = self.panel - 8 - below_px - (top - bottom) * scale if below_px else 0.0
+        return float(scale), float(4 + top * scale + spare / 2)
 
     @cached_property
     def turning(self) -> Trace:
@@ -120,7 +136,7 @@ class Turret:
         if self.turning.values.any():
             about_centre.append(self.draw_arrow())
         panel.append(about_centre)
-        panel.extend(self._texts())
+        panel.extend(turret_texts(self))
         panel.append(
             svg.box(0.5, 0.5, self.width - 1, self.panel - 1, fill="none", stroke="#c8c8c8")
         )
@@ -159,7 +175,7 @@ class Turret:
         )
         half = math.degrees(math.asin(self.pocket_width / 2 / self.radius))
         start = first * self.step - (half if is_whole else self.step / 2)
-        path.M(*self._at(self.radius, start))
+        path.M(*self.at(self.radius, start))
         for stop in range(first, last + 1):
             deg = stop * self.step
             if not is_whole or stop > first:
@@ -176,7 +192,7 @@ class Turret:
             return whole
         end = last * self.step + self.step / 2
         self._arc(path, self.radius, start, end)
-        path.L(*self._at(self.inner, end))
+        path.L(*self.at(self.inner, end))
         self._arc(path, self.inner, end, first * self.step - self.step / 2)
         return path.Z()
 
@@ -184,13 +200,13 @@ class Turret:
         half, bottom = self.pocket_width / 2, max(self.radius - self.pocket, 0.15 * self.radius)
         top = math.sqrt(self.radius**2 - half**2)
         for x, up in ((-half, bottom), (half, bottom), (half, top)):
-            path.L(*self._at(math.hypot(x, up), deg + math.degrees(math.atan2(x, up))))
+            path.L(*self.at(math.hypot(x, up), deg + math.degrees(math.atan2(x, up))))
 
     def _arc(self, path: Any, radius: float, start: float, end: float) -> None:
         r = svg.px(radius * self.scale)
-        path.A(r, r, 0, int(abs(end - start) > HALF_TURN), int(end > start), *self._at(radius, end))
+        path.A(r, r, 0, int(abs(end - start) > HALF_TURN), int(end > start), *self.at(radius, end))
 
-    def _at(self, radius: float, deg: float) -> tuple[float, float]:
+    def at(self, radius: float, deg: float) -> tuple[float, float]:
         """Return the place in px at so many mm from the centre and deg from the top."""
         way, angle = radius * self.scale, math.radians(deg)
         return svg.px(way * math.sin(angle)), svg.px(-way * math.cos(angle))
@@ -211,7 +227,7 @@ class Turret:
             turn_s,
             data={"part": "body", "motion": die.number, "px-per-mm": svg.px(s, 6)},
         )
-        ram = (self.above + die.travel + self.unit) * s
+        ram = (die.travel + (0.4 * self.unit if self.is_crowded else self.above + self.unit)) * s
         body.append(svg.box(-0.3 * half, tip - tool - ram, 0.6 * half, ram, **shape))
         body.append(svg.box(-half, tip - tool, 2 * half, tool, **shape))
         body.extend(svg.alarm(broken_arcs, turn_s, (-half, tip - tool, 2 * half, tool)))
@@ -238,53 +254,13 @@ class Turret:
             ends = (self.degs[0] - 0.8 * wide, self.degs[0] - 0.45 * wide)
         start, end = ends[::way]
         style = {"stroke": colour(self.number), "stroke_width": 2.5}
-        line = draw.Path(**style, fill="none").M(*self._at(outside, start))
+        line = draw.Path(**style, fill="none").M(*self.at(outside, start))
         self._arc(line, outside, start, end)
         head = draw.Path(fill=colour(self.number))
         tip = math.degrees(9 / (outside * self.scale)) * way
         five = 5 / self.scale
-        head.M(*self._at(outside + five, end)).L(*self._at(outside, end + tip))
-        head.L(*self._at(outside - five, end)).Z()
+        head.M(*self.at(outside + five, end)).L(*self.at(outside, end + tip))
+        head.L(*self.at(outside - five, end)).Z()
         arrow = draw.Group()
         arrow.extend([line, head])
         return arrow
-
-    def _texts(self) -> Iterable[Any]:
-        note = "" if self.is_to_scale else ", pitch not to scale"
-        stops = f"{self.stops} stop{'s' if self.stops > 1 else ''}"
-        bar = round_down(0.25 * self.width / self.scale)
-        right, low = self.width - 10, self.panel - 10
-        room = self.width - bar * self.scale - 40
-        yield svg.label(
-            f"{self.motion.name}: {stops}{note}",
-            8,
-            low,
-            width=room,
-            fill=svg.dark(self.number),
-            font_weight="bold",
-        )
-        left = right - bar * self.scale
-        ends = draw.Path(stroke=svg.INK, stroke_width=1.5, fill="none")
-        ends.M(svg.px(left), low - 5).v(5).H(svg.px(right)).v(-5)
-        yield ends
-        yield svg.label(f"{bar:g} mm", right, low - 7, text_anchor="end", size=svg.SMALL)
-        for die, deg in zip(self.dies, self.degs, strict=True):
-            yield self._name(die, deg)
-
-    def _name(self, die: Die, deg: float) -> Any:
-        """Write the name of a die beside its guide: to the left of one on the left."""
-        outside = self.radius + self.guide + 0.08 * self.unit
-        x, y = self._at(outside, deg)
-        side, angle = (-1 if deg < 0 else 1), math.radians(abs(deg))
-        beside = self.tool_width * math.cos(angle) / 2 + 0.1 * self.unit * math.sin(angle)
-        x += self.width / 2 + side * (beside * self.scale + 6)
-        room = self.width - x if side > 0 else x
-        return svg.label(
-            die.motion.name,
-            x,
-            y + self.centre + 4,
-            width=min(outside * math.radians(self.step) * self.scale, room) - 6,
-            text_anchor="start" if side > 0 else "end",
-            fill=svg.dark(die.number),
-            font_weight="bold",
-        )

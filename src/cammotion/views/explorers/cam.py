@@ -6,7 +6,10 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.hardware.disc_cam import check_motion
+from cammotion.hardware.followers import PRIME as PRIME_MM
+from cammotion.hardware.followers import ROLLER as ROLLER_MM
 from cammotion.hardware.followers import TranslatingRoller
 from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.laws.catalogue import as_law
@@ -38,6 +41,7 @@ class _Curves(NamedTuple):
     sharpness: sp.Expr  # the roller's radius over that of the pitch curve
 
 
+@checked
 def explore_cam(motion: Motion, *, roller_mm: float = 10, prime_mm: float = 60) -> LiveFigure:
     """Return a live figure of the disc cam of a motion, whose follower is a roller on a slide.
 
@@ -53,7 +57,7 @@ def explore_cam(motion: Motion, *, roller_mm: float = 10, prime_mm: float = 60) 
     pressure angle: up to 30 deg
     """
     check_motion(motion)
-    TranslatingRoller(roller_mm)
+    roller_mm, prime_mm = ROLLER_MM.number(roller_mm), PRIME_MM.number(prime_mm)
     least = smallest_prime_radius(motion, TranslatingRoller(roller_mm))
     curves = _curves(motion)
     largest_prime = _rounded_up(max(_COARSEST * prime_mm, 1.5 * least))

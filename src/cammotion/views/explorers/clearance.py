@@ -17,9 +17,11 @@ from cammotion.quantities import InputError, Quantity
 from cammotion.views.explorers.moving import ALPHA, Moving, Part, check_rests, heights
 from cammotion.views.live.formulas import inverse, largest, place_of_largest
 from cammotion.views.live.parts import ALARM, REFERENCE, Box, Line, Panel, Say
+from cammotion.views.names import short
 from cammotion.views.timing_plots import describe_offset
 
 ROUNDING_MM = NOTHING = 1e-9  # and of a stroke
+_MAP_COLUMNS = 12  # of a name below the map, which is narrow
 LIMIT, OUT, IN = sp.symbols("limit out in", real=True)  # where the die is deep, the mill away
 
 
@@ -149,12 +151,13 @@ def _map(
     near, half = rule.only_while.limit_mm, abs(diagram[rule.only_while.motion].pitch_mm) / 2
     lowest, highest = diagram[rule.when.motion].range_mm
     path = {"x": mill.offset(), "y": die.position(), "joints": [*mill.joints, *die.joints]}
-    named = {"": diagram}
     return Panel(
         lines=[Line(**path, colour=1), Line(**path, only_where=broken, role=ALARM)],
         boxes=[Box(low=near, y=(LIMIT, None), name="forbidden")],
-        y=describe_offset(rule.when, named),
-        x=describe_offset(rule.only_while, named),
+        y=describe_offset(diagram[rule.when.motion], rule.when.motion),
+        x=describe_offset(
+            diagram[rule.only_while.motion], short(rule.only_while.motion, _MAP_COLUMNS)
+        ),
         x_limits=(0, min(half, max(8 * near, half / 20))),
         y_limits=(lowest, highest + (highest - lowest) / 10),
         height=300,

@@ -5,6 +5,7 @@ from typing import Any
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.dynamics.one_mass import OneMass, zeta
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
@@ -26,6 +27,7 @@ _RARE, _OFTEN = sp.Rational(1, 2), 10  # swings during the move, between which w
 _SOFT = 24  # the most that stays at so few swings
 
 
+@checked
 def explore_follower(
     laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping: float = 0.02
 ) -> LiveFigure:
@@ -62,6 +64,7 @@ def explore_follower(
     )
 
 
+@checked
 def explore_residual(
     laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping: float = 0.02
 ) -> LiveFigure:
@@ -76,12 +79,12 @@ def explore_residual(
     >>> figure = explore_residual()
     >>> figure.values = {n: 4}
     >>> print(figure.text.splitlines()[1])
-    just after the move its swing has |A| = 0.842, 0.133 percent of the stroke
+    just after the move its swing has |A| = 0.662, 0.105 percent of the stroke
     """
     known = [as_law(law) for law in laws]
     masses = [OneMass(law, n, zeta) for law in known]
     curves = {
-        law.name: (_acceleration(law), mass.a, left_behind(mass), law.Ca)
+        law.name: (_acceleration(law), mass.a, _left_behind(mass), law.Ca)
         for law, mass in zip(known, masses, strict=True)
     }
     a, of_mass, left, c_a = choice("motion law", curves)
@@ -120,7 +123,7 @@ def explore_residual(
     )
 
 
-def left_behind(mass: OneMass) -> sp.Expr:
+def _left_behind(mass: OneMass) -> sp.Expr:
     """Return the largest acceleration of the free swing as it is just after the move.
 
     It is the envelope there, in hm/tm²; undamped, the mass swings with it for ever.

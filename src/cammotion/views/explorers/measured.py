@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.differences import differences
@@ -31,6 +32,7 @@ _TICK_DEG = 45
 _NOTHING = 1e-12
 
 
+@checked
 def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") -> LiveFigure:
     """Return a live figure of a cam's acceleration: with reading errors, smoothed, few harmonics.
 
@@ -51,7 +53,8 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
     random errors up to this size: ±0.028 m/s², root mean square
     """
     number = _checked(table)
-    is_inch = one_of("unit of length", unit, METRES) == "in"
+    unit = one_of("unit of length", unit, METRES)
+    is_inch = unit == "in"
     small, mm = ("in", MM_PER_INCH) if is_inch else ("mm", 1.0)
     turn = float(cycle_time(RATE.number(rate_per_hour)))
     scale = (2 * np.pi / turn) ** 2 * (1 if is_inch else mm / MM_PER_M)  # of small/rad2

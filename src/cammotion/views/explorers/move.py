@@ -4,11 +4,11 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.machine.kinematics import STANDARD_GRAVITY, Move
-from cammotion.quantities import InputError
 from cammotion.views.explorers.moving import ALPHA, LARGEST, control
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
@@ -19,6 +19,7 @@ N, B_m, h_m = sp.symbols("N B_m h_m", positive=True)
 _WIDEST_DEG, _LONGEST_MM = 220, 100
 
 
+@checked
 def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> LiveFigure:
     """Return a live figure of rate, angle and stroke, drawn over the `reference` move.
 
@@ -32,11 +33,6 @@ def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> Li
     >>> print(figure.text.splitlines()[-1])
     ratio of the peaks: 0.25 = 1 (rate, squared) × 0.25 (angle, squared) × 1 (stroke)
     """
-    if not isinstance(reference, Move):
-        raise InputError(
-            f"The reference is {reference!r}; it has to be a Move, for example "
-            "Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)."
-        )
     own = as_law(reference.law)
     known = {law.name: law for law in (own, *map(as_law, laws))}
     known[own.name] = own

@@ -10,11 +10,13 @@ import sympy as sp
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
+from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError
 from cammotion.views.live.expressions import as_expression
-from cammotion.views.live.parts import Control
+from cammotion.views.live.parts import Control, Say
+from cammotion.views.named import names_in_full
 
 ALPHA = sp.Symbol("alpha", real=True)  # the cam angle, in deg, over which a figure draws a turn
 SECONDS_BY_DEG_AND_RATE = 10  # tm = 10 Bm / N
@@ -142,6 +144,11 @@ def heights(motions: Iterable[Motion], moving: Iterable[Moving]) -> tuple[sp.Exp
         f(*over_zero, end, evaluate=False) for f, end in ((sp.Min, low), (sp.Max, high))
     )
     return lowest - room, highest + 2 * room
+
+
+def full_names(diagram: TimingDiagram, *names: str) -> list[Say]:
+    """Return a sentence for each of the names, all unless given, that a figure shortens."""
+    return [Say("{said}", {"said": said}) for said in names_in_full(diagram, *names)]
 
 
 def check_rests(motions: Iterable[Motion]) -> None:

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
@@ -20,10 +21,11 @@ from cammotion.views.explorers.clearance import (
     verdict,
     window,
 )
-from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, control, work_deg
+from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, control, full_names, work_deg
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Button, Say, choice
+from cammotion.views.named import short_diagram, short_rule
 
 _MARGINS_MM = 0, 1, 2, 3, 5
 _LEAST_DEG = 20
@@ -31,6 +33,7 @@ B_m, START, B_MILL = sp.symbols("B_m start B_mill", nonnegative=True)
 _WIDEST, _END = sp.symbols("widest end", real=True)
 
 
+@checked
 def explore_overlap(
     diagram: TimingDiagram, rule: ClearanceRule, *, contact_mm: float
 ) -> LiveFigure:
@@ -49,6 +52,8 @@ def explore_overlap(
     die: 124.84 deg, from 80.163 to 205 deg, a_max = 0.806 m/s² = 0.194 × 4.154
     """
     contact = checked_contact(diagram, rule, contact_mm)
+    in_full = full_names(diagram, rule.when.motion, rule.only_while.motion)
+    diagram, rule = short_diagram(diagram), short_rule(diagram, rule)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
     (down, up), (index,) = die.moves, mill.moves
     work = work_deg(die)
@@ -85,6 +90,7 @@ def explore_overlap(
                 {"die": die.name},
                 least > _WIDEST,
             ),
+            *in_full,
         ],
         buttons=[
             Button(

@@ -1,13 +1,11 @@
 """The explorer of the timing diagram: one turn shared out between two mechanisms, in sequence."""
 
-from typing import Any
-
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError
 from cammotion.views.explorers.moving import (
     ALPHA,
@@ -15,12 +13,14 @@ from cammotion.views.explorers.moving import (
     Part,
     check_rests,
     control,
+    full_names,
     heights,
     work_deg,
 )
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Line, Panel, Say
+from cammotion.views.named import short_diagram
 from cammotion.views.plots import CURVES
 from cammotion.views.timing_plots import TICK_DEG
 
@@ -28,6 +28,7 @@ _SHARED_DEG = DEG_PER_TURN - 2 * 10  # what is left at least for each way of the
 B_MILL, WORK = sp.symbols("B_mill work", positive=True)
 
 
+@checked
 def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     """Return a live figure of how two mechanisms share out the turn when they move in sequence.
 
@@ -41,7 +42,8 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     >>> print(figure.text.splitlines()[1])
     die: moves over 80 and 80 deg, a_max = 1.963 m/s²
     """
-    mill, die = _checked(diagram)
+    _check(diagram)
+    mill, die = short_diagram(diagram).motions
     (index,), (down, up) = mill.moves, die.moves
     work = work_deg(die)
     most = min(max(_SHARED_DEG / 2, index.angle_deg), _SHARED_DEG - work)
@@ -99,13 +101,14 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
                 when=peaks[0] >= peaks[1],
                 otherwise=Say(larger, {"name": die.name, "peak": peaks[1]}),
             ),
+            *full_names(diagram),
         ],
         title="One turn for two mechanisms",
     )
 
 
-def _checked(diagram: Any) -> tuple[Motion, Motion]:
-    motions = diagram.motions if isinstance(diagram, TimingDiagram) else ()
+def _check(diagram: TimingDiagram) -> None:
+    motions = diagram.motions
     kinds = [[segment.kind for segment in moved.moves] for moved in motions]
     if kinds != [["rise"], ["rise", "return"]] or not motions[0].is_indexing:
         raise InputError(
@@ -120,4 +123,3 @@ def _checked(diagram: Any) -> tuple[Motion, Motion]:
             f"{taken:g} deg of the turn: leave more than 20 deg for the two ways of the latter."
         )
     check_rests(motions)
-    return mill, die

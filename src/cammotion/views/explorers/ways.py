@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -19,15 +20,17 @@ from cammotion.views.explorers.clearance import (
     verdict,
     window,
 )
-from cammotion.views.explorers.moving import ALPHA, Moving, control, work_deg
+from cammotion.views.explorers.moving import ALPHA, Moving, control, full_names, work_deg
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Say
+from cammotion.views.named import short_diagram, short_rule
 
 _LEAST_DEG, _MOST_DEG, _MOST_WORK_DEG = 20, 200, 140  # 200 + 140 + 20 are a turn
 RISE, RETURN, WORK = sp.symbols("rise return work", positive=True)
 
 
+@checked
 def explore_ways(diagram: TimingDiagram, rule: ClearanceRule) -> LiveFigure:
     """Return a live figure of a clearance rule: rise, return and work of a motion, in deg.
 
@@ -43,6 +46,8 @@ def explore_ways(diagram: TimingDiagram, rule: ClearanceRule) -> LiveFigure:
     die: rise 140 deg from 65 deg on, work 100 deg, return 120 deg, rest 0 deg
     """
     checked_contact(diagram, rule, rule.when.limit_mm)
+    in_full = full_names(diagram, rule.when.motion, rule.only_while.motion)
+    diagram, rule = short_diagram(diagram), short_rule(diagram, rule)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
     (down, up), (index,) = die.moves, mill.moves
     middle = (down.to_deg + up.from_deg) / 2
@@ -66,7 +71,11 @@ def explore_ways(diagram: TimingDiagram, rule: ClearanceRule) -> LiveFigure:
             LIMIT: rule.when.limit_mm,
             **window(mill, rule.only_while.limit_mm, sp.Float(index.angle_deg)),
         },
-        says=[*_describe(diagram, die, moving_die), verdict(die, moving_die, rule)],
+        says=[
+            *_describe(diagram, die, moving_die),
+            verdict(die, moving_die, rule),
+            *in_full,
+        ],
         shares=(3, 2),
         title="Two ways of their own",
     )

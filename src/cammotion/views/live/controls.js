@@ -29,10 +29,13 @@ const write = (element, words) => {
 };
 const strokeOf = ({ role, colour }) =>
   role === "own"
-    ? `stroke:${paint(colour)};stroke-dasharray:${STYLES[colour % STYLES.length][1]}`
+    ? `stroke:${paint(colour)};stroke-dasharray:${dashesOf(colour)}`
     : role === "area"
       ? `fill:${paint(colour)}`
       : "";
+const dashesOf = (colour) =>
+  // a colour that comes again has other dashes
+  STYLES[(colour + Math.floor(colour / STYLES.length)) % STYLES.length][1];
 const paint = (colour) => `var(--cm-${STYLES[colour % STYLES.length][0]})`;
 
 /** A button; what it does is done at a press. */
@@ -83,13 +86,15 @@ function rowOf(control, id, set) {
   };
   field.addEventListener("change", () => {
     isTyped = false;
-    const value = parse(field.value);
-    if (value >= low && value <= high) {
+    const found = readings(field.value).filter((value) => value >= low && value <= high);
+    if (found.length === 1) {
       judge("");
-      set(value);
+      set(found[0]);
     } else
       judge(
-        `“${field.value}” was not taken: ${name} goes from ${plain(low)} to ${plain(high)}${unit && ` ${unit}`}.`,
+        found.length
+          ? `“${field.value}” may be ${found.map(plain).join(" or ")}: write it with a point, or with no mark.`
+          : `“${field.value}” was not taken: ${name} goes from ${plain(low)} to ${plain(high)}${unit && ` ${unit}`}.`,
       );
   });
   slider.addEventListener("input", () => set(Number(slider.valueAsNumber.toPrecision(12))));
@@ -103,7 +108,7 @@ function rowOf(control, id, set) {
   };
   const follow = (value) => {
     words = plain(value);
-    const isKept = isTyped || error.textContent || parse(field.value) === parse(words);
+    const isKept = isTyped || error.textContent || readings(field.value)[0] === readings(words)[0];
     if (!isKept) field.value = words;
     slider.value = value;
     put(slider, { "aria-valuetext": unit ? `${words} ${unit}` : words });

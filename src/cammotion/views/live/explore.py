@@ -5,6 +5,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
 
 import sympy as sp
+from numpy.ma import masked
 
 from cammotion.quantities import InputError, Quantity, shorten
 from cammotion.views import notation
@@ -139,7 +140,8 @@ def _mapping(name: str, given: Any, example: str) -> Mapping[sp.Symbol, Any]:
 
 def _all_of(kind: type[_Part], given: Any, name: str, example: str) -> list[_Part]:
     """Return a list of parts of one kind; raise InputError for anything else."""
-    parts = list(given) if isinstance(given, Iterable) and not isinstance(given, str) else [given]
+    is_list = isinstance(given, Iterable) and not isinstance(given, str) and given is not masked
+    parts = list(given) if is_list else [given]
     for part in parts:
         if not isinstance(part, kind):
             raise InputError(f"{shorten(part)} is none of a figure's {name}: write [{example}].")
@@ -236,7 +238,7 @@ def _ranged(symbol: sp.Symbol, wanted: Any) -> Control:
 
 def _span(over: Any, by_name: Mapping[str, sp.Symbol]) -> tuple[sp.Symbol, tuple[Any, Any]]:
     """Return the variable and the ends of its range, as given or from the notation."""
-    variable, *ends = over if isinstance(over, tuple | list | sp.Tuple) else (over,)
+    variable, *ends = over if isinstance(over, tuple | list | sp.Tuple) and over else (over,)
     if not isinstance(variable, sp.Symbol) or len(ends) not in (0, 2):
         raise InputError(
             f"The running variable is {shorten(over)}: give a symbol, or a symbol and its range, "

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+import numpy as np
 import sympy as sp
 
 from cammotion.laws.motion_law import MotionLaw
@@ -33,7 +34,7 @@ def as_expression(value: Any) -> sp.Basic:
         if isinstance(value, str | bool):
             raise TypeError
         return sp.Float(float(value)) if isinstance(value, float) else sp.Integer(int(value))
-    except (TypeError, ValueError, OverflowError):
+    except (TypeError, ValueError, OverflowError, np.ma.MaskError):
         raise InputError(
             f"A live figure cannot draw {shorten(value)}: give an expression of SymPy, "
             "for example sp.sin(t), or a number."

@@ -109,10 +109,14 @@ function toEven(rounded, exact, digits) {
 }
 export const plain = (value) => format(Number(value.toPrecision(12)), ".12g");
 
-/** A typed number, with a decimal point or comma; NaN for anything else. */
-export function parse(text) {
-  const typed = text.trim().replace(",", ".").replaceAll("−", "-");
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(typed) ? Number(typed) : NaN;
+/** The numbers that a typed text may be, none for what is no number. A decimal comma is a point;
+ * one comma before three digits may also part thousands. */
+export function readings(text) {
+  const typed = text.trim().replaceAll("−", "-");
+  const point = typed.replace(",", ".");
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(point)) return [];
+  const isTwo = /^[+-]?[1-9]\d{0,2},\d{3}$/.test(typed);
+  return isTwo ? [Number(point), Number(typed.replace(",", ""))] : [Number(point)];
 }
 
 /** The sentences of a figure: of each the first alternative whose condition holds. */

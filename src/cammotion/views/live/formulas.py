@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 from sympy.printing.codeprinter import PrintMethodNotImplementedError
 
-from cammotion.quantities import Floats, InputError, shorten
+from cammotion.quantities import Floats, InputError, listed, shorten
 from cammotion.views.live.expressions import NOW, as_curve, as_expression, check_computable, shortly
 from cammotion.views.live.printers import JavaScript, Python, SearchBase, is_search
 
@@ -83,7 +83,7 @@ def inverse(expression: Any, span: tuple[Any, Any, Any], value: Any) -> sp.Expr:
 
 
 def _bound(expression: Any, span: tuple[Any, Any, Any]) -> tuple[sp.Lambda, sp.Expr, sp.Expr]:
-    symbol, *ends = span if isinstance(span, tuple | list | sp.Tuple) else (None,)
+    symbol, *ends = listed(span) or (None,)
     if not isinstance(symbol, sp.Symbol) or len(ends) != 2:  # noqa: PLR2004
         raise InputError(
             f"The span of a search is {shorten(span)}: give (symbol, low, high), for example "

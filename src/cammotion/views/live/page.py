@@ -19,7 +19,7 @@ _PAGE = """\
 <style>
 :root{{color-scheme:light dark}}
 body{{font-family:system-ui,sans-serif;max-width:960px;margin:auto;padding:.5em}}
-pre{{white-space:pre-wrap;font:inherit}}
+pre{{white-space:pre-wrap;overflow-wrap:anywhere;font:inherit}}
 </style>
 </head>
 <body>

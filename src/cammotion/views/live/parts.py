@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from cammotion.arguments import checked
 from cammotion.quantities import InputError, Quantity, one_of, shorten
 from cammotion.views.live.expressions import as_curve, as_expression
 
@@ -68,7 +69,7 @@ class Line:
     def __post_init__(self) -> None:
         """Raise InputError for an unknown role or colour, and for a span of other than two ends."""
         roles = (OWN, REFERENCE, ALARM, FRAME, AREA)
-        if self.role not in roles:
+        if not isinstance(self.role, str) or self.role not in roles:
             raise InputError(
                 f"The role of a line is {shorten(self.role)}: give one of {', '.join(roles)}."
             )
@@ -150,7 +151,8 @@ class Panel:
         for name in ("x_ticks", "y_ticks", "height"):
             if getattr(self, name) is not None:
                 Quantity(f"{name} of a panel", "", example=100).number(getattr(self, name))
-        for words in self.words:
+        is_several = isinstance(self.words, Sequence) and not isinstance(self.words, str)
+        for words in self.words if is_several else [self.words]:
             if not isinstance(words, tuple) or len(words) != 3:  # noqa: PLR2004
                 raise InputError(f"The words {shorten(words)} have no place: give (text, x, y).")
 
@@ -206,6 +208,7 @@ class Choice(sp.Dummy):  # type: ignore[misc]
     start: int  # the number of the name at which it stands first
 
 
+@checked
 def choice(name: str, options: Mapping[str, Any], *, start: str | None = None) -> Any:
     """Return an expression that is one of several, as the reader of a live figure chooses.
 

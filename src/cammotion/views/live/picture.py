@@ -10,10 +10,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
-from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 
 from cammotion.quantities import Floats
+from cammotion.views.names import add_legend, as_label, plain
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
 from cammotion.views.timing_plots import BROKEN
 
@@ -70,14 +70,8 @@ def _add_legends(axes: Sequence[Axes]) -> None:
     for ax in axes:
         _, names = ax.get_legend_handles_labels()
         if len(names) > 1 and names not in said:
-            _plain(*ax.legend(fontsize=10).get_texts())
+            add_legend(ax)
         said.append(names)
-
-
-def _plain(*texts: Text) -> None:
-    """Let texts be drawn as they are: a name with $ is no formula."""
-    for text in texts:
-        text.set_parse_math(False)
 
 
 class _Drawn:
@@ -92,7 +86,6 @@ class _Drawn:
         has_numbers = is_last or not panel["shares_x"]
         label = panel["y_label"].replace(" in ", "\nin ")
         style_axes(ax, panel["x_label"] if has_numbers else "", label)
-        _plain(ax.xaxis.label, ax.yaxis.label)
         ax.tick_params(labelbottom=has_numbers)
         ax.margins(x=0.02)
         ax.xaxis.set_major_locator(MaxNLocator(6))  # few, since each number costs time
@@ -103,7 +96,7 @@ class _Drawn:
         for box in panel["boxes"]:
             self._draw_box(box)
         for text, x, y in panel["words"]:
-            _plain(ax.text(x, y, text, fontsize=10, ha="center", va="center", path_effects=[_HALO]))
+            plain(ax.text(x, y, text, fontsize=10, ha="center", va="center", path_effects=[_HALO]))
         self._draw_points()
         if panel["equal"]:
             ax.set_aspect("equal")
@@ -121,7 +114,7 @@ class _Drawn:
             if then is not None and is_own:
                 self.ax.plot(*_sampled(line, then, self.clock), **REFERENCE_STYLE)
             (drawn,) = self.ax.plot(*_sampled(line, self.now, self.clock))
-            drawn.set_label(line["name"] or "_")
+            drawn.set_label(as_label(line["name"]) or "_")
             if is_own:
                 style_line(drawn, line["colour"])
             else:
@@ -133,7 +126,7 @@ class _Drawn:
             size = 12 if point["drags"] else 7
             self.ax.plot(*at, "o", color=colour(point["colour"]), markersize=size)
             if point["name"]:
-                _plain(write(self.ax, point["name"], at))
+                plain(write(self.ax, point["name"], at))
         if self.panel["has_cursor"]:
             self.ax.axvline(self.clock, color="#555555", linewidth=1)
             for line in self.panel["lines"]:
@@ -153,7 +146,7 @@ class _Drawn:
         if box["name"]:
             middle = (max(x0, edges[0]) + min(x1, edges[1])) / 2, (y0 + min(y1, edges[3])) / 2
             words = {"fontsize": 11, "color": BROKEN["edgecolor"], "path_effects": [_HALO]}
-            _plain(self.ax.text(*middle, box["name"], ha="center", va="center", **words))
+            plain(self.ax.text(*middle, box["name"], ha="center", va="center", **words))
 
     def _set_limits(self) -> None:
         """Take the limits that are given; else let no spike beside a pole flatten the rest."""

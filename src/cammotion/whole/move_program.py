@@ -14,10 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.limits.crossings import End, Span
-from cammotion.limits.mixed import Rows
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
+from cammotion.whole.crossings import End, Span
+from cammotion.whole.mixed import Rows
 
 _NARROWEST_DEG = 1e-3
 _APART_DEG = 2e-6  # so far arcs are kept apart, for what the solver rounds

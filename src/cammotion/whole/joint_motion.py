@@ -12,12 +12,12 @@ import numpy as np
 
 from cammotion.limits.corridors import Corridor
 from cammotion.limits.grid_motion import GridMotion
-from cammotion.limits.joint_bound import Outline
-from cammotion.limits.mixed import Rows
-from cammotion.limits.parts import Part
-from cammotion.limits.sides import Option, Side, cell_options
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
+from cammotion.whole.joint_bound import Outline
+from cammotion.whole.mixed import Rows
+from cammotion.whole.parts import Part
+from cammotion.whole.sides import Option, Side, cell_options
 
 _PART_DEG = 18.0  # in such parts of a turn all numbers are of one size
 _FINE_DEG = 2.0  # no cell is longer

@@ -3,7 +3,7 @@
 The parts pay for each other: a quicker mill leaves the die more of the turn. So all their motions
 are sought at once, from both sides, as `least_acceleration` does it for one. From below a
 mixed-integer program asks less than motions are asked, and no motions are below what comes out.
-From above motions are built and checked. How the search goes on, says `limits.joint_search`.
+From above motions are built and checked. How the search goes on, says `whole.joint_search`.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from cammotion.limits.asked_of_all import read_task, weighted_peak
-from cammotion.limits.joint_search import Search
 from cammotion.machine.arcs import Arc
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Quantity
+from cammotion.whole.asked_of_all import read_task, weighted_peak
+from cammotion.whole.joint_search import Search
 
 _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
@@ -104,7 +104,7 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     called with it after each round.
 
     The bound is true of every motion, not of a grid alone: only what every motion keeps is asked
-    (see `limits.joint_bound`). But it rests on the word of the solver HiGHS, asked in two ways of
+    (see `whole.joint_bound`). But it rests on the word of the solver HiGHS, asked in two ways of
     which the lower bound counts, and lowered by a hundred-thousandth for its rounding; it is not
     computed anew from multipliers, as that of `least_acceleration` is. A bound that a design is
     below is found out. Parts are rigid, and follow their motions exactly. The

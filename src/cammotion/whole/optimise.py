@@ -1,7 +1,7 @@
 """The best diagram of a whole machine: all starts, indexing angles and laws at once.
 
 `widest_move` widens one part after the other, and the order decides. Here no order is chosen: what
-is asked is a mixed-integer linear program (see `limits.move_program`), and its answer is the best
+is asked is a mixed-integer linear program (see `whole.move_program`), and its answer is the best
 of all diagrams whose moves go from rest to rest by the given laws. What other motions could do,
 `least_peak` says.
 """
@@ -15,13 +15,8 @@ import numpy as np
 
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.limits.asked_of_all import Task, read_task, weighted_peak
-from cammotion.limits.asked_of_moves import Laws, Ranges, read_laws, read_ranges
-from cammotion.limits.crossings import Span, fixed_spans, spans
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.move_program import Apart, Mover, Placed, place
-from cammotion.limits.parts import Part
-from cammotion.limits.widest import with_dwells
+from cammotion.limits.frame import with_dwells
 from cammotion.machine.arcs import Arc
 from cammotion.machine.clearance import ClearanceRule, Condition, find_violations
 from cammotion.machine.diagram import TimingDiagram
@@ -29,6 +24,11 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, Quantity, WrongAnswerError
+from cammotion.whole.asked_of_all import Task, read_task, weighted_peak
+from cammotion.whole.asked_of_moves import Laws, Ranges, read_laws, read_ranges
+from cammotion.whole.crossings import Span, fixed_spans, spans
+from cammotion.whole.move_program import Apart, Mover, Placed, place
+from cammotion.whole.parts import Part
 
 _SECONDS = Quantity("time", "s", example=20)
 _ROUNDING_DEG = 1e-5  # so near to where a part has to stand a move ends there

@@ -5,9 +5,9 @@ from typing import Any
 
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.limits.asked_of_all import Task
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, one_of, shorten
+from cammotion.whole.asked_of_all import Task
 
 _REST = 1e-9  # of the mean velocity: a law that is slower at its ends rests there
 

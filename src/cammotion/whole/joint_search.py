@@ -14,15 +14,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cammotion.limits.asked_of_all import Task, weighted_peak
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.joint_bound import Outline, outline
-from cammotion.limits.joint_motion import motions, unsettled
-from cammotion.limits.optimise import best_moves
-from cammotion.limits.sides import sides_of
 from cammotion.machine.clearance import find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.whole.asked_of_all import Task, weighted_peak
+from cammotion.whole.joint_bound import Outline, outline
+from cammotion.whole.joint_motion import motions, unsettled
+from cammotion.whole.optimise import best_moves
+from cammotion.whole.sides import sides_of
 
 _FIRST_CELLS = 60
 _FIRST_LAW = "constant acceleration"  # with which single moves have the least peak

@@ -11,12 +11,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cammotion.limits.parts import Interval, Part, intervals
 from cammotion.machine.arcs import Arc, unwrap
 from cammotion.machine.clearance import ClearanceRule, Condition
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
+from cammotion.whole.parts import Interval, Part, intervals
 
 _SLACK_DEG = 3e-8
 _ROUNDING_MM = 1e-6  # the solver's

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from cammotion.limits.corridors import check_stands, even_nodes, still_arcs, travel_ends
-from cammotion.limits.parts import Part
-from cammotion.limits.sides import Side
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
+from cammotion.whole.parts import Part
+from cammotion.whole.sides import Side
 
 _WEIGHT = Quantity("weight", "", example=1, low_included=True)
 _LIMIT = Quantity("limit of a peak", "m/s²", example=1)

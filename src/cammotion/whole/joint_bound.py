@@ -20,11 +20,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cammotion.limits.mixed import Rows
-from cammotion.limits.parts import Part
-from cammotion.limits.sides import Choices, Option, Side, choices
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
+from cammotion.whole.mixed import Rows
+from cammotion.whole.parts import Part
+from cammotion.whole.sides import Choices, Option, Side, choices
 
 _ROUNDING_MM = 1e-6
 

@@ -1,0 +1,48 @@
+"""Forces that the process has on a mechanism."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE
+from cammotion.quantities import Numbers, Quantity, plain
+
+_FORCE = Quantity("force of the process", "N", example=400, low=-math.inf)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProcessForce:
+    """A force in N that the process has on a mechanism over an arc of the turn.
+
+    Above 0 it pushes towards lower positions, so that a rise works against it. It goes evenly from
+    `force_N` to `last_N`; without that it stays what it is. `to_deg` is above `from_deg`, and above
+    360 where the arc crosses 360. Raises InputError for numbers that are not finite, and an arc
+    that is not above 0 and at most 360 deg.
+
+    >>> pressing = ProcessForce(motion="die", from_deg=190, to_deg=205, force_N=0, last_N=600)
+    >>> pressing.at([180, 195, 204.99, 210]).round(1)
+    array([  0. , 200. , 599.6,   0. ])
+    """
+
+    motion: str
+    from_deg: float
+    to_deg: float
+    force_N: float  # noqa: N815 - newton
+    last_N: float | None = None  # noqa: N815
+
+    def __post_init__(self) -> None:
+        for angle in (self.from_deg, self.to_deg):
+            CAM_ANGLE.number(angle)
+        PART_ANGLE.number(self.to_deg - self.from_deg)
+        for force in (self.force_N, self.last_N):
+            _FORCE.number(0 if force is None else force)
+
+    def at(self, angle_deg: ArrayLike) -> Numbers:
+        """Return the force in N at a cam angle in deg, 0 outside of the arc."""
+        width = self.to_deg - self.from_deg
+        share = (CAM_ANGLE.array(angle_deg) - self.from_deg) % DEG_PER_TURN / width
+        last = self.force_N if self.last_N is None else self.last_N
+        return plain(np.where(share < 1, self.force_N + (last - self.force_N) * share, 0.0))

@@ -1,0 +1,139 @@
+"""A motion made wider or narrower: what of it stays in place, and which angles it can take."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+from typing import NamedTuple
+
+from cammotion.laws.catalogue import as_law
+from cammotion.machine.arcs import ROUNDING_DEG
+from cammotion.machine.clearance import ClearanceRule, after
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
+from cammotion.quantities import InputError
+
+NARROW_DEG = 1e-4  # a move that takes no time, for all that a cam can do
+
+
+class Event(NamedTuple):
+    """Where a rule can begin or cease to hold: a move's number and Bm, and the cam angle."""
+
+    move: int
+    bm: float
+    rule: ClearanceRule
+    at_deg: float
+
+
+class Frame:
+    """A motion made wider or narrower about what stays in place.
+
+    Place x of a move then stands at the cam angle anchor + (x - share) Bm, so every angle at which
+    the motion meets a limit shifts in proportion to Bm. `room` is what the turn has for all moves.
+    """
+
+    def __init__(self, motion: Motion) -> None:
+        self.motion, moves = motion, motion.moves
+        if len(moves) != (1 if motion.is_indexing else 2):
+            build = "one move" if motion.is_indexing else "one rise and one return"
+            raise InputError(
+                f"The motion {motion.name!r} has {len(moves)} moves, and only one with {build} can "
+                "be widened symmetrically: give it that, or widen it by hand and look for "
+                "violations."
+            )
+        first, last = moves[0], moves[-1]
+        if motion.is_indexing:
+            self.anchors = [(first, (first.from_deg + first.to_deg) / 2, 0.5)]
+            self.room = float(DEG_PER_TURN)
+        else:
+            self.anchors = [(first, first.to_deg, 1.0), (last, last.from_deg, 0.0)]
+            self.room = DEG_PER_TURN - (last.from_deg - first.to_deg)
+
+    @property
+    def has_two_angles(self) -> bool:
+        """Whether its moves have different angles now."""
+        angles = [move.angle_deg for move, _, _ in self.anchors]
+        return max(angles) - min(angles) > ROUNDING_DEG
+
+    def with_angles(self, angles: Sequence[float]) -> Motion:
+        """Return the motion with these indexing angles Bm, one for each move."""
+        moves = [
+            replace(move, from_deg=anchor - share * bm, to_deg=anchor + (1 - share) * bm)
+            for (move, anchor, share), bm in zip(self.anchors, angles, strict=True)
+        ]
+        ends = [*(move.from_deg for move in moves[1:]), moves[0].from_deg + DEG_PER_TURN]
+        return replace(self.motion, segments=tuple(with_dwells(moves, ends)))
+
+    def angles_at(self, limit_mm: float, angle_deg: float) -> Iterator[tuple[int, float]]:
+        """Yield every Bm with which a move meets a limit at a cam angle, and the move's number."""
+        meetings = [end for arc in self.motion.where_beyond(limit_mm) for end in arc]
+        for number, (move, anchor, share) in enumerate(self.anchors):
+            ways = [(after(m, move.from_deg) - move.from_deg) / move.angle_deg for m in meetings]
+            for place in {0.0, 1.0, *(way for way in ways if 0 < way < 1)} - {share}:
+                for turn in (-1, 0, 1):
+                    since = angle_deg + turn * DEG_PER_TURN - anchor % DEG_PER_TURN
+                    if NARROW_DEG < (bm := since / (place - share)) < self.room:
+                        yield number, bm
+
+    def candidates(self, events: Iterable[Event], each_way: bool) -> Iterator[tuple[float, ...]]:
+        """Yield the indexing angles that can be the widest, the best first.
+
+        One angle for all moves: the widest first. Each its own: the smallest peak first, and of
+        two that share the whole room with each other also what one leaves to the other.
+        """
+        count, bms = (
+            len(self.anchors),
+            [{event.bm for event in events if event.move == n} for n in (0, 1)],
+        )
+        if not each_way or count == 1:
+            most = self.room / count
+            one_angle = {most, *(bm for bm in bms[0] | bms[1] if bm < most)}
+            yield from ((bm,) * count for bm in sorted(one_angle, reverse=True))
+            return
+        now = [move.angle_deg for move, _, _ in self.anchors]
+        even = self._even_share()
+        rises, returns = (
+            {*found, *more} for found, more in zip(bms, ([now[0]], [now[1]]), strict=True)
+        )
+        pairs = {
+            (rise, back)
+            for rise, back in (
+                (even, self.room - even),
+                *product(rises, returns),
+                *((rise, self.room - rise) for rise in rises),
+                *((self.room - back, back) for back in returns),
+            )
+            if min(rise, back) > NARROW_DEG and rise + back <= self.room + ROUNDING_DEG
+        }
+        yield from sorted(pairs, key=lambda pair: (self._peak(pair), -sum(pair)))
+
+    def met(self, events: Iterable[Event], angles: Sequence[float]) -> list[Event]:
+        """Return the events at which the motion with these angles is, in the order of the turn."""
+        start = self.with_angles(angles).moves[0].from_deg
+        met = [e for e in events if abs(e.bm - angles[e.move]) <= ROUNDING_DEG]
+        return sorted(met, key=lambda event: after(event.at_deg, start))
+
+    def _peak(self, angles: Sequence[float]) -> float:
+        """Return the largest acceleration within the moves, in mm/deg2.
+
+        Of a move that goes on at one speed, and so is pushed at its ends, it is that speed.
+        """
+        return max(
+            abs(move.change_mm) * (curve.derived(2).largest or curve.derived(1).largest) / bm**2
+            for (move, _, _), bm in zip(self.anchors, angles, strict=True)
+            for curve in [as_law(move.law).curve]
+        )
+
+    def _even_share(self) -> float:
+        """Return the angle of the first move with which both, sharing the room, peak alike."""
+        roots = [self._peak([1.0, 1e9]) ** 0.5, self._peak([1e9, 1.0]) ** 0.5]
+        return self.room * (roots[0] / sum(roots) if any(roots) else 0.5)
+
+
+def with_dwells(moves: Iterable[Segment], ends: Iterable[float]) -> Iterator[Segment]:
+    """Yield the moves, each with the dwell that follows it until the next one begins."""
+    for move, end in zip(moves, ends, strict=True):
+        yield move
+        if end - move.to_deg > ROUNDING_DEG:
+            height = move.to_mm
+            yield Segment(from_deg=move.to_deg, to_deg=end, from_mm=height, to_mm=height)

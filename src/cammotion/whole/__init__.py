@@ -1,0 +1,6 @@
+"""A whole machine at once: the best diagram of its moves, and what no other could be below.
+
+`optimise` finds starts, angles and laws of all moves, by a program in `move_program`. `least_peak`
+bounds what any motions of the parts could reach: `joint_bound` asks from below, `joint_motion`
+builds from above, `joint_search` makes their grids finer.
+"""

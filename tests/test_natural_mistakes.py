@@ -1,0 +1,165 @@
+"""What people type by mistake, with the sentence that tells them; and what is no mistake."""
+
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+from traitlets.config import Config
+
+import cammotion as cm
+
+ANY: Any = cm  # so that the wrong kinds below are no error of the types
+DIAGRAM, DIE, RULE = cm.EXAMPLE.diagram, cm.EXAMPLE.die, cm.EXAMPLE.rule
+CYCLOIDAL, TURN = cm.LAWS["cycloidal"], np.arange(0, 360, 10)
+LOBE = 25 - 25 * np.cos(np.radians(TURN))
+NEARLY = cm.MotionLaw("mine", 0.9999999 * cm.x)
+
+MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
+    "a name for a motion": (
+        lambda: ANY.with_angle("die", 60),
+        r"^with_angle is given motion='die': give a motion, .* diagram\['die'\]",
+    ),
+    "a name for a new motion": (
+        lambda: ANY.EXAMPLE.diagram.with_motion("die"),
+        r"^with_motion is given motion='die': give a motion, made with",
+    ),
+    "no result": (
+        lambda: ANY.plot_jerk_price([RULE]),
+        r"found\[0\]=ClearanceRule.*: give what least_acceleration returned",
+    ),
+    "a motion for a diagram": (
+        lambda: ANY.least_acceleration(DIE, "die", RULE, still=[(205, 305)]),
+        r"^The diagram is Motion\('die'.*: give a TimingDiagram",
+    ),
+    "one motion for several": (
+        lambda: ANY.TimingDiagram(DIE, 2000),
+        r"motions=Motion.*: give a list, each a motion",
+    ),
+    "no path": (lambda: ANY.read_segments(None), r"^The path of the file is None: give one like"),
+    "a NUL in a path": (
+        lambda: cm.read_segments("a\0b.csv"),
+        r"^The path 'a\\x00b\.csv' holds a character that no path may have",
+    ),
+    "too large for a float": (lambda: cm.cycle_time(10**400), r"^The machine rate is inf"),
+    "a height in quotes": (
+        lambda: ANY.LAWS["cycloidal"].where_above("0.5"),
+        r"^The displacement S has to be .*: give it as a number, 0\.5 without quotes",
+    ),
+    "an angle in quotes": (
+        lambda: DIE.position_mm("170"),
+        r"^The cam angle has to be .*: give it as a number, 170 without quotes",
+    ),
+    "no rows": (lambda: ANY.plot_timing(DIAGRAM, rows=None), r"rows=None: give a list, each a tex"),
+    "a span below 0": (
+        lambda: cm.plot_clearance(DIAGRAM, RULE, span_mm=-5),
+        r"^The span of the axis is -5 mm; .* above 0 mm",
+    ),
+    "half a name": (lambda: cm.LAWS["cycloid"], r"no motion law 'cycloid': did you mean 'cycloid"),
+    "masked": (
+        lambda: cm.cycle_time(np.ma.masked_array([1.0, 2.0], [False, True])),
+        r"has masked values.*\.compressed\(\)",
+    ),
+    "an object": (
+        lambda: cm.cycle_time(np.array([2000, None], dtype=object)),
+        r"^The machine rate has to be a number in pieces/h, not array",
+    ),
+    "nearly a law": (
+        lambda: NEARLY.check_way(),
+        r"S\(1\) = 0\.9999999; a move goes from 0 to 1",
+    ),
+    "an angle for x": (lambda: CYCLOIDAL(27.5), r"x = t/tm is 27\.5; .* at most 1"),
+    "a whole lobe": (
+        lambda: cm.law_from_points([*TURN / 360, 1], [*LOBE / 50, 0]),
+        r"ends where it begins, at 0; a law is one rise or one return",
+    ),
+    "a segment over 360 deg": (
+        lambda: cm.Segment(from_deg=350, to_deg=10, from_mm=0, to_mm=5, law="cycloidal"),
+        r"ends before it begins: if it goes on over 360 deg, give to_deg=370\.",
+    ),
+    "radians": (
+        lambda: cm.CamTable(np.radians(TURN), LOBE, is_cycle=True),
+        r"which in radians is a turn: give the cam angles in deg, for example np\.degrees",
+    ),
+    "a crankshaft": (lambda: cm.dwell(440), r"is 440 deg, .* or 220 if you count the 720 deg of a"),
+    "no overwriting": (
+        lambda: ANY.write_segments(DIAGRAM, "machine.csv", overwrite="no"),
+        r"overwrite is 'no': give True or False",
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_told(mistake: str) -> None:
+    make, said = MISTAKES[mistake]
+    with pytest.raises(cm.InputError, match=said) as refusal:
+        make()
+    assert len(str(refusal.value)) < 400
+
+
+def test_laws_of_a_table_are_no_names(tmp_path: Path) -> None:
+    path = cm.write_segments(DIAGRAM, tmp_path / "machine.csv")
+    with pytest.raises(cm.InputError, match=r"^Among the laws is 'cycloidal': give a list of mot"):
+        cm.read_segments(path, laws=["cycloidal"])  # type: ignore[list-item]
+
+
+def test_another_encoding_is_told_by_the_button_to_press(tmp_path: Path) -> None:
+    path = tmp_path / "machine.csv"
+    path.write_bytes("Öffnen;1".encode("latin-1"))
+    with pytest.raises(cm.InputError, match=r"no character in UTF-8\. Save it .* as 'CSV UTF-8'"):
+        cm.read_segments(path)
+
+
+@pytest.mark.parametrize("angle", [55, 55.0, np.int64(55), np.float32(55), Decimal(55)])
+def test_a_number_of_any_kind_is_one(angle: Any) -> None:
+    assert ANY.peak_acceleration(Fraction(50), angle, 2000) == cm.peak_acceleration(50, 55, 2000)
+
+
+def test_an_array_of_objects_that_are_numbers_is_one_of_numbers() -> None:
+    given = np.array([50, Fraction(55)], dtype=object)
+    assert cm.peak_acceleration(50, given, 2000).tolist() == [
+        cm.peak_acceleration(50, angle, 2000) for angle in (50, 55)
+    ]
+
+
+@pytest.mark.parametrize("curve", ["Velocity", "velocity"])
+def test_what_is_drawn_may_be_named_in_any_case(curve: str) -> None:
+    move = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    assert cm.plot_curves(move, curve=curve).get_ylabel() == "velocity v in m/s"
+    laws = cm.plot_laws("cycloidal", curve=curve[0].lower())
+    assert laws.get_ylabel() == "velocity V"
+    assert len(cm.plot_timing(DIAGRAM, rows=[curve]).figure.axes) == 3
+
+
+CELL = """def move(angle_deg):
+    return cm.indexing_time(angle_deg, 2000)
+
+move(-5)
+"""
+
+
+def test_a_notebook_shows_the_readers_lines_and_the_sentence(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    config = Config(HistoryManager={"enabled": False})
+    shell: Any = InteractiveShell(  # type: ignore[no-untyped-call]
+        config=config, user_ns={"cm": cm}
+    )
+    shell.run_cell(CELL)
+    shown = capsys.readouterr().out.strip().splitlines()
+    assert shown == [
+        "line 4: move(-5)",
+        "line 2: return cm.indexing_time(angle_deg, 2000)",
+        "InputError: The indexing angle is -5 deg; it has to be a finite number above 0 and at "
+        "most 360 deg: give for example 55 deg.",
+    ]
+
+
+@pytest.mark.parametrize("answer", [(4, 154), "4,154", "4.154", " 4,154 "])
+def test_a_decimal_comma_in_an_answer_is_told(answer: Any) -> None:
+    assert "4.154" in str(cm.check("02.1", answer))
+    assert "[0]" not in str(cm.check("02.1", answer))
