@@ -11,8 +11,8 @@ from crowds import Small, designs, draw, draw_any, keeps, least_by_trying
 from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
-from cammotion.whole import joint_search as search_module
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.whole import joint_search as search_module
 from cammotion.whole.joint_bound import Outline, outline
 from cammotion.whole.least_peak import LeastPeak, least_peak
 from cammotion.whole.parts import Part

@@ -207,7 +207,7 @@ def small_program(rng: np.random.Generator) -> Program:
     none = [sparse.csr_matrix((1, 4))], [np.zeros(1)]
     at_most = [sparse.csr_matrix(rows.astype(float))], [limits.astype(float)]
     objective = rng.integers(-9, 10, 4).astype(float)
-    return Program(objective, at_most, none, bounds, "Nothing.", whole=3)
+    return Program(objective, at_most, none, bounds, "Nothing.", whole=range(1, 4))
 
 
 @pytest.mark.parametrize("seed", range(30))

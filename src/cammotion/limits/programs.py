@@ -47,7 +47,7 @@ def from_below(room: Corridor, times: Floats, most_jerk: float) -> Solution:
         "No motion keeps all of this: allow more jerk or more travel, a shorter still arc, or "
         "weaker rules."
     )
-    whole, reach = len(room.bands), _sizes(room, times, sizes)
+    whole, reach = range(ends[-2], ends[-1]), _sizes(room, times, sizes)
     return solve(Program(objective, at_most, (equal, beyond), bounds, refusal, whole, reach))
 
 
@@ -161,7 +161,7 @@ def from_above(
         np.column_stack([np.concatenate(low), np.concatenate(high)]),
         f"On a grid of {nodes} cells no motion keeps all of this: take more cells, allow more jerk "
         "or more travel, or give a still arc where the rules leave it a single position.",
-        whole=len(room.bands),
+        whole=range(4 * nodes + 1, 4 * nodes + 1 + len(room.bands)),
     )
     found = solve(program).unknowns
     y, v, a = found[: 3 * nodes].reshape(3, nodes)

@@ -67,7 +67,7 @@ def outline(
     for part, position in zip(parts, positions, strict=True):
         _hold(rows, part, position, angle_deg, (share, peak))
     picks = [_pick(rows, room, positions, of_rule) for of_rule in room.options]
-    found = rows.solve_twice(seconds)
+    found = rows.solve_with_proof(seconds)
     if found.unknowns is None:
         return Outline(closed, 0.0 if found.bound is None else found.bound)
     x = found.unknowns

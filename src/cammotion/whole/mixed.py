@@ -5,11 +5,13 @@ import sys
 import threading
 import time
 from collections.abc import Iterator, Sequence
+from concurrent.futures import Future
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from cammotion.limits.linear import Program, search
 from cammotion.quantities import Floats
 
 _INFEASIBLE = 2
@@ -68,57 +70,53 @@ class Rows:
         self.row([*terms, (by, times)], 0.0, np.inf)
 
     def solve(self, seconds: float = np.inf) -> Mixed:
-        """Return the unknowns with the least cost, and a bound of it.
+        """Return the unknowns with the least cost, and a bound of it that is the solver's word.
 
         Runs in a thread of its own, so that an interrupt of the keyboard is heard. A solver that
         does not look at the clock for some seconds is left alone to end by itself.
         """
-        return self._run(seconds, presolved=True)
+        found: Future[Mixed] = Future()
 
-    def solve_twice(self, seconds: float) -> Mixed:
-        """Return the unknowns with the least cost, and a bound that two ways of solving agree on.
+        def work() -> None:
+            try:
+                found.set_result(self._solve(seconds))
+            except BaseException as error:
+                found.set_exception(error)
 
-        HiGHS has been seen to call a program infeasible that is not, and only where it had made it
-        smaller first. So it is asked again without that, and of two bounds the lower one counts.
-        """
-        end = time.monotonic() + seconds
-        first = self._run(seconds, presolved=True)
-        if first.bound is None or not any(self.whole):
-            return first
-        second = self._run(end - time.monotonic(), presolved=False)
-        unknowns = second.unknowns if first.unknowns is None else first.unknowns
-        if second.bound is None:
-            return Mixed(unknowns, None)
-        return Mixed(unknowns, min(first.bound, second.bound))
-
-    def _run(self, seconds: float, *, presolved: bool) -> Mixed:
-        found: list[Mixed] = []
-        worker = threading.Thread(
-            target=lambda: found.append(self._solve(seconds, presolved)), daemon=True
-        )
+        worker = threading.Thread(target=work, daemon=True)
         worker.start()
         with _silent():
             until = time.monotonic() + seconds + _GRACE_S
             while worker.is_alive() and time.monotonic() < until:
                 worker.join(_TICK_S)
-        return found[0] if found else Mixed(None, None)
+        return found.result() if found.done() else Mixed(None, None)
 
-    def _solve(self, seconds: float, presolved: bool) -> Mixed:
-        from scipy import sparse
+    def solve_with_proof(self, seconds: float) -> Mixed:
+        """Return the unknowns with the least cost, all of them with ends, and a proved bound of it.
+
+        The bound is computed from multipliers, and does not rest on the solver's word.
+        """
+        matrix, low, high = self._scaled()
+        below, above = np.isfinite(low), np.isfinite(high)
+        program = Program(
+            np.array(self.cost),
+            ([-matrix[below], matrix[above]], [-low[below], high[above]]),
+            ([matrix[:0]], [low[:0]]),
+            np.column_stack([self.low, self.high]),
+            "",
+            np.flatnonzero(self.whole).tolist(),
+        )
+        return Mixed(*search(program, seconds=seconds))
+
+    def _solve(self, seconds: float) -> Mixed:
         from scipy.optimize import Bounds, LinearConstraint, milp
 
-        rows, columns, factors = self._entries
-        shape = len(self._rows), len(self.low)
-        matrix = sparse.csr_matrix((factors, (rows, columns)), shape=shape)
-        matrix.eliminate_zeros()
-        low, high = np.array(self._rows).T
-        size = np.maximum(abs(matrix).max(axis=1).toarray().ravel(), 1e-12)  # of each row
-        options: dict[str, Any] = {"mip_rel_gap": _WITHIN, "presolve": presolved}
+        options: dict[str, Any] = {"mip_rel_gap": _WITHIN}
         if np.isfinite(seconds):
             options["time_limit"] = max(seconds, _TICK_S)
         result = milp(
             np.array(self.cost),
-            constraints=LinearConstraint(sparse.diags(1 / size) @ matrix, low / size, high / size),
+            constraints=LinearConstraint(*self._scaled()),
             bounds=Bounds(np.array(self.low), np.array(self.high)),
             integrality=np.array(self.whole),
             options=options,
@@ -127,6 +125,18 @@ class Rows:
             return Mixed(None, np.inf)
         bound = result.mip_dual_bound if any(self.whole) else result.fun
         return Mixed(result.x, None if bound is None else float(bound))
+
+    def _scaled(self) -> tuple[Any, Floats, Floats]:
+        """Return the rows as a matrix with their ends, the largest factor of each being 1."""
+        from scipy import sparse
+
+        rows, columns, factors = self._entries
+        shape = len(self._rows), len(self.low)
+        matrix = sparse.csr_matrix((factors, (rows, columns)), shape=shape)
+        matrix.eliminate_zeros()
+        low, high = np.array(self._rows).T
+        size = np.maximum(abs(matrix).max(axis=1).toarray().ravel(), 1e-12)
+        return (sparse.diags(1 / size) @ matrix).tocsr(), low / size, high / size
 
 
 @contextmanager
