@@ -35,6 +35,7 @@ class Program(NamedTuple):
     bounds: Floats
     refusal: str
     whole: Sequence[int] = ()
+    choices: Sequence[Sequence[int]] = ()
     sizes: tuple[Floats, Floats] | None = None
 
     @property
@@ -73,8 +74,9 @@ def search(
     """Return the unknowns with the least objective, and the number that it is not below.
 
     Whole numbers are found by halving: where an unknown lies between two of them, it is at most
-    the one or at least the other. Of all halves the one with the least objective is looked at
-    next. None of the others can come below it, and so it is the best as soon as it is whole.
+    the one or at least the other; of a choice it is one of the first or one of the last. Of all
+    halves the one with the least objective is looked at next. None of the others can come below
+    it, and so it is the best as soon as it is whole.
 
     After so many `seconds`, or with `most` linear programs solved, the search ends with the bound
     that is known by then, and with the best whole unknowns of the halves, None if there are none.
@@ -87,21 +89,17 @@ def search(
     halves = [] if found is None else [(*_order(found.bound, 0), 0, found, program.bounds)]
     while halves:
         _, depth, _, found, bounds = heapq.heappop(halves)
-        number = _not_whole(program, found.unknowns)
+        parts = _halved(program, found.unknowns, bounds)
         least = min([found.bound, *(half[3].bound for half in halves)])
-        if number is None:
+        if not parts:
             return found.unknowns, least
         if solved >= most or monotonic() > end:
-            whole = [half[3] for half in halves if _not_whole(program, half[3].unknowns) is None]
-            return min(whole, key=lambda one: one.bound).unknowns if whole else None, least
-        value = found.unknowns[number]
-        for column, limit in ((1, np.floor(value)), (0, np.ceil(value))):
-            half = bounds.copy()
-            half[number, column] = limit
+            return _best_of(program, halves), least
+        for part in parts:
             solved += 1
-            better = _relaxed(program, half, found.bound)
+            better = _relaxed(program, part, found.bound)
             if better is not None:
-                heapq.heappush(halves, (*_order(better.bound, depth - 1), solved, better, half))
+                heapq.heappush(halves, (*_order(better.bound, depth - 1), solved, better, part))
     return None, np.inf
 
 
@@ -110,11 +108,29 @@ def _order(bound: float, depth: int) -> tuple[float, int]:
     return float(f"{bound:.6g}"), depth
 
 
-def _not_whole(program: Program, unknowns: Floats) -> int | None:
-    """Return the unknown that has to be whole and is farthest from it; None if all are whole."""
-    whole = unknowns[program.whole]
-    away = np.abs(whole - np.round(whole))
-    return int(program.whole[int(np.argmax(away))]) if np.any(away > _WHOLE) else None
+def _best_of(program: Program, halves: Sequence[tuple[Any, ...]]) -> Floats | None:
+    """Return the best unknowns of halves that need not be halved any more; None if all need."""
+    whole = [found for *_, found, bounds in halves if not _halved(program, found.unknowns, bounds)]
+    return min(whole, key=lambda found: found.bound).unknowns if whole else None
+
+
+def _halved(program: Program, unknowns: Floats, bounds: Floats) -> list[Floats]:
+    """Return the two halves of what is farthest from whole, by their bounds; none if all is."""
+    first, second = bounds.copy(), bounds.copy()
+    numbers = unknowns[np.array(program.whole, dtype=int)]
+    away = np.abs(numbers - np.round(numbers))
+    undecided = [1 - unknowns[choice].max() for choice in program.choices]
+    if away.max(initial=0.0) > _WHOLE:
+        number = program.whole[int(np.argmax(away))]
+        first[number, 1], second[number, 0] = np.floor(unknowns[number]), np.ceil(unknowns[number])
+    elif max(undecided, default=0.0) > _WHOLE:
+        choice = program.choices[int(np.argmax(undecided))]
+        taken = np.cumsum(unknowns[choice])
+        last = 1 + int(np.clip(np.searchsorted(taken, taken[-1] / 2), 0, len(choice) - 2))
+        first[choice[last:], 1], second[choice[:last], 1] = 0.0, 0.0
+    else:
+        return []
+    return [first, second]
 
 
 def _relaxed(program: Program, bounds: Floats, above: float) -> Solution | None:

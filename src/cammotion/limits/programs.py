@@ -48,7 +48,8 @@ def from_below(room: Corridor, times: Floats, most_jerk: float) -> Solution:
         "weaker rules."
     )
     whole, reach = range(ends[-2], ends[-1]), _sizes(room, times, sizes)
-    return solve(Program(objective, at_most, (equal, beyond), bounds, refusal, whole, reach))
+    program = Program(objective, at_most, (equal, beyond), bounds, refusal, whole, sizes=reach)
+    return solve(program)
 
 
 def _sizes(room: Corridor, times: Floats, counts: list[int]) -> tuple[Floats, Floats]:

@@ -44,14 +44,19 @@ class Outline:
     chosen: list[list[Option]] | None = None
 
 
-def outline(
+def outline(  # noqa: PLR0913 - the last is given by name
     parts: Sequence[Part],
     sides: Sequence[tuple[Side, Side]],
     angle_deg: Floats,
     peak: float,
     seconds: float,
+    *,
+    least: float = 0.0,
 ) -> Outline:
-    """Return what the largest weighted peak is not below, as a share of `peak` in mm/deg2."""
+    """Return what the largest weighted peak is not below, as a share of `peak` in mm/deg2.
+
+    It is known not to be below the share `least`.
+    """
     closed = np.append(angle_deg, angle_deg[0] + DEG_PER_TURN)
     room = choices(parts, sides, angle_deg, peak)
     if room.refused or any(
@@ -59,7 +64,7 @@ def outline(
     ):
         return Outline(closed, np.inf)
     rows = Rows()
-    share = rows.unknown(0.0, 1.0, cost=1.0)
+    share = rows.unknown(min(least, 1.0), 1.0, cost=1.0)
     positions = [
         rows.unknowns(np.minimum(low, high), np.maximum(low, high))
         for low, high in zip(room.low, room.high, strict=True)
@@ -143,8 +148,7 @@ def _pick(
         if len(options) == 1:
             picks.append([])
             continue
-        pick = rows.unknowns(np.zeros(len(options)), np.ones(len(options)), whole=True)
-        rows.row([(one, 1.0) for one in pick], 1.0, 1.0)
+        pick = rows.choice(len(options))
         picks.append(pick)
         for part in {option.part for option in options if option.part is not None}:
             low, high = room.low[part][node], room.high[part][node]

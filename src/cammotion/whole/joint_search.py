@@ -32,7 +32,7 @@ _WIDEST_DEG = 0.3  # finer than this no grid is all over
 _RISE = 0.003  # of the bound, for a round that has brought something
 _GROWTH = 1.1  # of a peak that is too small to be had
 _MOST_GROWTH = 1e12
-_TRUST = 1e-5  # of the bound, that the solver may have rounded away
+_FORGIVEN = 1e-5  # of the bound, by what a check of a motion forgives
 _ROUNDING = 1e-6
 _HARDEST = 0.999  # of the largest peak: so hard driven a part is one of the hardest
 _IDLE = 3  # rounds that have brought nothing are enough
@@ -115,7 +115,7 @@ class Search:
 
     def raise_bound(self, push: float) -> None:
         """Keep a bound, in mm/deg2, if it is the highest so far."""
-        bound = self.task.in_metres(push) * (1 - _TRUST)
+        bound = self.task.in_metres(push) * (1 - _FORGIVEN)
         highest = min(max(self.best.bound, bound), self.reached)
         self.best = self.best._replace(bound=highest)
 
@@ -163,9 +163,16 @@ class _Grid:
         task, search = self.task, self.search
         peak, top = task.scale, task.scale * _MOST_GROWTH
         while peak <= top:
-            best = task.in_degrees(search.reached) * (1 + _TRUST)  # it is among them itself
+            best = task.in_degrees(search.reached) * (1 + _FORGIVEN)  # it is among them itself
             peak = min(max(peak, task.in_degrees(search.best.bound) * _GROWTH), best)
-            found = outline(task.parts, self.sides, self.angle_deg, peak, end - monotonic())
+            found = outline(
+                task.parts,
+                self.sides,
+                self.angle_deg,
+                peak,
+                end - monotonic(),
+                least=task.in_degrees(search.best.bound) / peak,
+            )
             if np.isinf(found.bound) and peak == best:
                 raise WrongAnswerError("least_peak", f"the bound is above {search.reached:g}")
             search.raise_bound(peak * min(found.bound, 1.0))
@@ -177,7 +184,7 @@ class _Grid:
                 built = search.build(task, found, min(2 * peak, best), left)
                 self.least = min(self.least, built)
             yield search.best
-            if not self._refine(found):
+            if found.places is None or not self._refine(found):  # a finer grid takes longer
                 return
         raise InputError(
             "No motions keep all of this, however hard they are pushed: allow more travel or a "

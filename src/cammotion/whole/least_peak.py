@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc
 from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
@@ -76,6 +77,7 @@ class LeastPeak:
         )
 
 
+@checked
 def least_peak(  # noqa: PLR0913 - all but two are given by name
     diagram: TimingDiagram,
     rules: ClearanceRule | Iterable[ClearanceRule],
@@ -104,19 +106,18 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     called with it after each round.
 
     The bound is true of every motion, not of a grid alone: only what every motion keeps is asked
-    (see `whole.joint_bound`). But it rests on the word of the solver HiGHS, asked in two ways of
-    which the lower bound counts, and lowered by a hundred-thousandth for its rounding; it is not
-    computed anew from multipliers, as that of `least_acceleration` is. A bound that a design is
-    below is found out. Parts are rigid, and follow their motions exactly. The
-    motions that are built are checked by `find_violations` and by their curves. Raises
-    WrongAnswerError if they fail. Raises InputError for what is out of range, for an arc over
-    which a part does not stand, and where no motions keep all of this.
+    (see `whole.joint_bound`). It does not rest on a solver's word: it is computed anew from the
+    multipliers of each linear program that it is made of, and lowered by a hundred-thousandth for
+    what a check forgives. Parts are rigid, and follow their motions exactly. The motions that are
+    built are checked by `find_violations` and by their curves. Raises WrongAnswerError if they
+    fail. Raises InputError for what is out of range, for an arc over which a part does not stand,
+    and where no motions keep all of this.
 
     >>> import cammotion as cm
     >>> given = cm.EXAMPLE
     >>> both = {"mill": [(205, 305)], "die": [(205, 305)]}
     >>> found = least_peak(
-    ...     given.diagram, given.rule, still=both, travel_mm={"die": (0, 50)}, gap=0.05)
+    ...     given.diagram, given.rule, still=both, travel_mm={"die": (0, 50)}, gap=0.05, seconds=9)
     >>> 0.60 < found.bound < 0.64 < found.reached < 0.68
     True
     >>> cm.find_violations(found.design, given.rule)

@@ -1,12 +1,6 @@
-"""Mixed-integer linear programs, solved by HiGHS, that can be stopped at any moment."""
+"""Mixed-integer linear programs, gathered row by row: solved by HiGHS, or with a proof of ours."""
 
-import os
-import sys
-import threading
-import time
-from collections.abc import Iterator, Sequence
-from concurrent.futures import Future
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,8 +9,7 @@ from cammotion.limits.linear import Program, search
 from cammotion.quantities import Floats
 
 _INFEASIBLE = 2
-_TICK_S = 0.05
-_GRACE_S = 2.0
+_SHORTEST_S = 0.05
 _WITHIN = 1e-4  # of the objective: so near to the best is found
 
 
@@ -39,6 +32,7 @@ class Rows:
         self.high: list[float] = []
         self.cost: list[float] = []
         self.whole: list[int] = []
+        self.choices: list[list[int]] = []
         self._rows: list[tuple[float, float]] = []
         self._entries: tuple[list[int], list[int], list[float]] = ([], [], [])
 
@@ -55,6 +49,13 @@ class Rows:
         """Add one unknown; return its number."""
         return self.unknowns([low], [high], cost=cost)[0]
 
+    def choice(self, count: int) -> list[int]:
+        """Add so many unknowns of which one is 1 and all others 0; return their numbers."""
+        taken = self.unknowns([0.0] * count, [1.0] * count, whole=True)
+        self.row([(one, 1.0) for one in taken], 1.0, 1.0)
+        self.choices.append(taken)
+        return taken
+
     def row(self, terms: Sequence[tuple[int, float]], low: float, high: float) -> None:
         """Bind a sum of factors times unknowns to a range."""
         rows, columns, factors = self._entries
@@ -70,26 +71,23 @@ class Rows:
         self.row([*terms, (by, times)], 0.0, np.inf)
 
     def solve(self, seconds: float = np.inf) -> Mixed:
-        """Return the unknowns with the least cost, and a bound of it that is the solver's word.
+        """Return the unknowns with the least cost, and a bound of it that is the solver's word."""
+        from scipy.optimize import Bounds, LinearConstraint, milp
 
-        Runs in a thread of its own, so that an interrupt of the keyboard is heard. A solver that
-        does not look at the clock for some seconds is left alone to end by itself.
-        """
-        found: Future[Mixed] = Future()
-
-        def work() -> None:
-            try:
-                found.set_result(self._solve(seconds))
-            except BaseException as error:
-                found.set_exception(error)
-
-        worker = threading.Thread(target=work, daemon=True)
-        worker.start()
-        with _silent():
-            until = time.monotonic() + seconds + _GRACE_S
-            while worker.is_alive() and time.monotonic() < until:
-                worker.join(_TICK_S)
-        return found.result() if found.done() else Mixed(None, None)
+        options: dict[str, Any] = {"mip_rel_gap": _WITHIN}
+        if np.isfinite(seconds):
+            options["time_limit"] = max(seconds, _SHORTEST_S)
+        result = milp(
+            np.array(self.cost),
+            constraints=LinearConstraint(*self._scaled()),
+            bounds=Bounds(np.array(self.low), np.array(self.high)),
+            integrality=np.array(self.whole),
+            options=options,
+        )
+        if result.status == _INFEASIBLE:
+            return Mixed(None, np.inf)
+        bound = result.mip_dual_bound if any(self.whole) else result.fun
+        return Mixed(result.x, None if bound is None else float(bound))
 
     def solve_with_proof(self, seconds: float) -> Mixed:
         """Return the unknowns with the least cost, all of them with ends, and a proved bound of it.
@@ -104,27 +102,10 @@ class Rows:
             ([matrix[:0]], [low[:0]]),
             np.column_stack([self.low, self.high]),
             "",
-            np.flatnonzero(self.whole).tolist(),
+            sorted(set(np.flatnonzero(self.whole).tolist()) - set().union(*self.choices)),
+            self.choices,
         )
         return Mixed(*search(program, seconds=seconds))
-
-    def _solve(self, seconds: float) -> Mixed:
-        from scipy.optimize import Bounds, LinearConstraint, milp
-
-        options: dict[str, Any] = {"mip_rel_gap": _WITHIN}
-        if np.isfinite(seconds):
-            options["time_limit"] = max(seconds, _TICK_S)
-        result = milp(
-            np.array(self.cost),
-            constraints=LinearConstraint(*self._scaled()),
-            bounds=Bounds(np.array(self.low), np.array(self.high)),
-            integrality=np.array(self.whole),
-            options=options,
-        )
-        if result.status == _INFEASIBLE:
-            return Mixed(None, np.inf)
-        bound = result.mip_dual_bound if any(self.whole) else result.fun
-        return Mixed(result.x, None if bound is None else float(bound))
 
     def _scaled(self) -> tuple[Any, Floats, Floats]:
         """Return the rows as a matrix with their ends, the largest factor of each being 1."""
@@ -137,22 +118,3 @@ class Rows:
         low, high = np.array(self._rows).T
         size = np.maximum(abs(matrix).max(axis=1).toarray().ravel(), 1e-12)
         return (sparse.diags(1 / size) @ matrix).tocsr(), low / size, high / size
-
-
-@contextmanager
-def _silent() -> Iterator[None]:
-    """Keep what the solver prints, whatever it is told, from the terminal."""
-    sys.stdout.flush()
-    try:
-        kept = os.dup(1)
-    except OSError:  # there is no terminal, as on a server without one
-        yield
-        return
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    try:
-        os.dup2(nowhere, 1)
-        yield
-    finally:
-        os.dup2(kept, 1)
-        os.close(nowhere)
-        os.close(kept)

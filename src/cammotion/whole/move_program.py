@@ -112,9 +112,8 @@ class _Program:
             width = rows.unknowns([0.0] * len(laws), [high] * len(laws))
             rows.row([(one, 1.0) for one in width], max(low, _NARROWEST_DEG), high)
             if len(laws) > 1:
-                taken = rows.unknowns([0.0] * len(laws), [1.0] * len(laws), whole=True)
+                taken = rows.choice(len(laws))
                 self.whole += taken
-                rows.row([(one, 1.0) for one in taken], 1.0, 1.0)
                 for one, it in zip(width, taken, strict=True):
                     rows.row([(one, 1.0), (it, -high)], -np.inf, 0.0)
             if all(costs):

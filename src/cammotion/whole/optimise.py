@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.limits.faults import Asked, find_faults
@@ -74,6 +75,7 @@ class Optimised:
         return "\n".join(lines)
 
 
+@checked
 def optimise(  # noqa: PLR0913 - all but two are given by name
     diagram: TimingDiagram,
     rules: ClearanceRule | Iterable[ClearanceRule],
@@ -100,9 +102,10 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     with masses in kg it is a force, and `unit` is "N"); then with it held the next one, and so on.
     With `at_most` no peak of a part is above a limit in m/s2.
 
-    The answer is the best there is, not only the best of some tries: the program is solved with a
-    proof, to a ten-thousandth (where the `seconds` are enough; `bound` tells). It is checked before
-    it is returned by `find_violations` and by its curves; raises WrongAnswerError if that fails.
+    The answer is the best there is, not only the best of some tries, as far as the solver HiGHS can
+    be trusted: it searches the program through, to a ten-thousandth (where the `seconds` are
+    enough; `bound` tells). What it finds is checked before it is returned by `find_violations` and
+    by its curves; raises WrongAnswerError if that fails.
     Raises InputError for what is out of range, for laws that do not rest at both ends, for an arc
     over which a part does not stand, and where no starts and angles keep the rules.
 
