@@ -123,6 +123,7 @@ FAULTS: dict[str, Patch] = {
     "smoothings": (cm.SmoothedTable, "acceleration_rms", scaled(1.001)),
     "roundings": (Through, "effects", lambda _: lambda *_: 2 * (np.ones(1),)),
     "least": (cm, "least_acceleration", bounded),
+    "whole": (cm, "least_peak", bounded),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),
     "contacts": (cm.FollowerLoad, "where_loose", lambda right: lambda *given: right(*given)[1:]),

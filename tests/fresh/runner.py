@@ -32,6 +32,7 @@ from fresh import (
     check_questions,
     check_reserves,
     check_responses,
+    check_whole,
     check_widest,
 )
 from fresh.drawing import Machine, draw
@@ -60,6 +61,7 @@ CHECKS: Mapping[str, Check] = {
     "smoothings": check_measured.smoothings,
     "roundings": check_measured.roundings,
     "least": check_limits.least,
+    "whole": check_whole.whole,
     "cams": check_cams.cams,
     "followers": check_cams.followers,
     "contacts": check_contacts.contacts,

@@ -7,15 +7,18 @@ from typing import Any
 import numpy as np
 
 from cammotion.limits.corridors import check_stands, even_nodes, still_arcs, travel_ends
+from cammotion.machine.arcs import Arc
 from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 from cammotion.whole.parts import Part
 from cammotion.whole.sides import Side
 
 _WEIGHT = Quantity("weight", "", example=1, low_included=True)
 _LIMIT = Quantity("limit of a peak", "m/s²", example=1)
+_AT_A_STOP_MM = 1e-6
 _ABOVE = 1e-6  # of a limit, that may be rounding
 
 
@@ -121,6 +124,7 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
     for name in names:
         motion, found = diagram[name], tuple(still_arcs(diagram[name], arcs[name]))
         check_stands(motion, list(found))
+        _check_begins_at_a_stop(motion, found)
         if motion.is_indexing and travels.get(name) is not None:
             raise InputError(
                 f"The {name} is an indexing motion, which goes on for ever: leave out its travel."
@@ -136,6 +140,16 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
     if not any(part.weight for part in parts):
         raise InputError("All weights are 0: give at least one part a weight above 0.")
     return Task(diagram, tuple(parts), _of_interest(given, names))
+
+
+def _check_begins_at_a_stop(motion: Motion, still: Sequence[Arc]) -> None:
+    """Raise InputError for an indexing motion that stands nowhere at a stop: no turn begins."""
+    off = [abs(float(motion.offset_mm((start + end) / 2))) for start, end in still]
+    if motion.is_indexing and min(off) > _AT_A_STOP_MM:
+        raise InputError(
+            f"The indexing motion {motion.name!r} stands at none of its stops: give a still arc "
+            "over which it stands at one."
+        )
 
 
 def _of_interest(rules: Iterable[ClearanceRule], names: Iterable[str]) -> tuple[ClearanceRule, ...]:

@@ -1,0 +1,109 @@
+"""Checks of the whole machine: its best diagram, and what no motions of its parts are below."""
+
+from typing import Any
+
+import numpy as np
+
+import cammotion as cm
+from cammotion import InputError, TimingDiagram
+from fresh.drawing import Machine
+from fresh.sampling import track_of, tracks_of, worst_of
+
+NEAR_MM = 1e-5
+NEAR = 1e-4  # of an acceleration, as a share
+SECONDS = 4.0
+LONG_DEG = 0.5
+Arcs = dict[str, list[tuple[float, float]]]
+
+
+def whole(machine: Machine) -> None:
+    """See that nothing beats the bound, and that the best diagram is as good as any found here."""
+    diagram = machine.diagram
+    tracks = tracks_of(diagram)
+    rules = [rule for rule in machine.rules if worst_of([rule], tracks) < -NEAR_MM]
+    still = {
+        motion.name: arcs
+        for motion in diagram.motions
+        if motion.moves and (arcs := _stands(motion))
+    }
+    if not rules or not still:
+        return
+    try:
+        found = cm.least_peak(diagram, rules, still=still, gap=0.02, seconds=SECONDS)
+    except InputError as refusal:
+        if "none of its stops" in str(refusal):
+            return
+        raise
+    known = [_peak(diagram, still), *_one_after_the_other(diagram, rules, still)]
+    try:
+        best = cm.optimise(diagram, rules, still=still, seconds=SECONDS)
+    except InputError as refusal:  # laws that do not rest at their ends
+        if "rest" not in str(refusal):
+            raise
+    else:
+        _keeps(diagram, best.design, rules, still)
+        assert best.reached <= min(known) * (1 + NEAR), f"{best.reached}, but {min(known)} can be"
+        known.append(best.reached)
+    assert found.bound <= min(known) * (1 + NEAR), f"no motions below {found.bound}: {min(known)}"
+    if found.design is not None:
+        _keeps(diagram, found.design, rules, still)
+        assert found.bound <= found.reached * (1 + NEAR)
+        reached = max(
+            track_of(found.design[name]).peak(2, diagram.rate_per_hour / 10) for name in still
+        )
+        assert np.isclose(reached, found.reached, rtol=1e-3)
+
+
+def _stands(motion: cm.Motion) -> list[tuple[float, float]]:
+    """Return where a motion rests, as said of it."""
+    return [
+        (piece.from_deg, piece.to_deg)
+        for piece in track_of(motion).pieces
+        if piece.law is None and piece.to_deg - piece.from_deg > LONG_DEG
+    ]
+
+
+def _peak(diagram: TimingDiagram, still: Arcs) -> float:
+    """Return the largest peak of the free motions, from their own tracks."""
+    deg_per_s = diagram.rate_per_hour / 10
+    return max(track_of(diagram[name]).peak(2, deg_per_s) for name in still)
+
+
+def _one_after_the_other(
+    diagram: TimingDiagram, rules: list[cm.ClearanceRule], still: Arcs
+) -> list[float]:
+    """Return the largest peaks of diagrams in which one move after the other is widened."""
+    peaks = []
+    for order in (list(still), list(still)[::-1]):
+        design = diagram
+        for name in order:
+            try:
+                wider = cm.widest_move(design, name, rules).diagram
+            except InputError:
+                continue
+            if all(_rests(wider, diagram, one, still[one]) for one in still):
+                design = wider
+        peaks.append(_peak(design, still))
+    return peaks
+
+
+def _rests(design: TimingDiagram, before: TimingDiagram, name: str, arcs: list[Any]) -> bool:
+    """Whether a motion stands over its arcs where it did before."""
+    own, other = track_of(design[name]), track_of(before[name])
+    for start, end in arcs:
+        angles = np.linspace(start, end, 41)
+        off = own.curve(0, angles) - other.curve(0, angles)
+        if own.pitch_mm:  # it may be counted from another stop
+            off -= own.pitch_mm * np.round(off / own.pitch_mm)
+        if np.abs(off).max() > NEAR_MM:
+            return False
+    return True
+
+
+def _keeps(
+    before: TimingDiagram, design: TimingDiagram, rules: list[cm.ClearanceRule], still: Arcs
+) -> None:
+    broken = worst_of(rules, tracks_of(design))
+    assert broken <= NEAR_MM, f"a rule is broken by {broken} mm"
+    for name, arcs in still.items():
+        assert _rests(design, before, name, arcs), f"{name} does not stand over {arcs}"
