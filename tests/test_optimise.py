@@ -172,6 +172,14 @@ def test_a_wrong_answer_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> N
         optimise(make_diagram(), RULE, still=STILL)
 
 
+@pytest.mark.parametrize("turns", [-30, 4, 100])
+def test_a_part_may_begin_some_turns_later(turns: int) -> None:
+    diagram = make_diagram()
+    later = diagram.with_motion(diagram["die"].shifted(360 * turns))
+    found = optimise(later, RULE, still=STILL)
+    assert found.reached == pytest.approx(optimise(diagram, RULE, still=STILL).reached)
+
+
 def test_the_answer_is_what_it_is_called() -> None:
     found = optimise(make_diagram(), [RULE], still=STILL)
     assert isinstance(found, Optimised)

@@ -21,7 +21,7 @@ from cammotion.whole.mixed import Rows
 
 _NARROWEST_DEG = 1e-3
 _APART_DEG = 2e-6  # so far arcs are kept apart, for what the solver rounds
-_TURNS = 4  # at most so many is one part ahead of another
+_MORE_TURNS = 4  # than its start is one part ahead of another
 _HELD = 1e-8  # of what is held
 _SAME = 1e-6  # what differs by less of it, is one
 
@@ -95,6 +95,9 @@ class _Program:
         self.starts: list[list[int]] = []
         self.widths: list[list[list[int]]] = []
         self.whole: list[int] = []
+        starts = [start for mover in movers for ends in mover.starts for start in ends]
+        farthest = 2 * max(map(abs, starts), default=0.0)
+        self.most_turns = _MORE_TURNS + math.ceil(farthest / DEG_PER_TURN)
         for mover in movers:
             self._add(mover)
         for pair in apart:
@@ -142,7 +145,7 @@ class _Program:
 
     def _keep_apart(self, pair: Apart) -> None:
         """Let the second span lie between the end of the first and its next beginning."""
-        turns = self.rows.unknowns([-_TURNS], [_TURNS], whole=True)
+        turns = self.rows.unknowns([-self.most_turns], [self.most_turns], whole=True)
         self.whole += turns
         (a, b), (c, d) = (
             tuple(self._angle(part, end) for end in span)
