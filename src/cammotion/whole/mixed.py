@@ -1,6 +1,9 @@
 """Mixed-integer linear programs, gathered row by row: solved by HiGHS, or with a proof of ours."""
 
-from collections.abc import Sequence
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -77,13 +80,14 @@ class Rows:
         options: dict[str, Any] = {"mip_rel_gap": _WITHIN}
         if np.isfinite(seconds):
             options["time_limit"] = max(seconds, _SHORTEST_S)
-        result = milp(
-            np.array(self.cost),
-            constraints=LinearConstraint(*self._scaled()),
-            bounds=Bounds(np.array(self.low), np.array(self.high)),
-            integrality=np.array(self.whole),
-            options=options,
-        )
+        with _silent():
+            result = milp(
+                np.array(self.cost),
+                constraints=LinearConstraint(*self._scaled()),
+                bounds=Bounds(np.array(self.low), np.array(self.high)),
+                integrality=np.array(self.whole),
+                options=options,
+            )
         if result.status == _INFEASIBLE:
             return Mixed(None, np.inf)
         bound = result.mip_dual_bound if any(self.whole) else result.fun
@@ -118,3 +122,22 @@ class Rows:
         low, high = np.array(self._rows).T
         size = np.maximum(abs(matrix).max(axis=1).toarray().ravel(), 1e-12)
         return (sparse.diags(1 / size) @ matrix).tocsr(), low / size, high / size
+
+
+@contextmanager
+def _silent() -> Iterator[None]:
+    """Keep what HiGHS prints, whatever it is told, from the terminal."""
+    sys.stdout.flush()
+    try:
+        kept = os.dup(1)
+    except OSError:  # there is no terminal, as on a server without one
+        yield
+        return
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 1)
+        yield
+    finally:
+        os.dup2(kept, 1)
+        os.close(nowhere)
+        os.close(kept)
