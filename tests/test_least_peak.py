@@ -222,6 +222,17 @@ def test_parts_that_can_stand_need_no_push() -> None:
     assert found.gap == 0
 
 
+def test_a_move_shorter_than_a_cell_is_seen() -> None:
+    """The turret has 4 deg, between two of 60 nodes; alone it needs a = 4 h / t^2."""
+    turret = cm.indexing_motion("turret", cm.rise(9, over_deg=4), cm.dwell(356), stops=3)
+    diagram = cm.TimingDiagram([turret, make_die()], 2000)
+    rule = cm.ClearanceRule(cm.beyond("die", 60), only_while=cm.within("turret", 1))
+    found = least_peak(diagram, rule, still={"turret": [(4, 360)]}, gap=0.01, seconds=10)
+    alone = 4 * 9e-3 / cm.indexing_time(4, 2000) ** 2
+    assert found.bound == pytest.approx(alone, rel=0.01)
+    assert found.bound <= alone <= found.reached * (1 + 1e-9)
+
+
 def test_a_part_reaches_no_farther_than_it_is_pushed() -> None:
     """Full push and full brake to the middle of the free arc and back, in closed form."""
     part = Part(make_die(), (DOWN_DEG,), (-math.inf, math.inf), 1.0, math.inf)

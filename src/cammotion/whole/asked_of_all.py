@@ -72,8 +72,12 @@ class Task:
         return Task(design, left, _of_interest(self.rules, [part.motion.name for part in left]))
 
     def grid(self, sides: Sequence[tuple[Side, Side]], cells: int) -> Floats:
-        """Return a grid with the ends of all arcs in it that are known beforehand."""
+        """Return a grid with the ends of all arcs in it that are known beforehand.
+
+        The middle between two stands is in it, too: without a node there a short move is not seen.
+        """
         ends = [end for part in self.parts for arc in part.still for end in arc]
+        ends += [middle for part in self.parts for middle in part.middles_deg]
         ends += [end for both in sides for side in both for arc in side.closed for end in arc]
         return even_nodes(min(ends), ends, cells)
 

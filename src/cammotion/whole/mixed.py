@@ -119,7 +119,7 @@ class Rows:
         shape = len(self._rows), len(self.low)
         matrix = sparse.csr_matrix((factors, (rows, columns)), shape=shape)
         matrix.eliminate_zeros()
-        low, high = np.array(self._rows).T
+        low, high = np.array(self._rows).reshape(-1, 2).T
         size = np.maximum(abs(matrix).max(axis=1).toarray().ravel(), 1e-12)
         return (sparse.diags(1 / size) @ matrix).tocsr(), low / size, high / size
 

@@ -60,6 +60,13 @@ class Part:
         ]
         return [Stand(*arc, unrolled_mm(self.motion, sum(arc) / 2)) for arc in sorted(turned)]
 
+    @property
+    def middles_deg(self) -> list[float]:
+        """The middle of each arc over which it may move."""
+        stands = self.stands
+        following = [*(start for start, _, _ in stands[1:]), stands[0].start_deg + DEG_PER_TURN]
+        return [(end + on) / 2 for (_, end, _), on in zip(stands, following, strict=True)]
+
     def most(self, peak: float) -> float:
         """Return the acceleration that it may have if no weighted peak is above `peak`."""
         return min(self.cap, peak / self.weight if self.weight else math.inf)
