@@ -19,6 +19,8 @@ from cammotion.quantities import InputError, WrongAnswerError
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
 _WORTH = 1e-3  # of a peak: less is no gain
 _SAME_DEG = 0.005
+_HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
+_ROUNDING = 1e-9  # deg
 
 
 @dataclass(frozen=True, repr=False)
@@ -100,8 +102,11 @@ def improvement(
 
 
 def _wider(machine: Machine, name: str, rules: Sequence[ClearanceRule]) -> Iterator[Improvement]:
+    is_hard = name in [*machine.peaks][:_HARDEST]
     try:
-        found = widest_move(machine.diagram, name, rules)
+        found = widest_move(machine.diagram, name, rules, each_way=None if is_hard else False)
+        if found.peak_acceleration >= machine.peaks[name] and not is_hard:
+            found = widest_move(machine.diagram, name, rules)
     except InputError:  # not of this build, or no move of it keeps the rules
         return
     held = f" (then: {found.tight.rule})" if found.tight else ""
@@ -137,7 +142,9 @@ def _beside(machine: Machine, name: str) -> TimingDiagram:
     motion, arcs = machine.diagram[name], machine.still[name]
     narrow = min(move.angle_deg for move in motion.moves)
     fits = partial(_fits, motion, arcs)
-    angle = bisect(fits, narrow, float(DEG_PER_TURN)) if fits(narrow) else narrow
+    angle = narrow
+    if fits(narrow):
+        angle = bisect(fits, narrow, float(DEG_PER_TURN)) - _ROUNDING
     return machine.diagram.with_motion(with_angle(motion, angle))
 
 
@@ -151,7 +158,7 @@ def _fits(motion: Motion, arcs: Sequence[Arc], angle_deg: float) -> bool:
 def _stands(motion: Motion, still: Iterable[Arc]) -> bool:
     """Tell whether a motion stands over its still arcs."""
     moves = arcs((move.from_deg, move.to_deg) for move in motion.moves)
-    return not any(end - start > _SAME_DEG for start, end in intersect(moves, arcs(still)))
+    return not intersect(moves, arcs(still))
 
 
 def _other_law(
