@@ -80,6 +80,7 @@ from .measured.sampled_law import SampledLaw
 from .measured.smoothing import SmoothedTable, smoothed
 from .own import Machine
 from .quantities import InputError, WrongAnswerError
+from .report.writing import Report, write_report
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
@@ -168,6 +169,7 @@ __all__ = [
     "ProcessForce",
     "ProfileLift",
     "RateLimit",
+    "Report",
     "Reserve",
     "Ring",
     "RollerCam",
@@ -290,6 +292,7 @@ __all__ = [
     "write_cam_tables",
     "write_curves",
     "write_machine",
+    "write_report",
     "write_segments",
     "x",
 ]
