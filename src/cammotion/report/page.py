@@ -17,7 +17,7 @@ from cammotion.report.numbers import of_peak, of_rate, of_velocity
 from cammotion.report.pictures import moving, timing
 
 _STYLE = Path(__file__).with_name("page.css")
-_TODAY, _DESIGN = "today", "design"
+_NOTHING = 1e-5  # mm: a rule that is just kept
 
 
 def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
@@ -100,6 +100,12 @@ def _rules(found: Findings) -> str:
     heading = ["rule", "clearance, mm", "reserve, deg"]
     broken = "".join(paragraph(f"Broken: {one}.", "broken") for one in machine.violations)
     heading += ["of the design, mm"] if found.best else []
+    used = sum(one.clearance_mm < _NOTHING for one in found.improved.clearances)
+    if found.best and used:
+        broken += paragraph(
+            f"The design uses up {used} of {len(machine.rules)} rules: it leaves nothing for play, "
+            "wear and backlash. Tighten these rules by what the machine needs, and ask again."
+        )
     return broken + table("What each rule leaves; below 0 it is broken", heading, rows)
 
 
@@ -120,9 +126,6 @@ def _clearance(machine: Machine, one: Clearance) -> Opened | str:
     )
     value = 0.0 if abs(one.clearance_mm) < _NOTHING else one.clearance_mm
     return Opened(f"{value:.4g}", whence)
-
-
-_NOTHING = 1e-6  # mm: a rule that is just kept
 
 
 def _mechanisms(found: Findings) -> str:
