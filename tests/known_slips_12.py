@@ -78,6 +78,12 @@ def other_mill(m: MillAndDie, pitch: float, stops: int) -> cm.Motion:
     return cm.indexing_motion("mill", *parts, stops=stops, start_deg=move.from_deg)
 
 
+def sharp(m: MillAndDie) -> cm.TimingDiagram:
+    """Return the moves of 12.3 by a law with hardly any sine."""
+    law, right = cm.scca(0.02, 0.96, 0.02), right_design(m)
+    return right.with_motion(right["mill"].with_law(law)).with_motion(right["die"].with_law(law))
+
+
 RIGHT: dict[str, Callable[[MillAndDie], Any]] = {
     "12.1": faster,
     "12.2": least,
@@ -189,6 +195,7 @@ SLIPS = [
     *NUMBER_SLIPS,
     *designs("12.3"),
     *designs("12.4"),
+    KnownSlip("12.4", "hardly any sine", sharp, "largest jerk is above"),
     KnownSlip("12.5", "a", lambda _: "a", "another claim"),
     KnownSlip("12.5", "c", lambda _: "c", "other seven"),
     KnownSlip("12.5", "d", lambda _: "d", "met today"),

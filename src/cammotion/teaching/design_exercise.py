@@ -38,12 +38,14 @@ class Requirement:
 class DesignExercise(Exercise):
     """A design of mill and die with a largest peak of at most `limit` in m/s2.
 
-    The answer is a timing diagram, or a Machine; `answer` makes one that is right. In a contest
-    the class page shows who came nearest to the bound.
+    With a `jerk_limit`, in m/s3, the jerk is at most that. The answer is a timing diagram, or a
+    Machine; `answer` makes one that is right. In a contest the class page shows who came nearest
+    to the bound.
     """
 
     answer: Callable[[MillAndDie], TimingDiagram]
     limit: Callable[[MillAndDie], float]
+    jerk_limit: Callable[[MillAndDie], float] | None = None
     is_contest: bool = False
 
     @property
@@ -89,7 +91,14 @@ class DesignExercise(Exercise):
             "The largest peak acceleration is above what is asked for.",
             lambda design, machine: _too_hard(design, self.limit(machine)),
         )
-        return (*_ALWAYS, too_hard)
+        if self.jerk_limit is None:
+            return (*_ALWAYS, too_hard)
+        jerk_limit = self.jerk_limit
+        too_sharp = Requirement(
+            "The largest jerk is above what is asked for.",
+            lambda design, machine: _too_sharp(design, jerk_limit(machine)),
+        )
+        return (*_ALWAYS, too_hard, too_sharp)
 
     @property
     def faults(self) -> tuple[str, ...]:
@@ -151,6 +160,11 @@ def _design(answer: Any) -> TimingDiagram | None:
     return answer if isinstance(answer, TimingDiagram) else None
 
 
+def largest_jerk(design: TimingDiagram) -> float:
+    """Return the largest peak jerk of a design in m/s3."""
+    return max(design.peak_jerk(name) for name in design.names)
+
+
 def _largest(design: TimingDiagram) -> float:
     return max(design.peak_acceleration(name) for name in design.names)
 
@@ -203,6 +217,11 @@ def _smooth(design: TimingDiagram, _: MillAndDie) -> str:
 def _too_hard(design: TimingDiagram, limit: float) -> str:
     peak = _largest(design)
     return "" if peak <= limit * (1 + _SAME) else f"It is {peak:.4g} m/s²."
+
+
+def _too_sharp(design: TimingDiagram, limit: float) -> str:
+    jerk = largest_jerk(design)
+    return "" if jerk <= limit * (1 + _SAME) else f"It is {jerk:.4g} m/s³."
 
 
 _PARTS = Requirement("The design has to have two motions, 'mill' and 'die'.", _parts)

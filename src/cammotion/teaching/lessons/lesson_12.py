@@ -4,7 +4,7 @@ import math
 
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import indexing_time
-from cammotion.teaching.design_exercise import DesignExercise, balanced
+from cammotion.teaching.design_exercise import DesignExercise, balanced, largest_jerk
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
@@ -12,6 +12,7 @@ from cammotion.teaching.prediction import Prediction
 _MM_PER_M = 1000
 _CYCLOID, _HARMONIC = 2 * math.pi, math.pi**2 / 2
 _ROOM, _LESS = 1.02, 0.9  # of the balance by the cycloid, that a design may have
+_SHARPER = 2.0  # times the jerk of the gentle laws, that the contest allows
 _GENTLE = ("modified trapezoid", "modified sine", "cycloidal")
 
 
@@ -54,6 +55,10 @@ def _limit(m: MillAndDie) -> float:
 
 def _hard_limit(m: MillAndDie) -> float:
     return float(f"{_LESS * _largest(balanced(m)):.3g}")
+
+
+def _jerk_limit(m: MillAndDie) -> float:
+    return float(f"{_SHARPER * largest_jerk(balanced(m, *_GENTLE)):.2g}")
 
 
 def _task(m: MillAndDie) -> str:
@@ -203,19 +208,21 @@ EXERCISES = (
     DesignExercise(
         number="12.4",
         question=lambda m: (
-            f"The contest. {_task(m)}, and so are the laws, as long as no acceleration jumps. "
-            f"Bring the largest peak acceleration to at most {_hard_limit(m):g} m/s², and then as "
-            "low as you can: the page of the class shows who came nearest to the bound."
+            f"The contest. {_task(m)}, and so are the laws, as long as no jerk is above "
+            f"{_jerk_limit(m):g} m/s³. Bring the largest peak acceleration to at most "
+            f"{_hard_limit(m):g} m/s², and then as low as you can: the page of the class shows "
+            "who came nearest to the bound."
         ),
         answer=lambda m: balanced(m, *_GENTLE),
         limit=_hard_limit,
+        jerk_limit=_jerk_limit,
         is_contest=True,
         right="You are in the contest.",
         hints=(
             "With the cycloid it cannot be done. Which laws have a smaller peak?",
             "Rise and return may have angles and laws of their own, and so may mill and die.",
-            "Give cm.optimise a list of laws, with a law of your own in it; cm.least_peak builds "
-            "motions too.",
+            "Give cm.optimise a list of laws, with laws of your own in it: cm.scca has three "
+            "shares to play with, and the jerk says how far.",
         ),
     ),
     ChoiceExercise(
