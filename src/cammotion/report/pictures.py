@@ -1,15 +1,11 @@
 """The pictures of a report: the timing diagrams, and the machine in motion."""
 
-from typing import cast
-
-from matplotlib import pyplot as plt
-
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError
 from cammotion.report.findings import Findings
 from cammotion.report.markup import paragraph, picture
 from cammotion.views.animation.picture import animate
-from cammotion.views.pictures import PictureFigure, describe
+from cammotion.views.pictures import taken
 from cammotion.views.timing_plots import plot_timing
 
 _SVG, _PNG = "image/svg+xml", "image/png"
@@ -38,8 +34,7 @@ def timing(found: Findings) -> str:
             ax = plot_timing(diagram, rules=found.machine.rules, rows=["acceleration"])
         except InputError as wrong:
             return paragraph(f"It is not drawn. {wrong}")
-        figure = cast(PictureFigure, ax.figure)
         parts.append(f"<h3>{title[0].upper()}{title[1:]}</h3>\n")
-        parts.append(picture(figure.png(), _PNG, describe(figure)))
-        plt.close(figure)
+        png, words = taken(ax)
+        parts.append(picture(png, _PNG, words))
     return "".join(parts)
