@@ -73,7 +73,12 @@ def write_report(
     """
     if not isinstance(machine, Machine):
         raise InputError(f"The machine is {shorten(machine)}: give a Machine, or read_machine's.")
-    limit, place, tell = _SECONDS.number(seconds), as_path(folder), progress or _silent
+    limit, place = _SECONDS.number(seconds), as_path(folder)
+    tell = _silent if progress is None else progress
+    if not callable(tell):
+        raise InputError(
+            f"The progress is {shorten(progress)}: give a function of a share and a text."
+        )
     if not isinstance(dxf, bool):
         raise InputError(f"The dxf is {shorten(dxf)}: give True or False.")
     if not is_folder(place) or not os.access(place, os.W_OK | os.X_OK):

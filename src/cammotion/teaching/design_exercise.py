@@ -1,5 +1,6 @@
 """Open exercises: a design is asked for, and judged by what it has to keep."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
@@ -8,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.machine.clearance import find_violations
+from cammotion.machine.clearance import ClearanceRule, find_violations, within
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.own import Machine
 from cammotion.teaching.example import MillAndDie
@@ -20,6 +21,7 @@ from cammotion.whole.optimise import optimise
 
 _GAP, _SECONDS = 0.1, 5.0  # of the bound, which need not be close to tell how far a design is
 _SAME = 1e-6  # mm, and a share of a peak
+_DECIMALS = 1000  # of a limit in mm that a question tells
 _FAR = 1e12  # m/s3: a jerk beyond it is a jump
 
 
@@ -123,6 +125,13 @@ def bound_of(machine: MillAndDie) -> float:
     return _bound(machine)
 
 
+def clearance_rule(machine: MillAndDie) -> ClearanceRule:
+    """Return the rule of mill and die with a limit of few digits, which it is a little wider by."""
+    near = machine.rule.only_while.limit_mm
+    wider = math.ceil(near * _DECIMALS) / _DECIMALS
+    return ClearanceRule(machine.rule.when, only_while=within("mill", wider))
+
+
 def said_of(design: TimingDiagram, machine: MillAndDie) -> str:
     """Say how far a design is from the bound."""
     reached, bound = _largest(design), bound_of(machine)
@@ -136,15 +145,16 @@ def said_of(design: TimingDiagram, machine: MillAndDie) -> str:
 @lru_cache(maxsize=200)
 def _balanced(machine: MillAndDie, laws: tuple[str, ...]) -> TimingDiagram:
     still = _still(machine)
-    return optimise(machine.diagram, machine.rule, still=still, laws=laws or None).design
+    return optimise(machine.diagram, clearance_rule(machine), still=still, laws=laws or None).design
 
 
 @lru_cache(maxsize=200)
 def _bound(machine: MillAndDie) -> float:
     travel = {"die": (0.0, machine.stroke_mm)}
     still = _still(machine)
+    rule = clearance_rule(machine)
     found = least_peak(
-        machine.diagram, machine.rule, still=still, travel_mm=travel, gap=_GAP, seconds=_SECONDS
+        machine.diagram, rule, still=still, travel_mm=travel, gap=_GAP, seconds=_SECONDS
     )
     return found.bound
 
@@ -205,7 +215,7 @@ def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
 
 
 def _rule(design: TimingDiagram, machine: MillAndDie) -> str:
-    found = find_violations(design, machine.rule)
+    found = find_violations(design, clearance_rule(machine))
     return f"For {found[0]}." if found else ""
 
 

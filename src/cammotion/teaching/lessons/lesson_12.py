@@ -4,7 +4,12 @@ import math
 
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import indexing_time
-from cammotion.teaching.design_exercise import DesignExercise, balanced, largest_jerk
+from cammotion.teaching.design_exercise import (
+    DesignExercise,
+    balanced,
+    clearance_rule,
+    largest_jerk,
+)
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
@@ -62,11 +67,14 @@ def _jerk_limit(m: MillAndDie) -> float:
 
 
 def _task(m: MillAndDie) -> str:
+    rule = clearance_rule(m)
     return (
-        f"At {m.rate_per_hour:g} pieces per hour the mill moves {m.pitch_mm:g} mm on and the die "
-        f"goes {m.stroke_mm:g} mm down and up again. Both stand from {m.down_deg:g} to "
-        f"{m.down_deg + m.work_deg:g} degrees as they do in cm.variant().diagram, and "
-        "cm.variant().rule is kept. Starts and angles are yours"
+        f"A mill of {m.stops} stops and a die make {m.rate_per_hour:g} pieces per hour. The mill "
+        f"goes {m.pitch_mm:g} mm on in each turn, from 0 mm; the die goes from 0 to "
+        f"{m.stroke_mm:g} mm and back. From {m.down_deg:g} to {m.down_deg + m.work_deg:g} degrees "
+        f"both stand, the mill at {m.pitch_mm:g} and the die at {m.stroke_mm:g} mm, and always "
+        f"{rule}. (Your own numbers are in cm.variant().diagram and cm.variant().rule.) Starts and "
+        "angles are yours"
     )
 
 
