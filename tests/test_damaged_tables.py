@@ -5,7 +5,7 @@ import io
 from pathlib import Path
 
 import pytest
-from damaged import TABLE, changed, damages
+from damaged import BOOK, RELATIONS, TABLE, changed, damages, zipped
 
 import cammotion as cm
 from cammotion.report.__main__ import BAD_INPUT, main
@@ -80,3 +80,27 @@ def test_what_is_refused_is_named(tmp_path: Path, name: str, said: str) -> None:
     path.write_bytes(content)  # type: ignore[arg-type]
     with pytest.raises(cm.InputError, match=said):
         cm.read_machine(path)
+
+
+def test_all_parts_of_a_workbook_count_together(tmp_path: Path) -> None:
+    """Many sheets, each small enough by itself."""
+    sheets = "".join(f'<sheet name="s{n}" r:id="r{n}"/>' for n in range(30))
+    office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    parts: dict[str, bytes | str] = {
+        BOOK: f'<workbook xmlns:r="{office}">{sheets}</workbook>',
+        RELATIONS: "<all>"
+        + "".join(f'<one Id="r{n}" Target="worksheets/{n}.xml"/>' for n in range(30))
+        + "</all>",
+    }
+    parts |= {f"xl/worksheets/{n}.xml": "<a>" + " " * 1_000_000 + "</a>" for n in range(30)}
+    (tmp_path / "m.xlsx").write_bytes(zipped(parts))
+    with pytest.raises(cm.InputError, match="unpacks to more than 20 MB"):
+        cm.read_machine(tmp_path / "m.xlsx")
+
+
+def test_a_deep_nest_is_no_traceback(tmp_path: Path) -> None:
+    nest = "<si>" + "<t>" * 100_000 + "</t>" * 100_000 + "</si>"
+    parts = {RELATIONS: "<all/>", BOOK: "<workbook/>", "xl/sharedStrings.xml": f"<sst>{nest}</sst>"}
+    (tmp_path / "m.xlsx").write_bytes(zipped(dict(parts)))
+    with pytest.raises(cm.InputError, match=r"is (damaged|empty)"):
+        cm.read_machine(tmp_path / "m.xlsx")

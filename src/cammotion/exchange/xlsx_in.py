@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 
 from cammotion.quantities import InputError
 
-LARGEST_PART = 20_000_000  # bytes of one unpacked part
+LARGEST = 20_000_000  # bytes that all parts together may unpack to
 MOST_PARTS, MOST_ROWS, MOST_COLUMNS = 1000, 20_000, 200
 ZIP, OLD = b"PK", b"\xd0\xcf\x11\xe0"
 """What a zip begins with, and an old workbook or one that is locked by a password."""
@@ -45,8 +45,8 @@ def read_sheets(file: str, content: bytes) -> dict[str, Rows]:
             "a password, or as CSV."
         )
     try:
-        with zipfile.ZipFile(io.BytesIO(content)) as book:
-            return {name: _rows(file, xml, texts) for name, xml, texts in _parts(file, book)}
+        with zipfile.ZipFile(io.BytesIO(content)) as opened:
+            return {name: _rows(file, *parts) for name, parts in _parts(_Book(file, opened))}
     except (
         zipfile.BadZipFile,
         zlib.error,
@@ -67,46 +67,52 @@ def read_sheets(file: str, content: bytes) -> dict[str, Rows]:
         ) from None
 
 
-def _parts(
-    file: str, book: zipfile.ZipFile
-) -> Iterator[tuple[str, ElementTree.Element, list[str]]]:
-    """Yield the name of each sheet, its XML, and the texts that all sheets share."""
-    names = book.namelist()
-    if _BOOK not in names:
+class _Book:
+    """The parts of a workbook, of which no more is unpacked than any table of a machine needs."""
+
+    def __init__(self, file: str, opened: zipfile.ZipFile) -> None:
+        self.file, self.names = file, opened.namelist()
+        self._opened, self._left = opened, LARGEST
+
+    def xml(self, part: str) -> ElementTree.Element:
+        """Return the XML of a part."""
+        with self._opened.open(part) as packed:
+            content = packed.read(self._left + 1)
+        self._left -= len(content)
+        if self._left < 0:
+            raise InputError(
+                f"The workbook {self.file} unpacks to more than {LARGEST // 1_000_000} MB: a "
+                "machine needs far less. Save its sheet alone as CSV."
+            )
+        parser = ElementTree.XMLParser(target=_NoDoctype())  # noqa: S314 - no entity passes
+        parser.feed(content)
+        root: ElementTree.Element = parser.close()
+        return root
+
+
+def _parts(book: _Book) -> Iterator[tuple[str, tuple[ElementTree.Element, list[str]]]]:
+    """Yield the name of each sheet, with its XML and the texts that all sheets share."""
+    if _BOOK not in book.names:
         raise InputError(
-            f"The file {file} is a zip of something else, not a workbook: give an .xlsx file that "
-            "a spreadsheet has saved, or CSV."
+            f"The file {book.file} is a zip of something else, not a workbook: give an .xlsx file "
+            "that a spreadsheet has saved, or CSV."
         )
-    if len(names) > MOST_PARTS:
-        raise InputError(f"The workbook {file} has {len(names)} parts: save the sheet as CSV.")
+    if len(book.names) > MOST_PARTS:
+        raise InputError(
+            f"The workbook {book.file} has {len(book.names)} parts: save the sheet as CSV."
+        )
     places = {
         relation.get("Id"): normpath(join(dirname(_BOOK), str(relation.get("Target"))))
-        for relation in _xml(file, book, "xl/_rels/workbook.xml.rels")
+        for relation in book.xml("xl/_rels/workbook.xml.rels")
     }
     shared_at = "xl/sharedStrings.xml"
     shared = []
-    if shared_at in names:
-        shared = [_text(one) for one in _named(_xml(file, book, shared_at), "si")]
-    for sheet in _named(_xml(file, book, _BOOK), "sheet"):
+    if shared_at in book.names:
+        shared = [_text(one) for one in _named(book.xml(shared_at), "si")]
+    for sheet in _named(book.xml(_BOOK), "sheet"):
         where = str(places[sheet.get(_RELATION) or sheet.get(_STRICT_RELATION)])
         if "worksheets/" in where:  # no sheet of charts
-            at = where.removeprefix("/").removeprefix("xl//")
-            yield str(sheet.get("name")), _xml(file, book, at), shared
-
-
-def _xml(file: str, book: zipfile.ZipFile, part: str) -> ElementTree.Element:
-    """Return a part of the workbook, unless it is larger than any table of a machine."""
-    with book.open(part) as opened:
-        content = opened.read(LARGEST_PART + 1)
-    if len(content) > LARGEST_PART:
-        raise InputError(
-            f"The workbook {file} unpacks to more than {LARGEST_PART // 1_000_000} MB: a machine "
-            "needs far less. Save its sheet alone as CSV."
-        )
-    parser = ElementTree.XMLParser(target=_NoDoctype())  # noqa: S314 - no entity passes
-    parser.feed(content)
-    root: ElementTree.Element = parser.close()
-    return root
+            yield str(sheet.get("name")), (book.xml(where.removeprefix("/")), shared)
 
 
 def _rows(file: str, sheet: ElementTree.Element, shared: list[str]) -> Rows:
