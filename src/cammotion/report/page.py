@@ -93,7 +93,9 @@ def _rules(found: Findings) -> str:
     rows: list[tuple[bool, Sequence[Cell]]] = []
     for now, then in zip(machine.clearances, found.improved.clearances, strict=True):
         left = reserve[now.rule]
-        cells: list[Cell] = [str(now.rule), _clearance(machine, now), f"{left.deg:.4g}"]
+        whence = f"{left}. The reserve is the smaller one of early and late; see reserves()."
+        cells: list[Cell] = [str(now.rule), _clearance(machine, now)]
+        cells.append(Opened(f"{left.deg:.4g}", whence))
         if found.best:
             cells.append(_clearance(found.improved, then))
         rows.append((now.clearance_mm < 0, cells))
@@ -156,7 +158,9 @@ def _ranking(found: Findings) -> str:
             f"{one.rate_per_hour:.0f}",
             of_rate(machine.diagram.rate_per_hour, today, one.largest),
         )
-        rows.append((False, [one.said, before, after, one.largest, rate]))
+        hardest = one.machine.hardest
+        largest = Opened(f"{one.largest:.4g}", of_peak(one.machine.diagram, hardest))
+        rows.append((False, [one.said, before, after, largest, rate]))
     heading = [
         "change",
         "peak today, m/s²",
