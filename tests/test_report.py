@@ -223,3 +223,35 @@ def test_what_is_no_machine_is_refused(tmp_path: Path) -> None:
     with pytest.raises(cm.InputError, match=r"^The time for the bound is 0 s"):
         cm.write_report(PRESS, tmp_path, seconds=0)
     assert not [*tmp_path.iterdir()]
+
+
+def odd(name: str, *motions: cm.Motion, still: dict[str, list[tuple[float, float]]]) -> cm.Machine:
+    return cm.Machine(name, cm.TimingDiagram(motions, 2000), [], still)
+
+
+BELT = cm.motion(
+    "belt",
+    cm.rise(10, over_deg=60, law=cm.CONSTANT_VELOCITY),
+    cm.dwell(60),
+    cm.return_(10, over_deg=60),
+    cm.dwell(180),
+)
+SHEAR = cm.motion(
+    "shear",
+    cm.rise(20, over_deg=70, law=cm.MATCHED),
+    cm.rise(60, over_deg=80, law=cm.CONSTANT_VELOCITY),
+    cm.rise(20, over_deg=50, law=cm.MATCHED),
+    cm.return_(100, over_deg=160),
+)
+ODD_MACHINES = [
+    odd("jumps", BELT, cm.EXAMPLE.die, still={"belt": [(70, 110)], "die": [(210, 300)]}),
+    odd("matched", SHEAR, cm.EXAMPLE.mill, still={"mill": [(205, 305)]}),
+    odd("stands", cm.motion("bed", cm.dwell(360)), still={"bed": [(0, 10)]}),
+    odd("n" * 3000, cm.EXAMPLE.mill, still={}),
+]
+
+
+@pytest.mark.parametrize("machine", ODD_MACHINES, ids=lambda machine: machine.name[:10])
+def test_an_odd_machine_has_a_report(tmp_path: Path, machine: cm.Machine) -> None:
+    text = cm.write_report(machine, tmp_path, seconds=1).page.read_text("utf-8")
+    assert "nan" not in BeautifulSoup(text, "html.parser").main.get_text()  # type: ignore[union-attr]

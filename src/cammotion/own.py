@@ -77,6 +77,11 @@ class Machine:
         return dict(sorted(peaks.items(), key=lambda item: -item[1]))
 
     @property
+    def free(self) -> dict[str, tuple[Arc, ...]]:
+        """The still arcs of the parts that move: what `optimise` and `least_peak` ask for."""
+        return {name: tuple(arcs) for name, arcs in self.still.items() if self.diagram[name].moves}
+
+    @property
     def hardest(self) -> str:
         """The name of the mechanism with the largest peak acceleration."""
         return next(iter(self.peaks))
@@ -94,11 +99,12 @@ class Machine:
         count, rules = len(self.diagram.names), len(self.rules)
         broken = len({violation.rule for violation in self.violations})
         kept = f"{broken} broken" if broken else "kept" if rules == 1 else "all kept"
+        peak = f"{self.peaks[self.hardest]:.4g}".replace("inf", "∞")
         ruled = f", {rules} rule{'s' * (rules != 1)}, {kept}" if rules else ", no rules"
         return (
             f"{shorten(self.name, of=str)}: {count} mechanism{'s' * (count != 1)} at "
             f"{self.diagram.rate_per_hour:g} pieces/h{ruled}; the {shorten(self.hardest, of=str)} "
-            f"is driven hardest, {self.peaks[self.hardest]:.4g} m/s²"
+            f"is driven hardest, {peak} m/s²"
         )
 
     @property

@@ -104,17 +104,18 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     if not isinstance(machine, Machine):
         raise InputError(f"The machine is {shorten(machine)}: give a Machine, or read_machine's.")
     found = [one for name in machine.diagram.names for one in changes_of(machine, name, _laws())]
-    if seconds is not None and machine.still:
-        found += _balance(machine, _SECONDS.number(seconds))
+    limit = None if seconds is None else _SECONDS.number(seconds)
+    if limit is not None and machine.free:
+        found += _balance(machine, limit)
     ordered = sorted(found, key=lambda one: (-one.mends, one.largest, -one.gain))
     return Improvements(machine, tuple(ordered))
 
 
 def _balance(machine: Machine, seconds: float) -> Iterator[Improvement]:
     """Yield the best diagram of all moves at once, if it is better than what there is."""
-    names = [*machine.still]
+    names = [*machine.free]
     try:
-        found = optimise(machine.diagram, machine.rules, still=machine.still, seconds=seconds)
+        found = optimise(machine.diagram, machine.rules, still=machine.free, seconds=seconds)
     except InputError:  # a part of another build, or no moves keep the rules
         return
     said = f"balance all moves of {len(names)} mechanisms at once"

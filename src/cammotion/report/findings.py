@@ -52,15 +52,15 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
     left = reserves(machine.diagram, machine.rules) if machine.rules else ()
     notes: list[str] = []
     best, least = None, None
-    if not machine.still:
+    if not machine.free:
         notes.append(
-            "No still arcs are given, so that no design was sought and no bound: say in the column "
-            "'still' of the table over which arcs each part has to stand."
+            "No part that moves has still arcs, so that no design was sought and no bound: say in "
+            "the column 'still' of the table over which arcs each part has to stand."
         )
         return Findings(machine, ranking, left, best, least, tuple(notes))
     progress(_RANKED, "balancing all moves at once")
     try:
-        best = optimise(machine.diagram, machine.rules, still=machine.still, seconds=_OPTIMISING_S)
+        best = optimise(machine.diagram, machine.rules, still=machine.free, seconds=_OPTIMISING_S)
     except KeyboardInterrupt:
         notes.append("The balance of all moves was interrupted: there is none.")
     except (InputError, WrongAnswerError) as wrong:
@@ -77,7 +77,7 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
             least = least_peak(
                 machine.diagram,
                 machine.rules,
-                still=machine.still,
+                still=machine.free,
                 gap=_GAP,
                 seconds=seconds,
                 progress=told,

@@ -1,5 +1,6 @@
 """A live figure in the page: what the hardest move would need over another angle or rate."""
 
+import math
 from html import escape
 
 import sympy as sp
@@ -15,8 +16,9 @@ _SLOWEST, _FASTEST = 0.4, 2.5  # times the rate of today
 
 
 def live_figure(machine: Machine) -> str:
-    """Return the figure in a frame of its own; nothing if no mechanism moves."""
-    moves = machine.diagram[machine.hardest].moves
+    """Return the figure in a frame of its own; nothing if it has no move with a peak."""
+    all_moves = machine.diagram[machine.hardest].moves
+    moves = [move for move in all_moves if math.isfinite(as_law(move.law).Ca)]
     if not moves:
         return ""
     move = max(moves, key=lambda one: as_law(one.law).Ca * abs(one.change_mm) / one.angle_deg**2)

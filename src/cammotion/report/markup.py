@@ -16,6 +16,11 @@ class Opened(NamedTuple):
 Cell = str | float | Opened
 
 
+def short(value: float) -> str:
+    """Return a number with four digits."""
+    return f"{value:.4g}".replace("inf", "∞")
+
+
 def table(caption: str, heading: Sequence[str], rows: Iterable[tuple[bool, Sequence[Cell]]]) -> str:
     """Return a table; a row comes with whether it is to be marked as broken."""
     head = "".join(f'<th scope="col">{escape(name)}</th>' for name in heading)
@@ -55,6 +60,6 @@ def _cell(cell: Cell, column: int) -> str:
     if isinstance(cell, Opened):
         return f'<td class="number">{opened(cell)}</td>'
     if isinstance(cell, float):
-        return f'<td class="number">{cell:.4g}</td>'
+        return f'<td class="number">{short(cell)}</td>'
     tag, scope = ("th", ' scope="row"') if column == 0 else ("td", "")
     return f"<{tag}{scope}>{escape(cell)}</{tag}>"

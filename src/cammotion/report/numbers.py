@@ -16,6 +16,8 @@ def of_peak(diagram: TimingDiagram, name: str) -> str:
     motion, peak = diagram[name], diagram.peak_acceleration(name)
     if not motion.moves:
         return f"The {name} stands all the turn."
+    if math.isinf(peak):
+        return f"The velocity of the {name} jumps: no acceleration is large enough for that."
     hardest = max(motion.moves, key=lambda move: _peak(diagram, move))
     alone = _peak(diagram, hardest)
     if not math.isclose(alone, peak, rel_tol=_SAME):
@@ -52,7 +54,9 @@ def of_velocity(diagram: TimingDiagram, name: str) -> str:
 
 def of_rate(rate_per_hour: float, today: float, then: float) -> str:
     """Return how the rate comes about at which a largest peak is met again."""
-    faster = rate_per_hour * math.sqrt(today / then) if then else math.inf
+    if not (math.isfinite(today) and 0 < then < math.inf):
+        return f"No peak tells a rate here: it stays at {rate_per_hour:g} pieces/h."
+    faster = rate_per_hour * math.sqrt(today / then)
     return (
         f"A peak grows with the square of the rate: N · √(a₁ / a₂) = {rate_per_hour:g} · "
         f"√({today:.4f} / {then:.4f}) = {faster:.0f} pieces/h."

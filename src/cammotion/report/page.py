@@ -12,7 +12,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
 from cammotion.report.findings import Findings
 from cammotion.report.live import live_figure
-from cammotion.report.markup import Cell, Opened, opened, paragraph, table
+from cammotion.report.markup import Cell, Opened, opened, paragraph, short, table
 from cammotion.report.numbers import of_peak, of_rate, of_velocity
 from cammotion.report.pictures import moving, timing
 
@@ -58,11 +58,13 @@ def _summary(found: Findings) -> str:
     if found.best:
         today, then = machine.peaks[machine.hardest], max(found.improved.peaks.values())
         faster = of_rate(machine.diagram.rate_per_hour, today, then)
-        rate = faster.rpartition(" = ")[2].rstrip(".")
+        rate = faster.rpartition(" = ")[2]
+        said_rate = f" At the peak of today that is {rate}" if " = " in faster else ""
         said.append(
             paragraph(
-                f"With all moves balanced the largest peak is {then:.4g} m/s², today {today:.4g}. "
-                f"At the peak of today that is {rate}."
+                f"With all moves balanced the largest peak is {short(then)} m/s², today "
+                f"{short(today)}."
+                f"{said_rate}"
             )
         )
     if found.least:
@@ -79,7 +81,7 @@ def _bound(found: Findings) -> str:
     low = math.floor(least.bound * 10_000) / 10_000
     sentence = f"No motions of these parts can have a largest peak below {low:.4f} m/s²"
     reached = max(found.improved.peaks.values())
-    if least.bound > 0:
+    if least.bound > 0 and math.isfinite(reached):
         above = math.ceil(100 * (reached / least.bound - 1))
         sentence += f", so that the design, with {reached:.4f}, is at most {above} % above the best"
     return f"{sentence}."
@@ -95,7 +97,7 @@ def _rules(found: Findings) -> str:
         left = reserve[now.rule]
         whence = f"{left}. The reserve is the smaller one of early and late; see reserves()."
         cells: list[Cell] = [str(now.rule), _clearance(machine, now)]
-        cells.append(Opened(f"{left.deg:.4g}", whence))
+        cells.append(Opened(short(left.deg), whence))
         if found.best:
             cells.append(_clearance(found.improved, then))
         rows.append((now.clearance_mm < 0, cells))
@@ -127,7 +129,7 @@ def _clearance(machine: Machine, one: Clearance) -> Opened | str:
         "its limit while the other one is not where it has to be."
     )
     value = 0.0 if abs(one.clearance_mm) < _NOTHING else one.clearance_mm
-    return Opened(f"{value:.4g}", whence)
+    return Opened(short(value), whence)
 
 
 def _mechanisms(found: Findings) -> str:
@@ -135,10 +137,10 @@ def _mechanisms(found: Findings) -> str:
     rows: list[tuple[bool, Sequence[Cell]]] = []
     for name, moves, travel, velocity, peak in machine.rows:
         cells: list[Cell] = [name, moves, travel]
-        cells.append(Opened(f"{velocity:.4g}", of_velocity(machine.diagram, name)))
-        cells.append(Opened(f"{peak:.4g}", of_peak(machine.diagram, name)))
+        cells.append(Opened(short(velocity), of_velocity(machine.diagram, name)))
+        cells.append(Opened(short(peak), of_peak(machine.diagram, name)))
         if found.best:
-            cells.append(Opened(f"{improved.peaks[name]:.4g}", of_peak(improved.diagram, name)))
+            cells.append(Opened(short(improved.peaks[name]), of_peak(improved.diagram, name)))
         rows.append((False, cells))
     heading = ["mechanism", "moves", "travel, mm", "peak velocity, m/s", "peak acceleration, m/s²"]
     heading += ["of the design, m/s²"] if found.best else []
@@ -152,14 +154,14 @@ def _ranking(found: Findings) -> str:
     today = machine.peaks[machine.hardest]
     rows: list[tuple[bool, Sequence[Cell]]] = []
     for one in found.ranking:
-        before = Opened(f"{one.before:.4g}", of_peak(machine.diagram, one.mechanism))
-        after = Opened(f"{one.after:.4g}", of_peak(one.machine.diagram, one.mechanism))
+        before = Opened(short(one.before), of_peak(machine.diagram, one.mechanism))
+        after = Opened(short(one.after), of_peak(one.machine.diagram, one.mechanism))
         rate = Opened(
             f"{one.rate_per_hour:.0f}",
             of_rate(machine.diagram.rate_per_hour, today, one.largest),
         )
         hardest = one.machine.hardest
-        largest = Opened(f"{one.largest:.4g}", of_peak(one.machine.diagram, hardest))
+        largest = Opened(short(one.largest), of_peak(one.machine.diagram, hardest))
         rows.append((False, [one.said, before, after, largest, rate]))
     heading = [
         "change",
