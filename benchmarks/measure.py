@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable
 
 from accessibility import measure_accessibility
+from advice import measure_advice
 from animation import measure_animation
 from cams import measure_cams, measure_rival_cams
 from curves import measure_factors, measure_lines
@@ -27,6 +28,7 @@ from whole_machine import measure_whole_machine
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "accessibility": measure_accessibility,
+    "advice": measure_advice,
     "again": measure_again,
     "animation": measure_animation,
     "cams": measure_cams,

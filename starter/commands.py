@@ -84,7 +84,7 @@ def make_parser() -> argparse.ArgumentParser:
         name: commands.add_parser(name, help=text, description=text, allow_abbrev=False)
         for name, (_, text) in COMMANDS.items()
     }
-    for name in ("lab", "setup", "fresh"):
+    for name in ("lab", "setup", "fresh", "report"):
         added[name].add_argument(
             "--work",
             default=folder.DEFAULT,
@@ -99,6 +99,11 @@ def make_parser() -> argparse.ArgumentParser:
     added["class"].add_argument("--output", default="class.html", metavar="FILE", help="the page")
     added["class"].add_argument("--anonymous", action="store_true", help="numbers for names")
     added["class"].add_argument("--overwrite", action="store_true", help="write over an old page")
+    added["report"].add_argument("machine", metavar="MACHINE", help="a table: .csv or .xlsx")
+    added["report"].add_argument(
+        "--seconds", type=float, default=20.0, metavar="S", help="for the bound, at most (20)"
+    )
+    added["report"].add_argument("--dxf", action="store_true", help="a disc cam of each mechanism")
     added["lock"].add_argument("--upgrade", action="store_true", help="take the newest versions")
     return parser
 
@@ -185,6 +190,19 @@ def show_class(options: argparse.Namespace) -> int:
     return maintain.run_module("cammotion.teaching.classroom", files, f"--output={page}", *switches)
 
 
+def report_machine(options: argparse.Namespace) -> int:
+    """Write the report of a machine into the folder of copies; its path is from here.
+
+    The exit code is that of `cammotion.report`: 0 if all rules are kept, 3 if one is broken, 2 for
+    a table that cannot be read, 130 if it was interrupted with nothing written.
+    """
+    work = folder.find(options.work)
+    environment.ensure()
+    machine = str(Path(options.machine).absolute())
+    more = [f"--folder={work}", f"--seconds={options.seconds}", *(["--dxf"] * options.dxf)]
+    return maintain.run_module("cammotion.report", machine, *more)
+
+
 def lock(options: argparse.Namespace) -> int:
     """Write environment.txt anew from pyproject.toml."""
     maintain.lock(options.upgrade)
@@ -202,5 +220,10 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], int], str]] = {
     "refresh": (refresh_notebooks, "execute the workbook's own notebooks and their solutions anew"),
     "fresh": (lay_fresh_copy, "lay a fresh copy of a notebook beside yours"),
     "class": (show_class, "write a page of what your students' progress files hold"),
+    "report": (
+        report_machine,
+        "write the report of a machine: ends with 0 if its rules are kept, 3 if one is broken, "
+        "2 if the table cannot be read",
+    ),
     "lock": (lock, "write environment.txt anew from pyproject.toml (needs uv)"),
 }

@@ -35,7 +35,7 @@ def test_the_solution_is_right(exercise: Exercise) -> None:
     for machine in MACHINES:
         verdict = exercise.judge(exercise.solution(machine), machine)
         assert verdict.state == "right"
-        assert verdict.text == exercise.right
+        assert verdict.text.startswith(exercise.right)  # of a design also how far it is
 
 
 @each_number

@@ -11,6 +11,7 @@ from desk import files_in, line_of, read_file, restart, sit_down
 from judging import each_exercise
 
 import cammotion as cm
+from cammotion.machine.diagram import TimingDiagram
 from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
@@ -112,7 +113,9 @@ def test_a_reason_that_is_given_is_among_those_that_are_told_beforehand(exercise
     names = {NO_ANSWER, *map(short_name, exercise.faults)}
     right = exercise.solution(EXAMPLE)
     factors = (0.985, 1.01, 3, 1 / 3, 7, -5, -1, 2, 1000, 0.001, 1 / 9.80665, 3600)
-    by_factor = [] if isinstance(right, str) else [factor * right for factor in factors]
+    by_factor = (
+        [] if isinstance(right, str | TimingDiagram) else [factor * right for factor in factors]
+    )
     for answer in (*by_factor, *"abcdef", 1, [1]):
         verdict = exercise.judge(answer, EXAMPLE)
         assert verdict.reason in names if verdict.state == "wrong" else not verdict.reason

@@ -98,6 +98,26 @@ def test_fresh_runs_machines_and_nothing_else(monkeypatch: pytest.MonkeyPatch) -
     assert "--fresh" in commands.COMMANDS["test"][1]
 
 
+def test_a_report_is_written_into_the_folder_of_copies_and_its_exit_code_is_passed_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ran: list[tuple[str, ...]] = []
+
+    def run_module(*words: str) -> int:
+        ran.append(words)
+        return 2
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(environment, "ensure", lambda: None)
+    monkeypatch.setattr(maintain, "run_module", run_module)
+    work = tmp_path / "copies"
+    asked = ["report", "machine.csv", "--work", str(work)]
+    assert commands.run(asked) == 2
+    assert commands.run([*asked, "--seconds", "60", "--dxf"]) == 2
+    made = ("cammotion.report", str(tmp_path / "machine.csv"), f"--folder={work}")
+    assert ran == [(*made, "--seconds=20.0"), (*made, "--seconds=60.0", "--dxf")]
+
+
 def test_the_class_page_is_made_by_the_environment_from_where_the_user_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

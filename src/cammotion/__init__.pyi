@@ -1,3 +1,5 @@
+from .advice.changes import Improvement
+from .advice.ranking import Improvements, improvements
 from .drive.camshaft import Camshaft
 from .drive.process import ProcessForce
 from .drive.rates import RateLimit, rate_limits
@@ -18,6 +20,7 @@ from .dynamics.turns import Flight
 from .exchange.cam_files import write_cam
 from .exchange.cam_tables import read_cam_table
 from .exchange.cam_tables_out import write_cam_tables
+from .exchange.machine_files import machine_from_text, read_machine, write_machine
 from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
@@ -75,7 +78,9 @@ from .measured.harmonics import Harmonics, harmonics
 from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
 from .measured.sampled_law import SampledLaw
 from .measured.smoothing import SmoothedTable, smoothed
+from .own import Machine
 from .quantities import InputError, WrongAnswerError
+from .report.writing import Report, write_report
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
@@ -138,12 +143,15 @@ __all__ = [
     "FollowerLoad",
     "Geneva",
     "Harmonics",
+    "Improvement",
+    "Improvements",
     "Indexer",
     "InputError",
     "LeastAcceleration",
     "LeastPeak",
     "Limits",
     "Line",
+    "Machine",
     "MillAndDie",
     "Motion",
     "MotionLaw",
@@ -161,6 +169,7 @@ __all__ = [
     "ProcessForce",
     "ProfileLift",
     "RateLimit",
+    "Report",
     "Reserve",
     "Ring",
     "RollerCam",
@@ -211,6 +220,7 @@ __all__ = [
     "harmonics",
     "hertz_pressure",
     "hint",
+    "improvements",
     "indexing_motion",
     "indexing_time",
     "inverse",
@@ -221,6 +231,7 @@ __all__ = [
     "least_peak",
     "lift_from_profile",
     "limits_of",
+    "machine_from_text",
     "mean_diameter_mm",
     "motion",
     "natural_frequency",
@@ -255,6 +266,7 @@ __all__ = [
     "quickest_move",
     "rate_limits",
     "read_cam_table",
+    "read_machine",
     "read_segments",
     "reserves",
     "residual_vibration",
@@ -279,6 +291,8 @@ __all__ = [
     "write_cam",
     "write_cam_tables",
     "write_curves",
+    "write_machine",
+    "write_report",
     "write_segments",
     "x",
 ]

@@ -12,8 +12,6 @@ def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
     A file that is there already is left as it is, with an InputError, unless `overwrite` is True.
     """
     path = as_path(path)
-    if not isinstance(overwrite, bool):
-        raise InputError(f"The overwrite is {shorten(overwrite)}: give True or False.")
     try:
         content = text.encode("utf-8")
     except UnicodeEncodeError as wrong:
@@ -22,6 +20,14 @@ def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
             f"The text {shorten(near)} holds half a character, which no file can keep: write the "
             "name again."
         ) from None
+    return write_new_bytes(path, content, overwrite=overwrite)
+
+
+def write_new_bytes(path: str | Path, content: bytes, *, overwrite: bool = False) -> Path:
+    """Write a file of any kind and return its path; raises InputError like `write_new`."""
+    path = as_path(path)
+    if not isinstance(overwrite, bool):
+        raise InputError(f"The overwrite is {shorten(overwrite)}: give True or False.")
     try:
         with path.open("wb" if overwrite else "xb") as file:
             file.write(content)
@@ -43,22 +49,31 @@ def read_text(path: str | Path) -> str:
 
     Raises InputError for a file that is not there, that cannot be read, or is no such text.
     """
-    path, content = as_path(path), read_bytes(path)
+    path = as_path(path)
+    return decode(_name(path), read_bytes(path))
+
+
+def decode(name: str, content: bytes) -> str:
+    """Return the text in UTF-8 that a file of this name holds; raises like `read_text`."""
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as wrong:
         line, byte = content.count(b"\n", 0, wrong.start) + 1, content[wrong.start]
         raise InputError(
-            f"The file {_name(path)} cannot be read: its line {line} has the byte {byte:#04x}, "
+            f"The file {name} cannot be read: its line {line} has the byte {byte:#04x}, "
             "which is no character in UTF-8. Save it in the spreadsheet as 'CSV UTF-8'."
         ) from None
 
 
-def read_bytes(path: str | Path) -> bytes:
-    """Return what a file holds; raise InputError for one that is not there or cannot be read."""
+def read_bytes(path: str | Path, *, at_most: int | None = None) -> bytes:
+    """Return what a file holds; raise InputError for one that is not there or cannot be read.
+
+    So for one of more than `at_most` bytes, of which no more are read.
+    """
     path = as_path(path)
     try:
-        return path.read_bytes()
+        with path.open("rb") as file:
+            content = file.read() if at_most is None else file.read(at_most + 1)
     except (FileNotFoundError, NotADirectoryError):
         raise InputError(f"There is no file {_name(path)}: give the path of one.") from None
     except OSError as wrong:
@@ -66,6 +81,12 @@ def read_bytes(path: str | Path) -> bytes:
             f"The file {_name(path)} cannot be read ({wrong.strerror}): give a file that you may "
             "read."
         ) from None
+    if at_most is not None and len(content) > at_most:
+        raise InputError(
+            f"The file {_name(path)} has more than {at_most / 1e6:g} MB, far more than a table of "
+            "this kind needs: give the table alone."
+        )
+    return content
 
 
 def is_folder(path: Path) -> bool:

@@ -88,7 +88,7 @@ def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
     texts = {}
     for motion in diagram.motions:
         columns = [[_angle(angle) for angle in angles.tolist()]]
-        columns.append(_fixed(_positions(motion, angles), places))
+        columns.append(_fixed(positions_over_turn(motion, angles), places))
         heading = ["cam angle in deg", "position in mm"]
         for order, what in _ORDERS.items() if derivatives else ():
             values = _derivative(diagram, motion, order, angles, derivatives == "s")
@@ -126,7 +126,7 @@ def _angles(step_deg: float | None, points: int | None, most: int | None) -> Flo
     return np.round(DEG_PER_TURN * np.arange(steps + 1) / steps, _ANGLE)
 
 
-def _positions(motion: Motion, angles: Floats) -> Floats:
+def positions_over_turn(motion: Motion, angles: Floats) -> Floats:
     """Return the positions in mm over a turn that begins at 0 deg; it closes, or is a pitch on."""
     turns, phase = _phase(motion, angles)
     positions: Floats = motion.curve(phase) + motion.pitch_mm * turns

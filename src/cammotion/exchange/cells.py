@@ -15,10 +15,11 @@ _ODD = ("=", "+", "-", "@", _QUOTE)  # a spreadsheet reckons with a cell that be
 def cut_rows(file: str, text: str) -> tuple[list[list[str]], str]:
     """Return the rows of a table, cut into cells, and the sign that separates the cells.
 
-    That is the semicolon where the first line has one, else the comma. `file` is the name to tell
-    in the InputError for what cannot be cut.
+    That is the semicolon where the first line has one, or a tab, else the comma. `file` is the name
+    to tell in the InputError for what cannot be cut.
     """
-    separator = ";" if ";" in text.partition("\n")[0] else ","
+    first = text.partition("\n")[0]
+    separator = next((sign for sign in ";\t" if sign in first), ",")
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     try:
         return list(reader), separator

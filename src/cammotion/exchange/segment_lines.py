@@ -1,15 +1,14 @@
-"""The lines of a table of segments, and how a timing diagram is read from them."""
+"""The lines of a table of segments: what stands in which column, and the segment of a line."""
 
 import math
 from collections.abc import Iterable
 from typing import Any
 
-from cammotion.exchange.cells import cut_rows, decimal_mark, name_in, number_in, two_readings
+from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.cells import name_in, number_in, two_readings
 from cammotion.exchange.law_text import is_same_law, law_from_text
 from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, one_of, shorten
 
@@ -22,8 +21,11 @@ NUMBERS = {
 }
 """The columns of a segment's numbers, by their names in the code."""
 
-RATE = "machine rate in pieces/h"
-HEADING = ["motion", "stops", *NUMBERS.values(), "law", RATE]
+RATE, STOPS = "machine rate in pieces/h", "stops"
+HEADING = ["motion", STOPS, *NUMBERS.values(), "law", RATE]
+STILL, RULE = "still", "rule"
+"""Two columns that may be left out: where a part has to stand, and the rules, one in a cell."""
+
 IN_FULL = "law in full"
 """The column that says what a law is; further ones of this name go on where a cell is full."""
 
@@ -34,42 +36,10 @@ RESERVED = {DWELL, *KNOWN, *LAWS}
 OWN = "own law, "
 """What stands before a law in full that is called by a reserved name and is another."""
 
-
-def read_diagram(file: str, text: str, given: Iterable[MotionLaw] = ()) -> TimingDiagram:
-    """Return the diagram that the text of a file says, with the `given` laws that it names.
-
-    Raises InputError, with the line, for any other text.
-    """
-    laws = _Laws(given)
-    rows, separator = cut_rows(file, text)
-    heading = [cell.strip() for cell in rows[0]] if rows else []
-    if missing := [column for column in HEADING if column not in heading]:
-        raise InputError(
-            f"The file {file} lacks the column '{missing[0]}': its first line has to "
-            f"be {', '.join(HEADING)}."
-        )
-    records = [
-        _Record(f"Line {number} of {file}", heading, line)
-        for number, line in enumerate(rows[1:], 2)
-        if any(cell.strip() for cell in line)
-    ]
-    if not records:
-        raise InputError(f"The file {file} has no line with a segment: add some.")
-    numbers = (
-        record.cells[column] for record in records for column in (*NUMBERS.values(), "stops", RATE)
-    )
-    decimal = "." if separator == "," else decimal_mark(numbers)
-    for record in records:
-        record.decimal = decimal
-    names = dict.fromkeys(record.cells["motion"] for record in records)
-    motions = [
-        _motion(name, [record for record in records if record.cells["motion"] == name], laws)
-        for name in names
-    ]
-    return TimingDiagram(tuple(motions), _the_same(records, RATE))
+_OF_A_SEGMENT = ["motion", *NUMBERS.values(), "law"]
 
 
-class _Laws:
+class Laws:
     """The laws that a table may name, or say in full."""
 
     def __init__(self, given: Any) -> None:
@@ -86,7 +56,7 @@ class _Laws:
         """Return the law that a line names, and says in full if `text` is not empty."""
         if not text:
             named = {law.name.strip(): law for law in self._given}
-            if name == DWELL:
+            if name in (DWELL, ""):
                 return None
             found = (
                 named.get(name) or KNOWN.get(name) or one_of("motion law", name, [*named, *LAWS])
@@ -109,7 +79,7 @@ class _Laws:
         return self._made[name, text]
 
 
-class _Record:
+class Record:
     """A line of a file, with the place to name if it is wrong."""
 
     def __init__(self, where: str, heading: list[str], cells: list[str]) -> None:
@@ -121,13 +91,20 @@ class _Record:
             )
         given = [*zip(heading, cells, strict=False)]
         stripped = {column: cell.strip() for column, cell in given}
-        self.cells = {column: stripped.get(column, "") for column in HEADING}
+        self.cells = {column: stripped.get(column, "") for column in (*HEADING, STILL, RULE)}
         parts = (name_in(cell.strip()) for column, cell in given if column == IN_FULL)
         self.in_full = " ".join(parts).strip()
         if IN_FULL in heading:  # older versions wrote names as they are
             self.cells |= {column: name_in(self.cells[column]) for column in ("motion", "law")}
+        self.segment: Segment | None = None
+
+    @property
+    def is_segment(self) -> bool:
+        """Whether the line says a segment, and not only a rule."""
+        return any(self.cells[column] for column in _OF_A_SEGMENT)
 
     def number(self, column: str) -> float:
+        """Return the number in a column; raise InputError, with the line and the column."""
         cell = self.cells[column]
         number = number_in(cell, self.decimal)
         if math.isnan(number) and (readings := two_readings(cell)):
@@ -143,37 +120,24 @@ class _Record:
             )
         return number
 
-    def segment(self, laws: _Laws) -> Segment:
-        numbers = {field: self.number(column) for field, column in NUMBERS.items()}
-        try:
-            return Segment(**numbers, law=laws.find(self.cells["law"], self.in_full))
-        except InputError as wrong:
-            raise InputError(f"{self.where}: {wrong}") from None
+    def read(self, laws: Laws, faults: Faults) -> None:
+        """Make the segment of the line, if it says one and nothing of it is wrong."""
+        if not self.is_segment:
+            return
+        numbers: dict[str, float] = {}
+        for field, column in NUMBERS.items():
+            with faults.at():
+                numbers[field] = self.number(column)
+        with faults.at(self.where):
+            law = laws.find(self.cells["law"], self.in_full)
+            if not self.cells["law"] and len(numbers) == len(NUMBERS):
+                self._check_stands(numbers)
+            if len(numbers) == len(NUMBERS):
+                self.segment = Segment(**numbers, law=law)
 
-
-def _motion(name: str, records: list[_Record], laws: _Laws) -> Motion:
-    segments, stops = tuple(record.segment(laws) for record in records), _stops(records)
-    try:
-        return Motion(name, segments, stops)
-    except InputError as wrong:
-        raise InputError(f"{records[0].where} and further: {wrong}") from None
-
-
-def _stops(records: list[_Record]) -> Any:
-    if not any(record.cells["stops"] for record in records):
-        return None
-    stops = _the_same(records, "stops")
-    return int(stops) if stops.is_integer() else stops  # Motion refuses what is not whole
-
-
-def _the_same(records: list[_Record], column: str) -> float:
-    """Return the number that stands in this column of every line."""
-    first = records[0].number(column)
-    for record in records:
-        if record.number(column) != first:
+    def _check_stands(self, numbers: dict[str, float]) -> None:
+        if numbers["from_mm"] != numbers["to_mm"]:
             raise InputError(
-                f"{record.where}: '{column}' is {record.number(column):g}, but {first:g} in the "
-                f"first line of the {'motion' if column == 'stops' else 'diagram'}: write the same "
-                "in both."
+                "'law' is empty, but the segment moves: write the name of a law, for example "
+                "cycloidal."
             )
-    return first

@@ -14,6 +14,7 @@ import numpy as np
 
 from cammotion.exchange.cells import name_cell, rows_as_text
 from cammotion.exchange.law_text import is_same_law, law_as_text
+from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.segment_lines import (
     DWELL,
     HEADING,
@@ -22,9 +23,9 @@ from cammotion.exchange.segment_lines import (
     NUMBERS,
     OWN,
     RESERVED,
-    read_diagram,
 )
-from cammotion.files import as_path, read_text, write_new
+from cammotion.exchange.table_source import from_text, open_source
+from cammotion.files import write_new
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram, as_diagram
@@ -62,7 +63,13 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
     ...     print(path.name, read_segments(path) == cm.EXAMPLE.diagram)
     machine.csv True
     """
-    as_diagram(diagram)
+    text = rows_as_text(segment_rows(as_diagram(diagram)))
+    _check_comes_back(diagram, text)
+    return write_new(path, text, overwrite=overwrite)
+
+
+def segment_rows(diagram: TimingDiagram) -> list[list[Any]]:
+    """Return the rows of the table of a diagram's segments, the heading first."""
     laws = {id(law): law for law in _laws(diagram)}
     in_full = {key: _in_full(law) for key, law in laws.items()}
     rows: list[list[Any]] = [HEADING + [IN_FULL] * max([1, *map(len, in_full.values())])]
@@ -73,9 +80,7 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
             if segment.law is not None:
                 law, last = _cell("law", as_law(segment.law).name), in_full[id(segment.law)]
             rows.append([*first, *numbers, law, diagram.rate_per_hour, *last])
-    text = rows_as_text(rows)
-    _check_comes_back(diagram, text)
-    return write_new(path, text, overwrite=overwrite)
+    return rows
 
 
 def write_curves(
@@ -110,12 +115,13 @@ def write_curves(
 def read_segments(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> TimingDiagram:
     """Return the diagram that a file of `write_segments` holds.
 
-    Also read is what a spreadsheet makes of it: semicolons with decimal commas, or a mark at the
-    start of the file. A table of an older version names laws of your own without saying what they
-    are: give them as `laws`. Raises InputError, with the line, for anything else, and for a number
-    that can be read in two ways.
+    Also read is what a spreadsheet makes of it: semicolons with decimal commas, a mark at the
+    start of the file, or an .xlsx workbook. It is the table of `read_machine`, which says what may
+    be left out, and also returns the rules. A table of an older version names laws of your own
+    without saying what they are: give them as `laws`. Raises one InputError with all that is
+    wrong, each with its line, also for a number that can be read in two ways.
     """
-    return read_diagram(as_path(path).name, read_text(path), laws)
+    return read_table(open_source(path), laws).diagram
 
 
 def _in_full(law: MotionLaw) -> list[str]:
@@ -140,14 +146,14 @@ def _cell(what: str, name: Any) -> str:
 def _check_comes_back(diagram: TimingDiagram, text: str) -> None:
     """Raise an error unless the text is read as the same diagram."""
     try:
-        back = read_diagram("the table", text)
+        back = read_table(from_text("the table", text)).diagram
     except InputError as wrong:
         raise WrongAnswerError("write_segments", f"its table is not read ({wrong})") from None
-    if not _is_same(back, diagram):
+    if not is_same(back, diagram):
         raise WrongAnswerError("write_segments", "the table gives back another machine")
 
 
-def _is_same(one: TimingDiagram, other: TimingDiagram) -> bool:
+def is_same(one: TimingDiagram, other: TimingDiagram) -> bool:
     """Return whether two diagrams have the same motions, with laws that are the same curves."""
 
     def numbers(diagram: TimingDiagram) -> list[Any]:

@@ -8,6 +8,7 @@ from cammotion.quantities import InputError, shorten
 from cammotion.teaching.again import Practice, fresh_machines, whole_question
 from cammotion.teaching.carried import after
 from cammotion.teaching.controls import ChoiceControl, PredictionControl
+from cammotion.teaching.design_exercise import DesignExercise
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
@@ -43,6 +44,9 @@ class Session:
         """
         who, exercise = self.machine.who.casefold(), find_exercise(number)
         choice = exercise.letter(answer) if isinstance(exercise, ChoiceExercise) else ""
+        score = None
+        if isinstance(exercise, DesignExercise) and verdict.state == "right":
+            score = exercise.score(answer, self.machine)
         given = number_or_none(answer) if isinstance(exercise, NumberExercise) else None
         was_right = False
 
@@ -51,6 +55,11 @@ class Session:
             is_same_who = before.get("who") == who
             was_right = before.get("state") == "right" and is_same_who
             changes: Record = {"who": who, "state": "right" if was_right else verdict.state}
+            if score is not None:
+                best = before.get("best") if is_same_who else None
+                changes["best"] = min(score, best) if isinstance(best, float) else score
+            elif "best" in before and not is_same_who:
+                changes["best"] = None
             if given is not None or not is_same_who:
                 changes["given"] = given
             if choice:

@@ -50,6 +50,15 @@ def blank_axes(width: float, height: float, *, layout: Any = None) -> Axes:
     return ax
 
 
+def taken(ax: Axes) -> tuple[bytes, str]:
+    """Return the picture in which axes of ours are as a PNG, and in words; it is closed then."""
+    figure = ax.figure
+    assert isinstance(figure, PictureFigure)  # noqa: S101 - blank_axes made it
+    found = figure.png(), describe(figure)
+    plt.close(figure)
+    return found
+
+
 def as_bundle(png: bytes, words: str) -> dict[str, str]:
     """Return what a notebook is given for a picture, by MIME type.
 

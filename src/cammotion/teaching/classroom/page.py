@@ -5,7 +5,7 @@ from datetime import date
 from html import escape
 from pathlib import Path
 
-from cammotion.teaching.classroom import predicted, tally
+from cammotion.teaching.classroom import contest, predicted, tally
 from cammotion.teaching.classroom.clean import plural
 from cammotion.teaching.classroom.collect import SchoolClass, Student
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS
@@ -97,6 +97,7 @@ def _lesson(lesson: str, students: Sequence[Student]) -> str:
         f'<h2 id="title-{lesson}">Notebook {lesson}</h2>\n'
         + (f"<h3>What was predicted in {lesson}</h3>\n{figures}" if figures else "")
         + _exercises(lesson, students)
+        + _contest(lesson, students)
         + _slips(lesson, students)
         + "</section>\n"
     )
@@ -119,6 +120,17 @@ def _exercises(lesson: str, students: Sequence[Student]) -> str:
         rows,
         f'<tr><th scope="row">right</th>{foot}</tr>',
     )
+
+
+def _contest(lesson: str, students: Sequence[Student]) -> str:
+    """Return the table of the best designs, if there are any."""
+    rows = "".join(contest.rows(lesson, students))
+    if not rows:
+        return ""
+    names = ("Place", "Student", "Exercise", "Times the bound", "Above it, at most")
+    head = "".join(f'<th scope="col">{name}</th>' for name in names)
+    caption = "The largest peak of each design by what no motions of its parts can be below"
+    return f"<h3>The best design of the class</h3>\n{_table(caption, head, rows)}"
 
 
 def _state(outcome: Outcome) -> str:

@@ -132,7 +132,11 @@ class LiveFigure(anywidget.AnyWidget):
         It begins with the present settings. A file that is there already is left as it is, with an
         InputError, unless `overwrite` is True. Returns the path.
         """
-        return write_new(path, page.write_page(self._data, self.text), overwrite=overwrite)
+        return write_new(path, self.as_page(), overwrite=overwrite)
+
+    def as_page(self) -> str:
+        """Return the page that `save` writes."""
+        return page.write_page(self._data, self.text)
 
     @property
     def _data(self) -> dict[str, Any]:

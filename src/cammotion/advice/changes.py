@@ -1,0 +1,184 @@
+"""One change of one mechanism: a wider move or another law, with what it brings."""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from cammotion.laws.catalogue import LAWS, as_law
+from cammotion.laws.piece import bisect
+from cammotion.limits.widest import widest_move, with_angle
+from cammotion.machine.arcs import Arc, arcs, intersect
+from cammotion.machine.clearance import ClearanceRule, find_violations
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.own import Machine
+from cammotion.quantities import InputError, WrongAnswerError
+
+WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
+_WORTH = 1e-3  # of a peak: less is no gain
+_SAME_DEG = 0.005
+_HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
+_ROUNDING = 1e-9  # deg
+
+
+@dataclass(frozen=True, repr=False)
+class Improvement:
+    """A change of a machine that is worth it, and what it brings.
+
+    `kind` is "widen" or "law" for one mechanism, "narrow" where only that mends a broken rule, and
+    "balance" for all moves at once. `before` and `after` are the peak acceleration of the
+    `mechanism` in m/s2 (of the whole machine in a balance), `largest` is that of the machine once
+    it is done. At `rate_per_hour` the changed machine meets the largest peak that it has today.
+    `mends` counts the broken rules that are kept then. `machine` is the machine with the change.
+    """
+
+    kind: str
+    mechanism: str
+    said: str
+    machine: Machine
+    before: float
+    after: float
+    largest: float
+    rate_per_hour: float
+    mends: int = 0
+
+    @property
+    def gain(self) -> float:
+        """How much the peak acceleration falls, in m/s2; below 0 where a mended rule costs some."""
+        return self.before - self.after
+
+    @property
+    def row(self) -> tuple[str | float, ...]:
+        """What a table says of it: the change, peak before and after, the largest one, the rate."""
+        rate = f"{self.rate_per_hour:.0f}"
+        return self.said, f"{self.before:.3f}", f"{self.after:.3f}", f"{self.largest:.3f}", rate
+
+    def __repr__(self) -> str:
+        """Say it in a line."""
+        mends = f", mends {self.mends} rule{'s' * (self.mends != 1)}" if self.mends else ""
+        return f"{self.said}: {self.before:.3f} to {self.after:.3f} m/s²{mends}"
+
+
+def changes_of(machine: Machine, name: str, laws: Sequence[str]) -> Iterator[Improvement]:
+    """Yield what can be changed of one mechanism with a gain, or so that a broken rule is kept."""
+    if not machine.diagram[name].moves:
+        return
+    rules = [rule for rule in machine.rules if name in (rule.when.motion, rule.only_while.motion)]
+    yield from _wider(machine, name, rules)
+    yield from _other_law(machine, name, rules, laws)
+
+
+def improvement(
+    kind: str, said: str, machine: Machine, changed: TimingDiagram, names: Sequence[str]
+) -> Improvement:
+    """Return what a changed diagram brings; raise WrongAnswerError if it breaks a rule anew."""
+    after = machine.with_diagram(changed)
+    broken = {violation.rule for violation in machine.violations}
+    still_broken = broken
+    touched = [r for r in machine.rules if {r.when.motion, r.only_while.motion} & {*names}]
+    if touched:
+        now = {violation.rule for violation in find_violations(changed, touched)}
+        if now - broken:
+            raise WrongAnswerError(
+                "improvements", f"'{said}' breaks the rule '{next(iter(now - broken))}'"
+            )
+        still_broken = (broken - {*touched}) | now
+    peaks = {**machine.peaks, **{name: changed.peak_acceleration(name) for name in names}}
+    most, largest = max(machine.peaks.values()), max(peaks.values())
+    faster = math.sqrt(most / largest) if 0 < largest < math.inf else 1.0
+    return Improvement(
+        kind=kind,
+        mechanism=names[0] if kind != BALANCE else "",
+        said=said,
+        machine=after,
+        before=max(machine.peaks[name] for name in names),
+        after=max(peaks[name] for name in names),
+        largest=largest,
+        rate_per_hour=machine.diagram.rate_per_hour * faster,
+        mends=len(broken - still_broken),
+    )
+
+
+def _wider(machine: Machine, name: str, rules: Sequence[ClearanceRule]) -> Iterator[Improvement]:
+    is_hard = name in [*machine.peaks][:_HARDEST]
+    try:
+        found = widest_move(machine.diagram, name, rules, each_way=None if is_hard else False)
+        if found.peak_acceleration >= machine.peaks[name] and not is_hard:
+            found = widest_move(machine.diagram, name, rules)
+    except InputError:  # not of this build, or no move of it keeps the rules
+        return
+    held = f" (then: {found.tight.rule})" if found.tight else ""
+    changed, moves = found.diagram, machine.diagram[name].moves
+    if not _stands(changed[name], machine.still.get(name, ())):
+        changed, held = _beside(machine, name), " (then: its still arc)"
+        if {one.rule for one in machine.with_diagram(changed).violations} - {
+            one.rule for one in machine.violations
+        }:
+            return
+    new = changed[name].moves
+    pairs = [
+        f"the {before.kind} from {before.angle_deg:.4g} to {after.angle_deg:.5g} deg"
+        for before, after in zip(moves, new, strict=True)
+        if abs(before.angle_deg - after.angle_deg) > _SAME_DEG
+    ]
+    wider = all(
+        after.angle_deg >= before.angle_deg - _SAME_DEG
+        for before, after in zip(moves, new, strict=True)
+    )
+    what = " and ".join(pairs)
+    word = "widen" if wider else "change"
+    one = improvement(WIDEN, f"{word} {what} of the {name}{held}", machine, changed, [name])
+    if one.after < one.before * (1 - _WORTH):
+        yield one
+    elif one.mends:
+        said = one.said.replace(f"{word} ", "narrow ", 1)
+        yield improvement(NARROW, said, machine, changed, [name])
+
+
+def _beside(machine: Machine, name: str) -> TimingDiagram:
+    """Return the diagram with the widest move of a motion beside its still arcs, rules aside."""
+    motion, arcs = machine.diagram[name], machine.still[name]
+    narrow = min(move.angle_deg for move in motion.moves)
+    fits = partial(_fits, motion, arcs)
+    angle = narrow
+    if fits(narrow):
+        angle = bisect(fits, narrow, float(DEG_PER_TURN)) - _ROUNDING
+    return machine.diagram.with_motion(with_angle(motion, angle))
+
+
+def _fits(motion: Motion, arcs: Sequence[Arc], angle_deg: float) -> bool:
+    try:
+        return _stands(with_angle(motion, angle_deg), arcs)
+    except InputError:  # the turn has no room for it
+        return False
+
+
+def _stands(motion: Motion, still: Iterable[Arc]) -> bool:
+    """Tell whether a motion stands over its still arcs."""
+    moves = arcs((move.from_deg, move.to_deg) for move in motion.moves)
+    return not intersect(moves, arcs(still))
+
+
+def _other_law(
+    machine: Machine, name: str, rules: Sequence[ClearanceRule], laws: Sequence[str]
+) -> Iterator[Improvement]:
+    """Yield the change to the first of these laws, the gentlest first, that keeps the rules."""
+    motion, before = machine.diagram[name], machine.peaks[name]
+    broken = {violation.rule for violation in machine.violations}
+    for law in laws:
+        changed = machine.diagram.with_motion(motion.with_law(law))
+        if changed.peak_acceleration(name) >= before * (1 - _WORTH):
+            return  # the others are no gentler
+        if not rules or {one.rule for one in find_violations(changed, rules)} <= broken:
+            old = " and ".join(dict.fromkeys(as_law(move.law).name for move in motion.moves))
+            said = f"give the {name} the law {law} (now: {old})"
+            yield improvement(LAW, said, machine, changed, [name])
+            return
+
+
+def gentle_laws() -> list[str]:
+    """Return the laws of the catalogue with a finite jerk, the least peak acceleration first."""
+    finite = [name for name, law in LAWS.items() if math.isfinite(law.Cj)]
+    return sorted(finite, key=lambda name: LAWS[name].Ca)

@@ -1,0 +1,114 @@
+"""A whole machine in a file: segments, rules and still arcs in one table, CSV or a workbook."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from cammotion.exchange.cells import rows_as_text
+from cammotion.exchange.machine_table import read_table
+from cammotion.exchange.rule_text import arcs_as_text, rule_as_text
+from cammotion.exchange.segment_lines import RULE, STILL
+from cammotion.exchange.table_source import from_text, open_source
+from cammotion.exchange.tables import is_same, segment_rows
+from cammotion.exchange.xlsx_out import sheets_as_xlsx
+from cammotion.files import as_path, write_new, write_new_bytes
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.own import Machine
+from cammotion.quantities import InputError, shorten
+
+_BOOK = ".xlsx"
+
+
+def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine:
+    r"""Return the machine that a table says, a CSV file or the first such sheet of an .xlsx.
+
+    A line is a segment, as `write_segments` writes it: motion, stops, from and to in deg, from and
+    to in mm, law, machine rate in pieces/h. A motion that is not named is that of the line above.
+    The rate may stand in one line alone, and the stops of a turret too. Dwells may be left out,
+    all those of a motion: it then stands between its moves. Two columns more, if you like: `still`
+    says over which arc a part has to stand, "yes" in the line of a dwell or "205 to 305", and
+    `rule` has a rule in each cell, in any line: "the die may be beyond 19 mm only while the mill is
+    within 0.65 mm". Other columns are yours.
+
+    Raises one InputError with all that is wrong, a line each, with its place in the table; so for
+    a file of more than 10 MB and for a workbook that is none.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     _ = Path(folder, "press.csv").write_text(
+    ...         "motion,from in deg,to in deg,from in mm,to in mm,law,machine rate in pieces/h\n"
+    ...         "die,150,205,0,50,cycloidal,2000\n"
+    ...         ",305,360,50,0,cycloidal,\n")
+    ...     read_machine(f"{folder}/press.csv")
+    press: 1 mechanism at 2000 pieces/h, no rules; the die is driven hardest, 4.154 m/s²
+    """
+    return read_table(open_source(path), laws)
+
+
+def machine_from_text(table: str, name: str = "my machine") -> Machine:
+    """Return the machine that a text says: the table of `read_machine`, typed or pasted.
+
+    Its cells are separated by commas, semicolons, or the tabs of a spreadsheet. Raises InputError
+    like `read_machine`, and for what is no text.
+
+    >>> machine_from_text('''
+    ... motion; from in deg; to in deg; from in mm; to in mm; law;       machine rate in pieces/h
+    ... die;    150;         205;       0;          50;       cycloidal; 2000
+    ...       ; 305;         360;       50;         0;        cycloidal;
+    ... ''', "press")
+    press: 1 mechanism at 2000 pieces/h, no rules; the die is driven hardest, 4.154 m/s²
+    """
+    for what, text in (("table", table), ("name", name)):
+        if not isinstance(text, str) or not text.strip():
+            raise InputError(f"The {what} of the machine is {shorten(text)}: give a text.")
+    return read_table(from_text(name.strip(), table.strip("\r\n")))
+
+
+def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False) -> Path:
+    """Write a machine into one table that `read_machine` reads back; return its path.
+
+    A name that ends in .xlsx makes a workbook, any other a CSV file. Nothing is written over a file
+    that is there, unless `overwrite` is True, and nothing that cannot be read back; raises
+    InputError.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> import cammotion as cm
+    >>> both = {"mill": [(205, 305)], "die": [(205, 305)]}
+    >>> machine = Machine("press", cm.EXAMPLE.diagram, [cm.EXAMPLE.rule], both)
+    >>> with TemporaryDirectory() as folder:
+    ...     path = write_machine(machine, f"{folder}/press.xlsx")
+    ...     read_machine(path) == machine
+    True
+    """
+    if not isinstance(machine, Machine):
+        raise InputError(f"The machine is {shorten(machine)}: give a Machine, or read_machine's.")
+    rows = machine_rows(machine)
+    text = rows_as_text(rows)
+    try:
+        back = read_table(from_text("the table", text))
+        same = is_same(back.diagram, machine.diagram) and back.still == machine.still
+    except InputError as wrong:
+        raise InputError(f"This machine cannot be written as a table. {wrong}") from None
+    if not same or [*back.rules] != [*machine.rules]:
+        raise InputError(
+            "The rules or still arcs of this machine are not given back by a table: give its "
+            "mechanisms plain names, without words like 'beyond' or 'only while'."
+        )
+    if as_path(path).suffix.casefold() == _BOOK:
+        content = sheets_as_xlsx({"machine": rows})
+        return write_new_bytes(path, content, overwrite=overwrite)
+    return write_new(path, text, overwrite=overwrite)
+
+
+def machine_rows(machine: Machine) -> list[list[Any]]:
+    """Return the rows of the table of a machine, the heading first."""
+    heading, *rows = segment_rows(machine.diagram)
+    still = {name: arcs_as_text(arcs) for name, arcs in machine.still.items()}
+    rules = [rule_as_text(rule) for rule in machine.rules]
+    lines = [motion.name for motion in machine.diagram.motions for _ in motion.segments]
+    found = [[*heading, STILL, RULE]]
+    for number in range(max(len(rows), len(rules))):
+        row = rows[number] if number < len(rows) else [""] * len(heading)
+        arc = still.pop(lines[number], "") if number < len(rows) else ""
+        found.append([*row, arc, rules[number] if number < len(rules) else ""])
+    return found

@@ -1,0 +1,189 @@
+"""The table of a machine: segments, rules and still arcs, read with all faults told at once."""
+
+import math
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Any
+
+from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.rule_text import arcs_from_text, rule_from_text
+from cammotion.exchange.segment_lines import (
+    HEADING,
+    IN_FULL,
+    NUMBERS,
+    RATE,
+    RULE,
+    STILL,
+    STOPS,
+    Laws,
+    Record,
+)
+from cammotion.exchange.table_source import Source
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.arcs import Arc
+from cammotion.machine.clearance import ClearanceRule
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
+from cammotion.own import Machine
+from cammotion.quantities import InputError, shorten
+
+_ROUNDING = 1e-9  # deg
+
+
+def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
+    """Return the machine that a table says, with the `given` laws that it names.
+
+    Raises one InputError with all that is wrong, each with its line and column.
+    """
+    laws, faults = Laws(given), Faults()
+    records = _records(source, faults)
+    for record in records:
+        record.read(laws, faults)
+    segments = [record for record in records if record.is_segment]
+    motions: list[Motion] = []
+    for name in dict.fromkeys(record.cells["motion"] for record in segments):
+        own = [record for record in segments if record.cells["motion"] == name]
+        with faults.at():
+            stops = _stops(own)
+            if all(record.segment for record in own):
+                motions.append(_motion(name, own, stops))
+    rate = math.nan
+    with faults.at():
+        rate = _the_same(segments, RATE)
+    names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
+    rules = _rules(records, names, faults)
+    still = _still(segments, faults)
+    for motion in motions:
+        for where, arc in still.get(motion.name, ()):
+            with faults.at(f"{where}, '{STILL}'"):
+                Machine("one part", TimingDiagram([motion], 1), (), {motion.name: [arc]})
+    faults.check()
+    diagram = TimingDiagram(tuple(motions), rate)
+    arcs_of = {name: [arc for _, arc in arcs] for name, arcs in still.items()}
+    return Machine(source.name, diagram, rules, arcs_of)
+
+
+def _records(source: Source, faults: Faults) -> list[Record]:
+    """Return the lines below the heading in which anything stands."""
+    at, file = source.heading_at, source.file
+    named = {column.casefold(): column for column in (*HEADING, STILL, RULE, IN_FULL)}
+    named["rules"] = RULE
+    first = source.rows[at] if source.rows else []
+    heading = [named.get(" ".join(cell.split()).casefold(), cell.strip()) for cell in first]
+    needed = [column for column in HEADING if column != STOPS]
+    if missing := [column for column in needed if column not in heading]:
+        raise InputError(
+            f"The file {file} lacks the column '{missing[0]}': its first line has to "
+            f"be {', '.join(HEADING)}."
+        )
+    for column in (*HEADING, STILL, RULE):
+        if heading.count(column) > 1:
+            faults.add(f"{source.where(at)}: the column '{column}' stands there twice: drop one.")
+    records: list[Record] = []
+    for place, line in enumerate(source.rows[at + 1 :], at + 1):
+        if any(cell.strip() for cell in line):
+            with faults.at():
+                records.append(Record(source.where(place), heading, line))
+    before = ""
+    for record in records:
+        if record.is_segment:
+            before = record.cells["motion"] = record.cells["motion"] or before
+    if not any(record.is_segment for record in records):
+        faults.add(f"The file {file} has no line with a segment: add some.")
+        faults.check()
+    cells = [
+        record.cells[column] for record in records for column in (*NUMBERS.values(), STOPS, RATE)
+    ]
+    decimal = source.mark(cells)
+    for record in records:
+        record.decimal = decimal
+    return records
+
+
+def _motion(name: str, records: list[Record], stops: Any) -> Motion:
+    segments = [record.segment for record in records if record.segment]
+    try:
+        return Motion(name, tuple(_with_dwells(segments)), stops)
+    except InputError as wrong:
+        raise InputError(f"{records[0].where} and further: {wrong}") from None
+
+
+def _with_dwells(segments: list[Segment]) -> list[Segment]:
+    """Return the segments with dwells between them if the table lists moves alone.
+
+    Where it lists some dwell, a gap is a slip: Motion says so.
+    """
+    if any(segment.is_dwell for segment in segments):
+        return segments
+    first = segments[0]
+    ends = [*(after.from_deg for _, after in pairwise(segments)), first.from_deg + DEG_PER_TURN]
+    found = []
+    for segment, end in zip(segments, ends, strict=True):
+        found.append(segment)
+        if end - segment.to_deg > _ROUNDING:
+            at = segment.to_mm
+            found.append(Segment(from_deg=segment.to_deg, to_deg=end, from_mm=at, to_mm=at))
+    return found
+
+
+def _rules(records: list[Record], names: list[str], faults: Faults) -> list[ClearanceRule]:
+    """Return the rules of all lines; two that forbid all between them are a fault, too."""
+    found: list[tuple[str, ClearanceRule]] = []
+    for record in records:
+        if not record.cells[RULE]:
+            continue
+        with faults.at(f"{record.where}, '{RULE}'"):
+            rule = rule_from_text(record.cells[RULE], names, record.decimal)
+            for where, other in found:
+                if rule == other:
+                    raise InputError(f"the rule stands in {where} already: leave out one of them.")
+                if rule == ClearanceRule(other.when, other.only_while.opposite):
+                    raise InputError(
+                        f"with the rule in {where} it forbids that the {rule.when.motion} is ever "
+                        f"{rule.when}: mend one of them."
+                    )
+            found.append((record.where, rule))
+    return [rule for _, rule in found]
+
+
+def _still(segments: list[Record], faults: Faults) -> dict[str, list[tuple[str, Arc]]]:
+    """Return the still arcs of each motion, each with its line."""
+    found: dict[str, list[tuple[str, Arc]]] = {}
+    for record in segments:
+        text = record.cells[STILL]
+        if not text:
+            continue
+        with faults.at(f"{record.where}, '{STILL}'"):
+            arcs = arcs_from_text(text, record.decimal)
+            if not arcs and record.segment:
+                if not record.segment.is_dwell:
+                    raise InputError(
+                        f"{shorten(text)} marks a {record.segment.kind}: mark a dwell, or write an "
+                        "arc like '205 to 305'."
+                    )
+                arcs = [(record.segment.from_deg, record.segment.to_deg)]
+            found.setdefault(record.cells["motion"], []).extend((record.where, arc) for arc in arcs)
+    return found
+
+
+def _stops(records: list[Record]) -> Any:
+    if not any(record.cells[STOPS] for record in records):
+        return None
+    stops = _the_same(records, STOPS)
+    return int(stops) if stops.is_integer() else stops  # Motion refuses what is not whole
+
+
+def _the_same(records: list[Record], column: str) -> float:
+    """Return the number that stands in this column of every line, or of those that have one."""
+    filled = [record for record in records if record.cells[column]] or records
+    first = filled[0].number(column)
+    for record in filled:
+        if record.number(column) != first:
+            raise InputError(
+                f"{record.where}: '{column}' is {record.number(column):g}, but {first:g} in the "
+                f"first line of the {'motion' if column == STOPS else 'diagram'}: write the same "
+                "in both."
+            )
+    return first

@@ -1,0 +1,82 @@
+"""Where the rows of a machine's table come from: CSV, a workbook, or a text in a notebook."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from cammotion.exchange.cells import cut_rows, decimal_mark
+from cammotion.exchange.xlsx_in import OLD, ZIP, read_sheets
+from cammotion.files import as_path, decode, read_bytes
+from cammotion.quantities import InputError, shorten
+
+LARGEST_BYTES = 10_000_000
+"""Of a file: a machine of a hundred mechanisms has some ten thousand bytes."""
+
+KEY = "motion"
+"""A word of the heading: the row that has it is the heading."""
+
+_SEARCHED = 30  # rows in which a heading is looked for
+
+
+@dataclass(frozen=True)
+class Source:
+    """The rows of a table, and how a row of it is named: "Line 3 of machine.csv".
+
+    `decimal` is the decimal mark, "" if the numbers have to tell.
+    """
+
+    file: str
+    rows: list[list[str]]
+    row_word: str
+    decimal: str
+
+    @property
+    def name(self) -> str:
+        """The name of the file without its ending."""
+        return self.file.rpartition(".")[0] or self.file
+
+    @property
+    def heading_at(self) -> int:
+        """The place of the heading among the rows; the first if none is found."""
+        rows = enumerate(self.rows[:_SEARCHED])
+        return next((n for n, row in rows if is_heading(row)), 0)
+
+    def where(self, place: int) -> str:
+        """Return in words where a row is."""
+        return f"{self.row_word} {place + 1} of {self.file}"
+
+    def mark(self, numbers: list[str]) -> str:
+        """Return the decimal mark; that which these cells tell, if nothing else tells it."""
+        return self.decimal or decimal_mark(numbers)
+
+
+def is_heading(row: list[str]) -> bool:
+    """Tell whether a row is the heading of a table of segments."""
+    return KEY in {cell.strip().casefold() for cell in row}
+
+
+def open_source(path: str | Path) -> Source:
+    """Return the table that a file holds; raise InputError for what is none.
+
+    What is too large, no text and no workbook is refused before anything of it is looked at.
+    """
+    file = as_path(path)
+    name = shorten(file.name, of=str)
+    content = read_bytes(file, at_most=LARGEST_BYTES)
+    if content.startswith((ZIP, OLD)):
+        return _from_book(name, content)
+    return from_text(name, decode(name, content))
+
+
+def from_text(name: str, text: str) -> Source:
+    """Return the table that a text is."""
+    rows, separator = cut_rows(name, text)
+    return Source(name, rows, "Line", "." if separator == "," else "")
+
+
+def _from_book(name: str, content: bytes) -> Source:
+    """Return the first sheet of a workbook that has the heading."""
+    sheets = read_sheets(name, content)
+    found = [Source(name, rows, "Row", ".") for rows in sheets.values() if rows]
+    if not found:
+        raise InputError(f"The workbook {name} is empty: give one with a table of the segments.")
+    return next((one for one in found if is_heading(one.rows[one.heading_at])), found[0])

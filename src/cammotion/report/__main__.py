@@ -1,0 +1,65 @@
+"""What ``workbook.py report MACHINE`` runs: read the table, write the report, say how it went.
+
+It ends with 0 if all rules are kept, with 3 if the report was written and a rule is broken, with 2
+for a table that cannot be read, of which nothing is written, and with 1 for any other failure.
+"""
+
+import argparse
+import io
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from cammotion.exchange.machine_files import read_machine
+from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.report.writing import write_report
+
+KEPT, FAILED, BAD_INPUT, BROKEN, INTERRUPTED = 0, 1, 2, 3, 130
+_BAR, _WIDTH = 24, 100
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Write a report; what stands in the way is said in a sentence."""
+    parser = argparse.ArgumentParser(prog="workbook.py report")
+    parser.add_argument("machine", type=Path)
+    parser.add_argument("--folder", type=Path, default=Path())
+    parser.add_argument("--seconds", type=float, default=20.0)
+    parser.add_argument("--dxf", action="store_true")
+    options = parser.parse_args(arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace", line_buffering=True)
+    try:
+        machine = read_machine(options.machine)
+    except InputError as wrong:
+        print(wrong, file=sys.stderr)
+        return BAD_INPUT
+    try:
+        report = write_report(
+            machine, options.folder, seconds=options.seconds, dxf=options.dxf, progress=show_bar
+        )
+    except KeyboardInterrupt:
+        print("\nStopped. Nothing was written.", file=sys.stderr)
+        return INTERRUPTED
+    except (InputError, WrongAnswerError, OSError) as wrong:
+        print(f"\n{wrong}", file=sys.stderr)
+        return FAILED
+    for violation in machine.violations:
+        print(f"Broken: {violation}.")
+    print(report)
+    return KEPT if report.is_kept else BROKEN
+
+
+def show_bar(share: float, what: str) -> None:
+    """Show how far it is, in one line of a terminal or in a line each."""
+    done = round(_BAR * share)
+    line = f"[{'#' * done}{'.' * (_BAR - done)}] {what}"
+    if sys.stderr.isatty():
+        print(f"\r{line[:_WIDTH]:<{_WIDTH}}", end="\n" if share == 1 else "", file=sys.stderr)
+        sys.stderr.flush()
+    else:
+        print(line, file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,89 @@
+"""All that a report says of a machine: computed once, before a line of it is written."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+
+from cammotion.advice.ranking import Improvements, improvements
+from cammotion.limits.reserves import Reserve, reserves
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.own import Machine
+from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.whole.least_peak import LeastPeak, least_peak
+from cammotion.whole.optimise import Optimised, optimise
+
+Progress = Callable[[float, str], None]
+"""Is told the share that is done, and what is being done."""
+
+_GAP = 0.01
+_RANKED, _BALANCED, _PROVED = 0.1, 0.3, 0.8  # the shares of what is done then
+_OPTIMISING_S = 10.0
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What is known of a machine; `notes` say what could not be found, and why."""
+
+    machine: Machine
+    ranking: Improvements
+    left: tuple[Reserve, ...]
+    best: Optimised | None
+    least: LeastPeak | None
+    notes: tuple[str, ...]
+
+    @property
+    def design(self) -> TimingDiagram:
+        """The diagram to be built: the best one that was found, or else that of today."""
+        return self.best.design if self.best else self.machine.diagram
+
+    @property
+    def improved(self) -> Machine:
+        """The machine with that diagram."""
+        return self.machine.with_diagram(self.design)
+
+
+def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
+    """Return what there is to say; the search for the bound takes at most so many seconds.
+
+    An interrupt of the keyboard ends what is being searched for, and what was found is kept.
+    """
+    progress(0.0, "checking rules, looking what to change first")
+    ranking = improvements(machine)
+    left = reserves(machine.diagram, machine.rules) if machine.rules else ()
+    notes: list[str] = []
+    best, least = None, None
+    if not machine.free:
+        notes.append(
+            "No part that moves has still arcs, so that no design was sought and no bound: say in "
+            "the column 'still' of the table over which arcs each part has to stand."
+        )
+        return Findings(machine, ranking, left, best, least, tuple(notes))
+    progress(_RANKED, "balancing all moves at once")
+    try:
+        best = optimise(machine.diagram, machine.rules, still=machine.free, seconds=_OPTIMISING_S)
+    except KeyboardInterrupt:
+        notes.append("The balance of all moves was interrupted: there is none.")
+    except (InputError, WrongAnswerError) as wrong:
+        notes.append(f"There is no balance of all moves. {wrong}")
+    progress(_BALANCED, "proving what no motions can be below (Ctrl-C takes the best so far)")
+
+    def told(found: LeastPeak) -> None:
+        share = _BALANCED + (_PROVED - _BALANCED) * (1 - min(found.gap, 1.0))
+        reached = f"{found.reached:.4g}" if found.design else "none"
+        progress(share, f"built {reached}, none below {found.bound:.4g} m/s² (Ctrl-C: enough)")
+
+    with suppress(KeyboardInterrupt):
+        try:
+            least = least_peak(
+                machine.diagram,
+                machine.rules,
+                still=machine.free,
+                gap=_GAP,
+                seconds=seconds,
+                progress=told,
+            )
+        except (InputError, WrongAnswerError) as wrong:
+            notes.append(f"There is no bound. {wrong}")
+    if least is None and not any(note.startswith("There is no bound") for note in notes):
+        notes.append("The search for the bound was interrupted before it had one.")
+    return Findings(machine, ranking, left, best, least, tuple(notes))

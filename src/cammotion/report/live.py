@@ -1,0 +1,64 @@
+"""A live figure in the page: what the hardest move would need over another angle or rate."""
+
+import math
+from html import escape
+
+import sympy as sp
+
+from cammotion.laws.catalogue import as_law
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.own import Machine
+from cammotion.views.live.explore import explore
+from cammotion.views.live.parts import Control, Line, Panel, Point, Say
+
+_NARROWEST, _WIDEST = 0.4, 3.0  # times the angle of today
+_SLOWEST, _FASTEST = 0.4, 2.5  # times the rate of today
+
+
+def live_figure(machine: Machine) -> str:
+    """Return the figure in a frame of its own; nothing if it has no move with a peak."""
+    all_moves = machine.diagram[machine.hardest].moves
+    moves = [move for move in all_moves if math.isfinite(as_law(move.law).Ca)]
+    if not moves:
+        return ""
+    move = max(moves, key=lambda one: as_law(one.law).Ca * abs(one.change_mm) / one.angle_deg**2)
+    law, way = as_law(move.law), abs(move.change_mm) / 1000
+    B, at, N = sp.symbols("B at N", positive=True)  # noqa: N806 - the symbols of the lessons
+    peak = law.Ca * way / (B / DEG_PER_TURN * 3600 / N) ** 2
+    low = _NARROWEST * move.angle_deg
+    high = min(_WIDEST * move.angle_deg, float(DEG_PER_TURN))
+    rate = machine.diagram.rate_per_hour
+    least = 4 / law.Ca
+    figure = explore(
+        Panel(
+            lines=[
+                Line(y=peak, name=law.name, colour=0),
+                Line(y=least * peak, name="no motion is below", colour=1),
+            ],
+            points=[Point(x=at, y=peak.subs(B, at), colour=0)],
+            y="peak acceleration in m/s²",
+            x="angle of the move in deg",
+            height=260,
+        ),
+        (B, low, high),
+        {
+            at: Control(
+                low=low, high=high, step=0.1, start=move.angle_deg, name="its angle", unit="deg"
+            ),
+            N: Control(
+                low=_SLOWEST * rate,
+                high=_FASTEST * rate,
+                step=rate / 100,
+                start=rate,
+                name="rate",
+                unit="pieces/h",
+            ),
+        },
+        says=[Say("peak of the move: {a:.3f} m/s²", {"a": peak.subs(B, at)})],
+    )
+    name = f"The {move.kind} of the {machine.hardest}"
+    return (
+        f"<p>{escape(name)}, which is driven hardest: what it would need over another angle, at "
+        f'another rate.</p>\n<div class="screen"><iframe title="{escape(name)}" '
+        f'srcdoc="{escape(figure.as_page())}"></iframe></div>\n'
+    )

@@ -1,0 +1,65 @@
+"""Parts of a page: tables, numbers that open, pictures with their words."""
+
+import base64
+from collections.abc import Iterable, Sequence
+from html import escape
+from typing import NamedTuple
+
+
+class Opened(NamedTuple):
+    """A number or a word that opens to where it comes from."""
+
+    shown: str
+    whence: str
+
+
+Cell = str | float | Opened
+
+
+def short(value: float) -> str:
+    """Return a number with four digits."""
+    return f"{value:.4g}".replace("inf", "∞")
+
+
+def table(caption: str, heading: Sequence[str], rows: Iterable[tuple[bool, Sequence[Cell]]]) -> str:
+    """Return a table; a row comes with whether it is to be marked as broken."""
+    head = "".join(f'<th scope="col">{escape(name)}</th>' for name in heading)
+    body = "".join(
+        f"<tr{_BROKEN if broken else ''}>{''.join(_cell(cell, n) for n, cell in enumerate(row))}"
+        "</tr>\n"
+        for broken, row in rows
+    )
+    name = escape(caption, quote=True)
+    return (
+        f'<div class="wide" role="region" tabindex="0" aria-label="{name}">\n<table>\n'
+        f"<caption>{escape(caption)}</caption>\n<thead><tr>{head}</tr></thead>\n"
+        f"<tbody>\n{body}</tbody>\n</table>\n</div>\n"
+    )
+
+
+def opened(one: Opened) -> str:
+    """Return something that opens to where it comes from."""
+    return f"<details><summary>{escape(one.shown)}</summary><p>{escape(one.whence)}</p></details>"
+
+
+def paragraph(text: str, kind: str = "") -> str:
+    """Return a paragraph, of a kind that has a colour if one is given."""
+    return f"<p{f' class={chr(34)}{kind}{chr(34)}' if kind else ''}>{escape(text)}</p>\n"
+
+
+def picture(content: bytes, mime: str, words: str) -> str:
+    """Return a picture that is a part of the page, with its words for who does not see it."""
+    data = base64.b64encode(content).decode("ascii")
+    return f'<figure><img alt="{escape(words)}" src="data:{mime};base64,{data}"></figure>\n'
+
+
+_BROKEN = ' class="broken"'
+
+
+def _cell(cell: Cell, column: int) -> str:
+    if isinstance(cell, Opened):
+        return f'<td class="number">{opened(cell)}</td>'
+    if isinstance(cell, float):
+        return f'<td class="number">{short(cell)}</td>'
+    tag, scope = ("th", ' scope="row"') if column == 0 else ("td", "")
+    return f"<{tag}{scope}>{escape(cell)}</{tag}>"

@@ -1,0 +1,72 @@
+"""Where a number comes from: the formula, and the same with the numbers put in."""
+
+import math
+
+from cammotion.laws.catalogue import as_law
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.segments import Segment
+
+_SAME = 1e-6
+_MM_PER_M = 1000
+
+
+def of_peak(diagram: TimingDiagram, name: str) -> str:
+    """Return how the peak acceleration of a motion comes about, in a few sentences."""
+    motion, peak = diagram[name], diagram.peak_acceleration(name)
+    if not motion.moves:
+        return f"The {name} stands all the turn."
+    if math.isinf(peak):
+        return f"The velocity of the {name} jumps: no acceleration is large enough for that."
+    hardest = max(motion.moves, key=lambda move: _peak(diagram, move))
+    alone = _peak(diagram, hardest)
+    if not math.isclose(alone, peak, rel_tol=_SAME):
+        return (
+            f"The peak of the whole motion is {peak:.4g} m/s², from its curve: it does not rest "
+            "between all its moves, so that no factor of a law gives it."
+        )
+    law, time_s = as_law(hardest.law), _time_s(diagram, hardest)
+    way = abs(hardest.change_mm) / _MM_PER_M
+    return (
+        f"The {hardest.kind} from {hardest.from_deg % DEG_PER_TURN:g} deg by the law {law.name}: "
+        f"a = C_a · h / t² = {law.Ca:.4f} · {way:g} m / ({time_s:.5g} s)² = {alone:.4f} m/s², "
+        f"where t = B / 360° · 3600 s / N = {hardest.angle_deg:.5g}° / 360° · 3600 s / "
+        f"{diagram.rate_per_hour:g} = {time_s:.5g} s."
+    )
+
+
+def of_velocity(diagram: TimingDiagram, name: str) -> str:
+    """Return how the peak velocity of a motion comes about."""
+    motion = diagram[name]
+    if not motion.moves:
+        return f"The {name} stands all the turn."
+    fastest = max(
+        motion.moves,
+        key=lambda move: as_law(move.law).Cv * abs(move.change_mm) / _time_s(diagram, move),
+    )
+    law, time_s = as_law(fastest.law), _time_s(diagram, fastest)
+    way = abs(fastest.change_mm) / _MM_PER_M
+    return (
+        f"The {fastest.kind} from {fastest.from_deg % DEG_PER_TURN:g} deg: v = C_v · h / t = "
+        f"{law.Cv:.4f} · {way:g} m / {time_s:.5g} s = {law.Cv * way / time_s:.4f} m/s."
+    )
+
+
+def of_rate(rate_per_hour: float, today: float, then: float) -> str:
+    """Return how the rate comes about at which a largest peak is met again."""
+    if not (math.isfinite(today) and 0 < then < math.inf):
+        return f"No peak tells a rate here: it stays at {rate_per_hour:g} pieces/h."
+    faster = rate_per_hour * math.sqrt(today / then)
+    return (
+        f"A peak grows with the square of the rate: N · √(a₁ / a₂) = {rate_per_hour:g} · "
+        f"√({today:.4f} / {then:.4f}) = {faster:.0f} pieces/h."
+    )
+
+
+def _peak(diagram: TimingDiagram, move: Segment) -> float:
+    law = as_law(move.law)
+    return law.Ca * abs(move.change_mm) / _MM_PER_M / _time_s(diagram, move) ** 2
+
+
+def _time_s(diagram: TimingDiagram, move: Segment) -> float:
+    return move.angle_deg / DEG_PER_TURN * diagram.cycle_time_s

@@ -1,0 +1,229 @@
+"""The page of a report: one HTML file that needs no network and no second file."""
+
+import math
+from collections.abc import Iterator, Sequence
+from datetime import date
+from html import escape
+from pathlib import Path
+
+from cammotion.laws.catalogue import as_law
+from cammotion.machine.clearance import Clearance, ClearanceRule
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.own import Machine
+from cammotion.report.findings import Findings
+from cammotion.report.live import live_figure
+from cammotion.report.markup import Cell, Opened, opened, paragraph, short, table
+from cammotion.report.numbers import of_peak, of_rate, of_velocity
+from cammotion.report.pictures import moving, timing
+
+_STYLE = Path(__file__).with_name("page.css")
+_NOTHING = 1e-5  # mm: a rule that is just kept
+
+
+def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
+    """Return the page as HTML; `made` is the day that stands on it, `files` are beside it."""
+    machine = found.machine
+    title = f"The report of {machine.name}"
+    sections = (
+        _summary(found),
+        ("The machine in motion", moving(found)),
+        ("The timing diagram", timing(found)),
+        ("Rules", _rules(found)),
+        ("Mechanisms", _mechanisms(found)),
+        ("What to change first", _ranking(found)),
+        ("The design, and what no design can be below", _design(found)),
+        ("Try it", live_figure(machine)),
+        ("Files", _files(files)),
+        ("How it was computed", _method(found)),
+    )
+    body = "".join(
+        part if isinstance(part, str) else f"<h2>{escape(part[0])}</h2>\n{part[1]}"
+        for part in sections
+        if isinstance(part, str) or part[1]
+    )
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>{escape(title)}</title>\n"
+        f"<style>\n{_STYLE.read_text(encoding='utf-8')}</style>\n</head>\n<body>\n<main>\n"
+        f"<h1>{escape(title)}</h1>\n"
+        f"<p>{made.day} {made:%B %Y}. Every number in blue opens to where it comes from.</p>\n"
+        f"{body}</main>\n</body>\n</html>\n"
+    )
+
+
+def _summary(found: Findings) -> str:
+    machine = found.machine
+    said = [paragraph(f"{machine!r}.", "broken" if machine.violations else "kept")]
+    if found.best:
+        today, then = machine.peaks[machine.hardest], max(found.improved.peaks.values())
+        faster = of_rate(machine.diagram.rate_per_hour, today, then)
+        rate = faster.rpartition(" = ")[2]
+        said_rate = f" At the peak of today that is {rate}" if " = " in faster else ""
+        said.append(
+            paragraph(
+                f"With all moves balanced the largest peak is {short(then)} m/s², today "
+                f"{short(today)}."
+                f"{said_rate}"
+            )
+        )
+    if found.least:
+        said.append(paragraph(_bound(found)))
+    said += [paragraph(note) for note in found.notes]
+    return "".join(said)
+
+
+def _bound(found: Findings) -> str:
+    """Return in a sentence how near the design is to what no motions can be below."""
+    least = found.least
+    if least is None:
+        return ""
+    low = math.floor(least.bound * 10_000) / 10_000
+    sentence = f"No motions of these parts can have a largest peak below {low:.4f} m/s²"
+    reached = max(found.improved.peaks.values())
+    if least.bound > 0 and math.isfinite(reached):
+        above = math.ceil(100 * (reached / least.bound - 1))
+        sentence += f", so that the design, with {reached:.4f}, is at most {above} % above the best"
+    return f"{sentence}."
+
+
+def _rules(found: Findings) -> str:
+    machine = found.machine
+    if not machine.rules:
+        return paragraph("The table has no rules.")
+    reserve = {one.rule: one for one in found.left}
+    rows: list[tuple[bool, Sequence[Cell]]] = []
+    for now, then in zip(machine.clearances, found.improved.clearances, strict=True):
+        left = reserve[now.rule]
+        whence = f"{left}. The reserve is the smaller one of early and late; see reserves()."
+        cells: list[Cell] = [str(now.rule), _clearance(machine, now)]
+        cells.append(Opened(short(left.deg), whence))
+        if found.best:
+            cells.append(_clearance(found.improved, then))
+        rows.append((now.clearance_mm < 0, cells))
+    heading = ["rule", "clearance, mm", "reserve, deg"]
+    broken = "".join(paragraph(f"Broken: {one}.", "broken") for one in machine.violations)
+    heading += ["of the design, mm"] if found.best else []
+    used = sum(one.clearance_mm < _NOTHING for one in found.improved.clearances)
+    if found.best and used:
+        broken += paragraph(
+            f"The design uses up {used} of {len(machine.rules)} rules: it leaves nothing for play, "
+            "wear and backlash. Tighten these rules by what the machine needs, and ask again."
+        )
+    return broken + table("What each rule leaves; below 0 it is broken", heading, rows)
+
+
+def _clearance(machine: Machine, one: Clearance) -> Opened | str:
+    if one.angle_deg is None:
+        return "never in the way"
+    rule: ClearanceRule = one.rule
+    at = one.angle_deg % DEG_PER_TURN
+    when, other = (
+        f"the {half.motion} is at {float(machine.diagram[half.motion].offset_mm(at)):.4g} mm"
+        for half in (rule.when, rule.only_while)
+    )
+    side = "above" if rule.when.is_beyond else "below"
+    whence = (
+        f"Least at {at:.5g} deg: there {when}, its limit is {rule.when.limit_mm:g} mm, and {other} "
+        f"(of a turret: from its stop). The clearance is how far it still is from being {side} "
+        "its limit while the other one is not where it has to be."
+    )
+    value = 0.0 if abs(one.clearance_mm) < _NOTHING else one.clearance_mm
+    return Opened(short(value), whence)
+
+
+def _mechanisms(found: Findings) -> str:
+    machine, improved = found.machine, found.improved
+    rows: list[tuple[bool, Sequence[Cell]]] = []
+    for name, moves, travel, velocity, peak in machine.rows:
+        cells: list[Cell] = [name, moves, travel]
+        cells.append(Opened(short(velocity), of_velocity(machine.diagram, name)))
+        cells.append(Opened(short(peak), of_peak(machine.diagram, name)))
+        if found.best:
+            cells.append(Opened(short(improved.peaks[name]), of_peak(improved.diagram, name)))
+        rows.append((False, cells))
+    heading = ["mechanism", "moves", "travel, mm", "peak velocity, m/s", "peak acceleration, m/s²"]
+    heading += ["of the design, m/s²"] if found.best else []
+    return table("The hardest first", heading, rows)
+
+
+def _ranking(found: Findings) -> str:
+    machine = found.machine
+    if not found.ranking:
+        return paragraph("No change of one mechanism alone makes its peak smaller.")
+    today = machine.peaks[machine.hardest]
+    rows: list[tuple[bool, Sequence[Cell]]] = []
+    for one in found.ranking:
+        before = Opened(short(one.before), of_peak(machine.diagram, one.mechanism))
+        after = Opened(short(one.after), of_peak(one.machine.diagram, one.mechanism))
+        rate = Opened(
+            f"{one.rate_per_hour:.0f}",
+            of_rate(machine.diagram.rate_per_hour, today, one.largest),
+        )
+        hardest = one.machine.hardest
+        largest = Opened(short(one.largest), of_peak(one.machine.diagram, hardest))
+        rows.append((False, [one.said, before, after, largest, rate]))
+    heading = [
+        "change",
+        "peak today, m/s²",
+        "then, m/s²",
+        "largest of the machine then, m/s²",
+        "rate at today's largest peak, pieces/h",
+    ]
+    caption = "One change at a time, all else as it is; each is computed and checked"
+    return f"{paragraph(found.ranking.hardest)}{table(caption, heading, rows)}"
+
+
+def _design(found: Findings) -> str:
+    parts = []
+    if found.best:
+        rows: list[tuple[bool, Sequence[Cell]]] = [
+            (
+                False,
+                [
+                    name,
+                    f"{move.kind} {abs(move.change_mm):g} mm",
+                    move.from_deg % DEG_PER_TURN,
+                    move.angle_deg,
+                    as_law(move.law).name,
+                ],
+            )
+            for name in found.improved.peaks
+            for move in found.design[name].moves
+        ]
+        heading = ["mechanism", "move", "from, deg", "over, deg", "law"]
+        parts.append(table("Starts and angles of all moves", heading, rows))
+    if found.least:
+        parts.append(paragraph(_bound(found)))
+        parts.append(opened(Opened("The conditions of this bound", f"{found.least!r}")))
+    return "".join(parts)
+
+
+def _files(files: Sequence[str]) -> str:
+    return f"<ul>{''.join(f'<li>{escape(name)}</li>' for name in files)}</ul>\n"
+
+
+def _method(found: Findings) -> str:
+    return "".join(paragraph(said) for said in _sentences(found))
+
+
+def _sentences(found: Findings) -> Iterator[str]:
+    yield (
+        "Peaks are those of the laws' own expressions over the whole turn, not of samples. Rules "
+        "are solved for: the ends of the arcs over which a condition holds are found by bisection "
+        "between turning points that are proved to be all, so that no violation slips through."
+    )
+    yield (
+        "What to change first: each mechanism by itself gets its widest moves beside the others, "
+        "or a gentler law with a finite jerk. Each change was checked again by the rules."
+    )
+    if found.best:
+        yield (
+            f"The design is the best of all starts and angles with these laws, to within "
+            f"{found.best.bound:.6g} m/s² of a proved limit for such moves."
+        )
+    if found.least:
+        yield (
+            "The bound holds for any motions of the parts: a mixed-integer program that asks less "
+            "than any motion is asked was solved by HiGHS. All parts are rigid in it."
+        )

@@ -1,0 +1,97 @@
+"""The workbook of a report: the machine, its peaks and clearances, and the cam tables."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from cammotion.exchange.cam_tables_out import positions_over_turn
+from cammotion.exchange.machine_files import machine_rows
+from cammotion.machine.clearance import Condition
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.own import Machine
+from cammotion.report.findings import Findings
+
+STEP_DEG = 0.5
+"""Of the cam tables: fine enough for a spline through them."""
+
+_PLACES = 7
+_MECHANISMS = (
+    "mechanism",
+    "indexing stops",
+    "stop in mm",
+    "pitch in mm",
+    "peak velocity in m/s",
+    "peak acceleration in m/s2",
+    "peak acceleration of the design in m/s2",
+)
+_RULES = (
+    "mechanism",
+    "side",
+    "limit in mm",
+    "only while mechanism",
+    "is",
+    "limit of it in mm",
+    "clearance in mm",
+    "clearance of the design in mm",
+)
+_CURVES = ("position in mm", "velocity in m/s", "acceleration in m/s2")
+
+
+def sheets_of(found: Findings) -> dict[str, list[list[Any]]]:
+    """Return the sheets of the workbook by their names; the first can be read as a machine."""
+    machine, improved = found.machine, found.improved
+    sheets: dict[str, list[list[Any]]] = {"machine": machine_rows(machine)}
+    if found.best:
+        sheets["design"] = machine_rows(improved)
+    sheets["mechanisms"] = [[*_MECHANISMS], *_mechanisms(machine, improved)]
+    sheets["rules"] = [[*_RULES], *_rules(machine, improved)]
+    for motion in machine.diagram.motions:
+        sheets[f"cam {motion.name}"] = _cam(motion.name, machine.diagram, improved.diagram)
+    return sheets
+
+
+def _mechanisms(machine: Machine, improved: Machine) -> list[list[Any]]:
+    rows = []
+    for motion in machine.diagram.motions:
+        name = motion.name
+        peaks = [machine.diagram.peak_velocity(name), machine.peaks[name], improved.peaks[name]]
+        stop = motion.start_mm if motion.is_indexing else ""
+        rows.append([name, motion.stops or "", stop, motion.pitch_mm, *map(_finite, peaks)])
+    rows.append(["machine rate in pieces/h", machine.diagram.rate_per_hour])
+    return rows
+
+
+def _rules(machine: Machine, improved: Machine) -> list[list[Any]]:
+    rows = []
+    for rule, now, then in zip(machine.rules, machine.clearances, improved.clearances, strict=True):
+        halves = [part for half in (rule.when, rule.only_while) for part in _half(half)]
+        rows.append([*halves, _finite(now.clearance_mm), _finite(then.clearance_mm)])
+    return rows
+
+
+def _half(condition: Condition) -> tuple[Any, ...]:
+    side = "beyond" if condition.is_beyond else "within"
+    return condition.motion, side, condition.limit_mm
+
+
+def _cam(name: str, *diagrams: TimingDiagram) -> list[list[Any]]:
+    """Return the cam table of a mechanism, as it is and as it is designed."""
+    angles = np.arange(0, DEG_PER_TURN + STEP_DEG / 2, STEP_DEG)
+    columns = [angles]
+    heading = ["cam angle in deg"]
+    for diagram, whose in zip(diagrams, ("", " of the design"), strict=True):
+        motion = diagram[name]
+        values = (
+            positions_over_turn(motion, angles),
+            diagram.velocity(name, angles),
+            diagram.acceleration(name, angles),
+        )
+        columns += [np.asarray(each).round(_PLACES) + 0.0 for each in values]
+        heading += [f"{what}{whose}" for what in _CURVES]
+    return [[*heading], *np.column_stack(columns).tolist()]
+
+
+def _finite(value: float) -> Any:
+    return value if math.isfinite(value) else "infinite"

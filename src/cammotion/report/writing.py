@@ -1,0 +1,158 @@
+"""Write the report of a machine into a new folder: all of it, or nothing."""
+
+import contextlib
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+from cammotion.exchange.cam_files import write_cam
+from cammotion.exchange.cam_tables_out import write_cam_tables
+from cammotion.exchange.xlsx_out import sheets_as_xlsx
+from cammotion.files import as_path, is_folder, write_new, write_new_bytes
+from cammotion.hardware.followers import TranslatingRoller
+from cammotion.hardware.prime_circle import smallest_prime_radius
+from cammotion.hardware.roller_cam import RollerCam
+from cammotion.own import Machine
+from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.report.findings import Findings, Progress, find_all
+from cammotion.report.page import write_page
+from cammotion.report.sheets import sheets_of
+
+PAGE, BOOK, TABLES, CODESYS, DXF = "report.html", "tables.xlsx", "cam tables", "codesys", "dxf"
+ROLLER_MM, PRESSURE_DEG, MARGIN = 10.0, 30.0, 1.02
+
+_SECONDS = Quantity("time for the bound", "s", example=20)
+_NO_NAME = '<>:"/\\|?*'
+_WRITING = 0.85
+_MOST = 1000
+
+
+@dataclass(frozen=True)
+class Report:
+    """A report that was written: its folder, the page in it, and whether all rules are kept."""
+
+    folder: Path
+    page: Path
+    is_kept: bool
+
+    def __str__(self) -> str:
+        """Say where it is."""
+        return f"The report is in {self.folder}: open {self.page.name} in a browser."
+
+
+def write_report(
+    machine: Machine,
+    folder: str | Path,
+    *,
+    seconds: float = 20.0,
+    dxf: bool = False,
+    progress: Progress | None = None,
+) -> Report:
+    """Write the report of a machine into a new folder within `folder`, and return where it is.
+
+    The new folder is called after the machine, and numbered if there is one of that name: nothing
+    is written over. It holds a page that needs no network, an .xlsx workbook with a cam table of
+    each mechanism, the tables as CSV and for CODESYS, and with `dxf` a disc cam of each mechanism
+    that comes back (a roller of 10 mm, a pressure angle of 30 deg). The tables are those of the
+    best design, if still arcs are given, else of the machine as it is. The search for the bound
+    takes at most so many `seconds`; an interrupt of the keyboard takes the best so far. Either all
+    is written, or nothing. `progress` is told the share that is done, and what is being done.
+    Raises InputError for a folder that is not there or cannot be written to.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> import cammotion as cm
+    >>> machine = cm.Machine("press", cm.EXAMPLE.diagram, [cm.EXAMPLE.rule])
+    >>> with TemporaryDirectory() as folder:
+    ...     report = write_report(machine, folder)
+    ...     report.page.relative_to(folder).as_posix(), report.is_kept
+    ('report-press/report.html', True)
+    """
+    if not isinstance(machine, Machine):
+        raise InputError(f"The machine is {shorten(machine)}: give a Machine, or read_machine's.")
+    limit, place = _SECONDS.number(seconds), as_path(folder)
+    tell = _silent if progress is None else progress
+    if not callable(tell):
+        raise InputError(
+            f"The progress is {shorten(progress)}: give a function of a share and a text."
+        )
+    if not isinstance(dxf, bool):
+        raise InputError(f"The dxf is {shorten(dxf)}: give True or False.")
+    if not is_folder(place) or not os.access(place, os.W_OK | os.X_OK):
+        raise InputError(
+            f"The folder {shorten(place.name or str(place))} is not there, or you may not write in "
+            "it: give one of your own."
+        )
+    found = find_all(machine, limit, tell)
+    tell(_WRITING, "writing")
+    with _part(place) as part:
+        files = [PAGE, BOOK, *_write_tables(found, part)]
+        files += _write_cams(found, part) if dxf else []
+        write_new_bytes(part / BOOK, sheets_as_xlsx(sheets_of(found)))
+        write_new(part / PAGE, write_page(found, date.today(), files))
+        target = _move(part, place, f"report-{_stem(machine.name)}")
+    tell(1.0, "done")
+    return Report(target, target / PAGE, not machine.violations)
+
+
+def _silent(_: float, __: str) -> None:
+    """Tell nobody."""
+
+
+def _write_tables(found: Findings, part: Path) -> list[str]:
+    for name, form in ((TABLES, "plain"), (CODESYS, "codesys")):
+        (part / name).mkdir()
+        write_cam_tables(found.design, part / name, step_deg=1, form=form)
+    return [
+        f"{TABLES}: position over cam angle of each mechanism, CSV with semicolons, each degree",
+        f"{CODESYS}: the same as CODESYS SoftMotion imports it",
+    ]
+
+
+def _write_cams(found: Findings, part: Path) -> list[str]:
+    """Write a disc cam of each mechanism that comes back; return what was written, and what not."""
+    (part / DXF).mkdir()
+    said = []
+    roller = TranslatingRoller(ROLLER_MM)
+    for number, motion in enumerate(found.design.motions, 1):
+        if motion.is_indexing or not motion.moves:
+            continue
+        file = f"{number} {_stem(motion.name)}.dxf"
+        try:
+            least = smallest_prime_radius(motion, roller, pressure_angle_deg=PRESSURE_DEG)
+            radius = max(MARGIN * least, 2 * ROLLER_MM)
+            write_cam(RollerCam(motion, roller, prime_radius_mm=radius), part / DXF / file)
+            said.append(f"{DXF}/{file}: prime circle of {radius:.4g} mm, roller of {ROLLER_MM:g}")
+        except InputError as wrong:
+            said.append(f"no DXF of the {motion.name}: {wrong}")
+    return said
+
+
+@contextlib.contextmanager
+def _part(place: Path) -> Iterator[Path]:
+    """Make a hidden folder to write in; it is gone afterwards, whatever happened."""
+    part = Path(tempfile.mkdtemp(prefix=".report-", dir=place))
+    try:
+        yield part
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+def _move(part: Path, place: Path, name: str) -> Path:
+    """Give a folder that is complete the first free name."""
+    part.chmod(0o755)
+    for number in range(1, _MOST):
+        target = place / (name if number == 1 else f"{name}-{number}")
+        if not target.exists():
+            with contextlib.suppress(OSError):  # another report has just taken it
+                return part.rename(target)
+    raise InputError(f"There are {_MOST} folders {name} already: delete some.")
+
+
+def _stem(name: str) -> str:
+    """Return a name as every system takes it for a file."""
+    plain = "".join("_" if c in _NO_NAME or not c.isprintable() else c for c in name)
+    return plain[:40].strip(". ") or "machine"

@@ -1,0 +1,245 @@
+"""Open exercises: a design is asked for, and judged by what it has to keep."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from cammotion.limits.faults import Asked, find_faults
+from cammotion.machine.clearance import ClearanceRule, find_violations, within
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.own import Machine
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import Exercise, Verdict
+from cammotion.teaching.reading import OddAnswerError
+from cammotion.teaching.reasons import short_name
+from cammotion.whole.least_peak import least_peak
+from cammotion.whole.optimise import optimise
+
+_GAP, _SECONDS = 0.1, 5.0  # of the bound, which need not be close to tell how far a design is
+_SAME = 1e-6  # mm, and a share of a peak
+_DECIMALS = 1000  # of a limit in mm that a question tells
+_FAR = 1e12  # m/s3: a jerk beyond it is a jump
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """What a design has to keep: in words, and `fault` says "" or what is measured instead.
+
+    `reason` is what is said where it is not kept.
+    """
+
+    reason: str
+    fault: Callable[[TimingDiagram, MillAndDie], str]
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignExercise(Exercise):
+    """A design of mill and die with a largest peak of at most `limit` in m/s2.
+
+    With a `jerk_limit`, in m/s3, the jerk is at most that. The answer is a timing diagram, or a
+    Machine; `answer` makes one that is right. In a contest the class page shows who came nearest
+    to the bound.
+    """
+
+    answer: Callable[[MillAndDie], TimingDiagram]
+    limit: Callable[[MillAndDie], float]
+    jerk_limit: Callable[[MillAndDie], float] | None = None
+    is_contest: bool = False
+
+    @property
+    def wanted(self) -> str:
+        """What kind of answer is asked for, in words."""
+        return "a TimingDiagram of mill and die, or a Machine"
+
+    def solution(self, machine: MillAndDie) -> TimingDiagram:
+        """Return a design that is right."""
+        return self.answer(machine)
+
+    def judge(self, answer: Any, machine: MillAndDie) -> Verdict:
+        """Judge a design: what it keeps, what not, and how far from the bound it is."""
+        verdict = super().judge(answer, machine)
+        design = _design(answer)
+        if verdict.state == "open" or design is None:
+            return verdict
+        if verdict.state == "right":
+            return Verdict("right", f"{self.right} {said_of(design, machine)}")
+        first = next((r for r in self.requirements if r.reason in verdict.text), None)
+        return Verdict("wrong", verdict.text, short_name(first.reason)) if first else verdict
+
+    def find_fault(self, answer: Any, machine: MillAndDie) -> str:
+        """Return which requirements a design does not meet; "" if it meets all."""
+        design = _design(answer)
+        if design is None:
+            raise OddAnswerError(
+                f"This is no design (it is of type {type(answer).__name__}). Give {self.wanted}."
+            )
+        if wrong := _PARTS.fault(design, machine):
+            return f"{_PARTS.reason} {wrong}"
+        found = [(one, one.fault(design, machine)) for one in self.requirements]
+        unmet = [f"{one.reason} {wrong}" for one, wrong in found if wrong]
+        if not unmet:
+            return ""
+        met = len(found) - len(unmet)
+        return " ".join([*unmet, f"Of the {len(found)} requirements {met} are met."])
+
+    @property
+    def requirements(self) -> tuple[Requirement, ...]:
+        """What a design has to keep, in the order in which it is told."""
+        too_hard = Requirement(
+            "The largest peak acceleration is above what is asked for.",
+            lambda design, machine: _too_hard(design, self.limit(machine)),
+        )
+        if self.jerk_limit is None:
+            return (*_ALWAYS, too_hard)
+        jerk_limit = self.jerk_limit
+        too_sharp = Requirement(
+            "The largest jerk is above what is asked for.",
+            lambda design, machine: _too_sharp(design, jerk_limit(machine)),
+        )
+        return (*_ALWAYS, too_hard, too_sharp)
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """The reasons of all requirements."""
+        return (_PARTS.reason, *(one.reason for one in self.requirements))
+
+    def score(self, answer: Any, machine: MillAndDie) -> float | None:
+        """Return how many times the bound a right design reaches; None for any other answer."""
+        design = _design(answer)
+        if design is None or self.judge(answer, machine).state != "right":
+            return None
+        return _largest(design) / bound_of(machine)
+
+
+def balanced(machine: MillAndDie, *laws: str) -> TimingDiagram:
+    """Return the best diagram of mill and die by given laws; without any, by those they have."""
+    return _balanced(machine, laws)
+
+
+def bound_of(machine: MillAndDie) -> float:
+    """Return what no motions of mill and die can be below, in m/s2, within a tenth."""
+    return _bound(machine)
+
+
+def clearance_rule(machine: MillAndDie) -> ClearanceRule:
+    """Return the rule of mill and die with a limit of few digits, which it is a little wider by."""
+    near = machine.rule.only_while.limit_mm
+    wider = math.ceil(near * _DECIMALS) / _DECIMALS
+    return ClearanceRule(machine.rule.when, only_while=within("mill", wider))
+
+
+def said_of(design: TimingDiagram, machine: MillAndDie) -> str:
+    """Say how far a design is from the bound."""
+    reached, bound = _largest(design), bound_of(machine)
+    return (
+        f"It reaches {reached:.4g} m/s². No motions of these parts can have less than "
+        f"{np.floor(bound * 1000) / 1000:.3f} m/s², so that it is at most "
+        f"{100 * (reached / bound - 1):.0f} % above the best there could be."
+    )
+
+
+@lru_cache(maxsize=200)
+def _balanced(machine: MillAndDie, laws: tuple[str, ...]) -> TimingDiagram:
+    still = _still(machine)
+    return optimise(machine.diagram, clearance_rule(machine), still=still, laws=laws or None).design
+
+
+@lru_cache(maxsize=200)
+def _bound(machine: MillAndDie) -> float:
+    travel = {"die": (0.0, machine.stroke_mm)}
+    still = _still(machine)
+    rule = clearance_rule(machine)
+    found = least_peak(
+        machine.diagram, rule, still=still, travel_mm=travel, gap=_GAP, seconds=_SECONDS
+    )
+    return found.bound
+
+
+def _still(machine: MillAndDie) -> dict[str, list[tuple[float, float]]]:
+    work = (machine.down_deg, machine.down_deg + machine.work_deg)
+    return {"mill": [work], "die": [work]}
+
+
+def _design(answer: Any) -> TimingDiagram | None:
+    if isinstance(answer, Machine):
+        return answer.diagram
+    return answer if isinstance(answer, TimingDiagram) else None
+
+
+def largest_jerk(design: TimingDiagram) -> float:
+    """Return the largest peak jerk of a design in m/s3."""
+    return max(design.peak_jerk(name) for name in design.names)
+
+
+def _largest(design: TimingDiagram) -> float:
+    return max(design.peak_acceleration(name) for name in design.names)
+
+
+def _parts(design: TimingDiagram, _: MillAndDie) -> str:
+    names = ", ".join(design.names)
+    return "" if {*design.names} == {"mill", "die"} else f"It has {names[:60]}."
+
+
+def _rate(design: TimingDiagram, machine: MillAndDie) -> str:
+    rate = design.rate_per_hour
+    same = abs(rate / machine.rate_per_hour - 1) <= _SAME
+    return "" if same else f"It is {rate:g} pieces per hour."
+
+
+def _pitch(design: TimingDiagram, machine: MillAndDie) -> str:
+    mill = design["mill"]
+    same = mill.stops == machine.stops and abs(mill.pitch_mm - machine.pitch_mm) <= _SAME
+    return "" if same else f"It goes {mill.pitch_mm:g} mm."
+
+
+def _stroke(design: TimingDiagram, machine: MillAndDie) -> str:
+    low, high = design["die"].range_mm
+    same = abs(low) <= _SAME and abs(high - machine.stroke_mm) <= _SAME
+    return "" if same else f"It goes from {low:g} to {high:g} mm."
+
+
+def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
+    before = machine.diagram
+    moved = []
+    for name, arcs in _still(machine).items():
+        asked = Asked((), tuple(arcs), (-np.inf, np.inf), np.inf)
+        if design[name].is_indexing == before[name].is_indexing:
+            moved += [name for _ in find_faults(before, design[name], asked)][:1]
+        else:
+            moved.append(name)
+    return f"So it is with the {' and the '.join(moved)}." if moved else ""
+
+
+def _rule(design: TimingDiagram, machine: MillAndDie) -> str:
+    found = find_violations(design, clearance_rule(machine))
+    return f"For {found[0]}." if found else ""
+
+
+def _smooth(design: TimingDiagram, _: MillAndDie) -> str:
+    jumps = [name for name in design.names if not design.peak_jerk(name) < _FAR]
+    return f"It does so in the {' and the '.join(jumps)}." if jumps else ""
+
+
+def _too_hard(design: TimingDiagram, limit: float) -> str:
+    peak = _largest(design)
+    return "" if peak <= limit * (1 + _SAME) else f"It is {peak:.4g} m/s²."
+
+
+def _too_sharp(design: TimingDiagram, limit: float) -> str:
+    jerk = largest_jerk(design)
+    return "" if jerk <= limit * (1 + _SAME) else f"It is {jerk:.4g} m/s³."
+
+
+_PARTS = Requirement("The design has to have two motions, 'mill' and 'die'.", _parts)
+_ALWAYS = (
+    Requirement("The machine rate is not that of the question.", _rate),
+    Requirement("The mill has to move one pitch on, with as many stops as before.", _pitch),
+    Requirement("The die has to go from 0 mm to its full stroke and back.", _stroke),
+    Requirement("While the die works both have to stand where they stood.", _stands),
+    Requirement("The clearance rule is broken.", _rule),
+    Requirement("An acceleration jumps, so that the jerk has no bound.", _smooth),
+)

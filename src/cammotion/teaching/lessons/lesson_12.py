@@ -1,0 +1,287 @@
+"""Exercises of notebook 12, your machine."""
+
+import math
+
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import indexing_time
+from cammotion.teaching.design_exercise import (
+    DesignExercise,
+    balanced,
+    clearance_rule,
+    largest_jerk,
+)
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.prediction import Prediction
+
+_MM_PER_M = 1000
+_CYCLOID, _HARMONIC = 2 * math.pi, math.pi**2 / 2
+_ROOM, _LESS = 1.02, 0.9  # of the balance by the cycloid, that a design may have
+_SHARPER = 2.0  # times the jerk of the gentle laws, that the contest allows
+_GENTLE = ("modified trapezoid", "modified sine", "cycloidal")
+
+
+def _peak(m: MillAndDie, stroke_mm: float, angle_deg: float, factor: float = _CYCLOID) -> float:
+    time_s = float(indexing_time(angle_deg, m.rate_per_hour))
+    return factor * stroke_mm / _MM_PER_M / time_s**2
+
+
+def _before(m: MillAndDie) -> float:
+    """Return the peak of the die without overlap."""
+    return _peak(m, m.stroke_mm, m.die_angle_deg)
+
+
+def _die(m: MillAndDie) -> float:
+    """Return the peak of the die with its widest move."""
+    return _peak(m, m.stroke_mm, m.widest_deg)
+
+
+def _mill(m: MillAndDie) -> float:
+    return _peak(m, m.pitch_mm, m.mill_angle_deg)
+
+
+def _faster(m: MillAndDie) -> float:
+    """Return the rate at which the overlapped machine meets the peak of today."""
+    return m.rate_per_hour * math.sqrt(_before(m) / max(_die(m), _mill(m)))
+
+
+def _least(m: MillAndDie, factor: float = 4.0) -> float:
+    """Return the least peak of the mill's way, or what another factor makes of it."""
+    return _peak(m, m.pitch_mm, m.mill_angle_deg, factor)
+
+
+def _largest(design: TimingDiagram) -> float:
+    return max(design.peak_acceleration(name) for name in design.names)
+
+
+def _limit(m: MillAndDie) -> float:
+    return float(f"{_ROOM * _largest(balanced(m)):.3g}")
+
+
+def _hard_limit(m: MillAndDie) -> float:
+    return float(f"{_LESS * _largest(balanced(m)):.3g}")
+
+
+def _jerk_limit(m: MillAndDie) -> float:
+    return float(f"{_SHARPER * largest_jerk(balanced(m, *_GENTLE)):.2g}")
+
+
+def _task(m: MillAndDie) -> str:
+    rule = clearance_rule(m)
+    return (
+        f"A mill of {m.stops} stops and a die make {m.rate_per_hour:g} pieces per hour. The mill "
+        f"goes {m.pitch_mm:g} mm on in each turn, from 0 mm; the die goes from 0 to "
+        f"{m.stroke_mm:g} mm and back. From {m.down_deg:g} to {m.down_deg + m.work_deg:g} degrees "
+        f"both stand, the mill at {m.pitch_mm:g} and the die at {m.stroke_mm:g} mm, and always "
+        f"{rule}. (Your own numbers are in cm.variant().diagram and cm.variant().rule.) Starts and "
+        "angles are yours"
+    )
+
+
+EXERCISES = (
+    NumberExercise(
+        number="12.1",
+        question=lambda m: (
+            f"The mill of your machine moves {m.pitch_mm:g} mm over {m.mill_angle_deg:g} degrees, "
+            f"its die {m.stroke_mm:g} mm over {m.die_angle_deg:g} degrees, at "
+            f"{m.rate_per_hour:g} pieces per hour, both by the cycloid. Now the die gets its "
+            f"widest move, {m.widest_deg:.2f} degrees. At which rate does the machine meet the "
+            "largest peak acceleration that it had before?"
+        ),
+        unit="pieces/h",
+        answer=_faster,
+        right="The slowest of the mechanisms sets the pace, and it may be another one than before.",
+        slips=(
+            Slip(
+                lambda m: m.rate_per_hour * math.sqrt(_before(m) / _die(m)),
+                "So fast the die could go. Who else meets that peak, and at which rate?",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour * _before(m) / max(_die(m), _mill(m)),
+                "The peak goes with the square of the rate. Which power of the ratio has the rate?",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour * _before(m) / _die(m),
+                "This is the ratio of the die's peaks. The peak goes with the square of the rate, "
+                "and the mill has a peak too.",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour * math.sqrt(_mill(m) / _die(m)),
+                "This compares mill and die. What is not to be exceeded is the peak before.",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour * math.sqrt(_before(m) / (_die(m) + _mill(m))),
+                "The peaks were added. Each mechanism has to keep the limit for itself.",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour * max(_die(m), _mill(m)) / _before(m),
+                "This is slower than today. With the smaller peak the machine can run faster.",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour / math.sqrt(_before(m) / max(_die(m), _mill(m))),
+                "The ratio stands upside down: this is slower than today.",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour * m.widest_deg / m.die_angle_deg,
+                "This is the die's own rate, from the ratio of its angles. And the mill?",
+            ),
+            Slip(
+                lambda m: math.sqrt(_before(m) / max(_die(m), _mill(m))),
+                "So many times faster it is. The rate itself is asked for.",
+            ),
+        ),
+        hints=(
+            "Whose peak is the largest one before, and whose afterwards?",
+            "All peaks grow with the square of the rate, by the same factor.",
+            "Take the root of the ratio of the largest peaks, before and after; cm.rate_limits "
+            "does it too.",
+        ),
+    ),
+    NumberExercise(
+        number="12.2",
+        question=lambda m: (
+            f"A carriage goes {m.pitch_mm:g} mm from one still arc to the next; between them the "
+            f"cam turns by {m.mill_angle_deg:g} degrees. At {m.rate_per_hour:g} pieces per hour, "
+            "which peak acceleration can no motion be below, whatever its law?"
+        ),
+        unit="m/s²",
+        answer=_least,
+        right="This is the first thing to compute for any move: no law, no solver, one line.",
+        slips=(
+            Slip(
+                lambda m: _least(m, _CYCLOID),
+                "This is the peak of the cycloid. Other laws have less.",
+            ),
+            Slip(
+                lambda m: _least(m, _HARMONIC),
+                "This is the simple harmonic motion. Is there none with less?",
+            ),
+            Slip(
+                lambda m: _least(m, 2),
+                "With this peak it would be there, but still at full speed. It has to stop.",
+            ),
+            Slip(lambda m: _least(m, 1), "A factor is missing: speed up half the way, then stop."),
+            Slip(
+                lambda m: _least(m, 8),
+                "Half the way in half the time: how far does a constant acceleration take it?",
+            ),
+            Slip(
+                lambda m: _least(m, 4.888),
+                "This is the modified trapezoid, which has a bound on its jerk. None is asked for.",
+            ),
+            Slip(
+                lambda m: _peak(m, m.pitch_mm, 360 - m.mill_angle_deg, 4),
+                "This is with the rest of the turn. Over which angle does it move?",
+            ),
+            Slip(
+                lambda m: _peak(m, m.pitch_mm, 360, 4),
+                "The time of the whole turn was taken. The move has a part of it.",
+            ),
+            Slip(
+                lambda m: _peak(m, m.stroke_mm, m.mill_angle_deg, 4),
+                "This is with the stroke of the die. The carriage goes another way.",
+            ),
+            Slip(
+                lambda m: (
+                    4
+                    * m.pitch_mm
+                    / _MM_PER_M
+                    / float(indexing_time(m.mill_angle_deg, m.rate_per_hour))
+                ),
+                "The time has to be squared.",
+            ),
+        ),
+        hints=(
+            "Which motion goes a way in a time with the least push?",
+            "It speeds up with one acceleration for half the time, and slows down for the other.",
+            "Half the way is half the acceleration times the square of half the time.",
+        ),
+    ),
+    DesignExercise(
+        number="12.3",
+        question=lambda m: (
+            f"{_task(m)}, the law is the cycloid. Bring the largest peak acceleration of the two "
+            f"to at most {_limit(m):g} m/s²."
+        ),
+        answer=balanced,
+        limit=_limit,
+        right="All requirements are met.",
+        hints=(
+            "Give the die its widest move first. Who is the hardest then, and has it room?",
+            "The less of the turn one takes, the more is left for the other: they pay each other.",
+            "Give cm.optimise the diagram, the rule and the still arcs of both; or try angles of "
+            "the mill with cm.with_angle, each with the widest move of the die.",
+        ),
+    ),
+    DesignExercise(
+        number="12.4",
+        question=lambda m: (
+            f"The contest. {_task(m)}, and so are the laws, as long as no jerk is above "
+            f"{_jerk_limit(m):g} m/s³. Bring the largest peak acceleration to at most "
+            f"{_hard_limit(m):g} m/s², and then as low as you can: the page of the class shows "
+            "who came nearest to the bound."
+        ),
+        answer=lambda m: balanced(m, *_GENTLE),
+        limit=_hard_limit,
+        jerk_limit=_jerk_limit,
+        is_contest=True,
+        right="You are in the contest.",
+        hints=(
+            "With the cycloid it cannot be done. Which laws have a smaller peak?",
+            "Rise and return may have angles and laws of their own, and so may mill and die.",
+            "Give cm.optimise a list of laws, with laws of your own in it: cm.scca has three "
+            "shares to play with, and the jerk says how far.",
+        ),
+    ),
+    ChoiceExercise(
+        number="12.5",
+        question=lambda _: (
+            "Of a machine of eight mechanisms it is proved that no motions of its parts have a "
+            "largest peak below 4.0 m/s². The design has 6.3 m/s². What follows?"
+        ),
+        options={
+            "a": "There is a design with 4.0 m/s², it only has to be found.",
+            "b": "Another law, or other angles, may bring it down, but never below 4.0 m/s², "
+            "unless rules, strokes or still arcs are changed.",
+            "c": "Each of the eight mechanisms can be brought to 4.0 m/s².",
+            "d": "The machine cannot run faster than it does now.",
+        },
+        answer="b",
+        reasons={
+            "a": "The proof says what cannot be. That it can be reached is another claim: which "
+            "motion shows it?",
+            "c": "The largest of eight is bounded. What does that say of the other seven?",
+            "d": "The peak grows with the rate. Is a limit of the machine met today?",
+        },
+        right="A bound is true under its conditions, and it says nothing of how to get there.",
+        hints=(
+            "Which two sentences are in a proof from both sides?",
+            "What would have to be changed so that the bound moves?",
+            "Ask of each option whether it speaks of what can be or of what cannot.",
+        ),
+    ),
+)
+
+PREDICTIONS = (
+    Prediction(
+        "12.rate",
+        "pieces per hour",
+        3857,
+        "One looks at the die, which could go on to 4540. But a machine is as fast as its slowest "
+        "part, and after the overlap that is the mill.",
+    ),
+    Prediction(
+        "12.next",
+        "m/s²",
+        13.103,
+        "One expects 6.28, which is what is left of the first one. But the second was nearly as "
+        "hard, and nobody has changed it.",
+    ),
+    Prediction(
+        "12.bound",
+        "m/s²",
+        4.0,
+        "One expects seven rules and seven other parts to cost something. But the sucker alone, in "
+        "the sixty degrees between its still arcs, sets the bound, and it is not hindered.",
+    ),
+)

@@ -1,0 +1,114 @@
+"""Open exercises: what a design keeps, how far it is from the bound, and who is the best."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from school import put, show, table_of
+
+import cammotion as cm
+from cammotion.teaching import session
+from cammotion.teaching.classroom.collect import read_class
+from cammotion.teaching.design_exercise import DesignExercise, balanced, bound_of, largest_jerk
+from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.places import GRADING, Place
+from cammotion.teaching.session import Session
+from cammotion.teaching.store import Store
+from cammotion.teaching.variants import machine_for
+
+OPEN, CONTEST = (EXERCISES[number] for number in ("12.3", "12.4"))
+BOUND = 0.6358  # m/s2 of the example, proved by least_peak to a hundredth
+LAWS = ("modified trapezoid", "cycloidal")
+
+
+@pytest.fixture
+def own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Session:
+    """Keep what is done in a folder of this test's own."""
+    monkeypatch.delenv(GRADING, raising=False)
+    own = Session(Store(lambda: Place(tmp_path)))
+    monkeypatch.setattr(session, "_SESSION", own)
+    return own
+
+
+def test_the_bound_is_that_of_the_example_within_a_tenth() -> None:
+    assert 0.9 * BOUND < bound_of(EXAMPLE) < BOUND + 0.006
+
+
+def test_a_right_design_is_told_how_far_it_is() -> None:
+    said = OPEN.judge(balanced(EXAMPLE), EXAMPLE).text
+    assert said.startswith("All requirements are met. It reaches 0.9433 m/s².")
+    assert "No motions of these parts can have less than 0.59" in said
+    above = 100 * (0.9433 / bound_of(EXAMPLE) - 1)
+    assert f"at most {above:.0f} % above the best there could be" in said
+
+
+def test_a_design_may_be_a_machine() -> None:
+    design = balanced(EXAMPLE)
+    machine = cm.Machine("mine", design, [EXAMPLE.rule])
+    assert OPEN.judge(machine, EXAMPLE) == OPEN.judge(design, EXAMPLE)
+
+
+def test_what_is_not_met_is_told_all_at_once_with_what_is_measured() -> None:
+    die = cm.with_angle(EXAMPLE.die, 127).shifted(-3)
+    design = EXAMPLE.diagram.at_rate(1000).with_motion(die)
+    said = OPEN.judge(design, EXAMPLE).text
+    assert "The machine rate is not that of the question. It is 1000 pieces per hour." in said
+    assert "have to stand where they stood. So it is with the die." in said
+    assert "The clearance rule is broken. For the die is" in said
+    assert said.endswith("requirements 4 are met.")
+
+
+def test_the_contest_has_a_limit_to_the_jerk() -> None:
+    sharp = balanced(EXAMPLE).with_motion(
+        balanced(EXAMPLE)["die"].with_law(cm.scca(0.01, 0.98, 0.01))
+    )
+    assert "The largest jerk is above what is asked for." in CONTEST.judge(sharp, EXAMPLE).text
+    right = CONTEST.solution(EXAMPLE)
+    assert largest_jerk(right) < largest_jerk(sharp) / 3
+
+
+@pytest.mark.parametrize("answer", [3, "a design", EXAMPLE.die, [EXAMPLE.diagram], object()])
+def test_what_is_no_design_is_told_so(answer: Any) -> None:
+    verdict = OPEN.judge(answer, EXAMPLE)
+    assert verdict.state == "wrong"
+    assert "This is no design" in verdict.text
+
+
+def test_a_score_is_kept_for_right_designs_alone_and_the_best_one_stays(own: Session) -> None:
+    own.take(machine_for("Anna"))
+    machine = own.machine
+    assert isinstance(CONTEST, DesignExercise)
+    better, good = (balanced(machine, law) for law in (LAWS[0], "Freudenstein 1-3"))
+    assert not cm.check("12.4", machine.diagram).is_right
+    assert "best" not in own.record("12.4")
+    scores = []
+    for design in (good, better, good):
+        if cm.check("12.4", design).is_right:
+            scores.append(CONTEST.score(design, machine))
+    assert cm.check("12.4", better).is_right
+    assert own.record("12.4")["best"] == CONTEST.score(better, machine) == min(filter(None, scores))
+    assert CONTEST.score(machine.diagram, machine) is None
+    own.take(machine_for("Ben"))
+    cm.check("12.4", own.machine.diagram)
+    assert own.record("12.4")["best"] is None
+
+
+def record(best: object) -> dict[str, Any]:
+    return {"exercises": {"12.4": {"state": "right", "tries": 1, "best": best}}}
+
+
+def test_the_best_design_of_the_class_is_ranked(tmp_path: Path) -> None:
+    kept = {"Anna": 1.18, "Ben": 1.12, "Eva": "1.0", "Tom": 0.5, "Ida": None, "Max": True}
+    for name, best in kept.items():
+        put(tmp_path, f"{name}/progress.json", record(best))
+    rows = table_of(show(read_class(tmp_path)), "The largest peak of each design")
+    assert rows[1:] == [
+        ["1", "Ben", "12.4", "1.120", "12.0 %"],
+        ["2", "Anna", "12.4", "1.180", "18.0 %"],
+    ]
+
+
+def test_without_a_design_there_is_no_table(tmp_path: Path) -> None:
+    put(tmp_path, "Anna/progress.json", record(None))
+    assert "The best design of the class" not in show(read_class(tmp_path)).get_text()

@@ -1,0 +1,148 @@
+"""What to change first: each gain is what the changed machine has, and no rule is broken anew."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cartons import all_dies, packaging_machine, pusher_rule
+from machines import Array
+
+import cammotion as cm
+from cammotion.advice import changes, ranking
+from cammotion.advice.changes import gentle_laws
+from cammotion.quantities import WrongAnswerError
+
+DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
+STILL = {"mill": [(205, 305)], "die": [(205, 305)]}
+PRESS = cm.Machine("press", cm.EXAMPLE.diagram, [cm.EXAMPLE.rule], STILL)
+CARTONS = packaging_machine(8)
+MACHINES = [
+    PRESS,
+    cm.read_machine(DATA),
+    cm.Machine("cartons", CARTONS, all_dies(CARTONS)),
+    cm.Machine("pusher", CARTONS, [pusher_rule(CARTONS)], {CARTONS.names[0]: [(150, 300)]}),
+]
+names = pytest.mark.parametrize("machine", MACHINES, ids=lambda machine: machine.name)
+
+
+def sampled_peak(diagram: cm.TimingDiagram, name: str) -> float:
+    """Return the peak acceleration in m/s2 by differences of dense samples of the position."""
+    angles: Array = np.linspace(0, 360, 72_001)
+    motion = diagram[name]
+    inside = motion.start_deg + angles
+    steps = np.diff(motion.curve(inside), 2) / (angles[1] * diagram.cycle_time_s / 360) ** 2
+    return float(np.abs(steps).max() / 1000)
+
+
+@names
+def test_each_gain_is_that_of_the_changed_machine(machine: cm.Machine) -> None:
+    found = cm.improvements(machine)
+    assert len(found) > 2
+    before = {violation.rule for violation in machine.violations}
+    for one in found:
+        diagram = one.machine.diagram
+        assert one.before == machine.diagram.peak_acceleration(one.mechanism)
+        assert one.after == pytest.approx(sampled_peak(diagram, one.mechanism), rel=1e-3)
+        assert one.largest == max(diagram.peak_acceleration(name) for name in diagram.names)
+        now = {violation.rule for violation in cm.find_violations(diagram, machine.rules)}
+        assert now <= before
+        assert one.mends == len(before - now)
+        others = [name for name in diagram.names if name != one.mechanism]
+        assert all(diagram[name] == machine.diagram[name] for name in others)
+        for name, arcs in machine.still.items():
+            for start, end in arcs:
+                stay = np.ptp(diagram[name].offset_mm(np.linspace(start, end, 50)))
+                assert stay == pytest.approx(0, abs=1e-9)
+
+
+@names
+def test_the_first_is_what_helps_the_machine_most(machine: cm.Machine) -> None:
+    found = cm.improvements(machine)
+    keys = [(-one.mends, one.largest, -one.gain) for one in found]
+    assert keys == sorted(keys)
+    hardest = max(machine.diagram.names, key=machine.diagram.peak_acceleration)
+    assert found.hardest.startswith(f"The {hardest} is driven hardest")
+
+
+def test_the_numbers_of_the_lessons() -> None:
+    wider, law, *_ = cm.improvements(PRESS)
+    assert (wider.kind, wider.mechanism, law.kind) == ("widen", "die", "law")
+    assert wider.after == pytest.approx(0.8064, abs=1e-4)
+    assert law.after == pytest.approx(4.154 * 4.888 / 6.283, rel=1e-3)
+    assert wider.rate_per_hour == pytest.approx(3857, abs=0.5)
+    assert "124.84 deg" in wider.said
+
+
+def test_the_balance_is_one_change_of_all() -> None:
+    rule = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
+    first = cm.improvements(replace(PRESS, rules=[rule]), seconds=10)[0]
+    assert (first.kind, first.mechanism) == ("widen", "die") or first.kind == "balance"
+    (balance,) = [one for one in cm.improvements(PRESS, seconds=10) if one.kind == "balance"]
+    assert balance.after == pytest.approx(0.9433, abs=1e-3)
+    assert balance.rate_per_hour == pytest.approx(4198, abs=2)
+
+
+def test_a_broken_rule_is_mended_first() -> None:
+    wide = PRESS.diagram.with_motion(cm.with_angle(cm.EXAMPLE.die, 126))
+    found = cm.improvements(cm.Machine("wide", wide, PRESS.rules))
+    assert found[0].kind == "narrow"
+    assert found[0].mends == 1
+    assert not found[0].machine.violations
+    assert found[0].gain < 0
+    assert "narrow" in repr(found)
+
+
+def test_a_still_arc_bounds_the_widest_move() -> None:
+    near = replace(PRESS, still={"die": [(205, 305), (100, 140)]})
+    wider = next(one for one in cm.improvements(near) if one.mechanism == "die")
+    assert wider.machine.diagram["die"].moves[0].from_deg == pytest.approx(140, abs=1e-6)
+    assert "then: its still arc" in wider.said
+
+
+def test_laws_are_tried_by_their_peaks_and_have_a_bounded_jerk() -> None:
+    laws = gentle_laws()
+    factors = [cm.LAWS[law].Ca for law in laws]
+    assert factors == sorted(factors)
+    assert "constant acceleration" not in laws
+    assert "modified trapezoid" in laws
+
+
+def test_a_machine_that_cannot_be_better_says_so() -> None:
+    bed = cm.motion("bed", cm.dwell(360))
+    found = cm.improvements(cm.Machine("bed", cm.TimingDiagram([bed], 60)))
+    assert (len(found), repr(found)) == (
+        0,
+        "Nothing moves.\nNo single change makes a peak smaller.",
+    )
+
+
+def test_a_motion_of_another_build_keeps_its_angles() -> None:
+    parts = [cm.rise(10, over_deg=40), cm.dwell(20), cm.rise(10, over_deg=40), cm.dwell(20)]
+    back = [cm.return_(20, over_deg=60), cm.dwell(180)]
+    step = cm.motion("step", *parts, *back)
+    found = cm.improvements(cm.Machine("step", cm.TimingDiagram([step], 600)))
+    assert [one.kind for one in found] == ["law"]
+
+
+def test_a_change_that_breaks_a_rule_is_an_error_and_no_answer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    real = cm.widest_move
+
+    def too_wide(diagram: cm.TimingDiagram, name: str, *more: object, **named: object) -> object:
+        found = real(diagram, name, *more, **named)  # type: ignore[arg-type]
+        motion = cm.with_angle(diagram[name], min(found.angle_deg + 2, 129))
+        return replace(found, diagram=diagram.with_motion(motion))
+
+    monkeypatch.setattr(changes, "widest_move", too_wide)
+    with pytest.raises(WrongAnswerError, match="breaks the rule"):
+        cm.improvements(PRESS)
+
+
+def test_what_is_no_machine_is_refused() -> None:
+    with pytest.raises(cm.InputError, match=r"^The machine is .*: give a Machine"):
+        cm.improvements(PRESS.diagram)  # type: ignore[arg-type]
+    with pytest.raises(cm.InputError, match=r"^The time is 0 s"):
+        cm.improvements(PRESS, seconds=0)
+    assert ranking.improvements is cm.improvements

@@ -1,0 +1,211 @@
+"""A machine in a file: what is typed is read, what is written comes back, xlsx and CSV alike."""
+
+import zipfile
+from pathlib import Path
+
+import pytest
+from cartons import all_dies, packaging_machine
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import examples
+
+import cammotion as cm
+from cammotion.exchange.rule_text import arcs_as_text, arcs_from_text, rule_as_text, rule_from_text
+from cammotion.exchange.xlsx_in import read_sheets
+from cammotion.exchange.xlsx_out import sheets_as_xlsx
+
+HEADING = "motion; from in deg; to in deg; from in mm; to in mm; law; machine rate in pieces/h"
+TABLE = f"""
+{HEADING}; stops; still; rule
+mill; 0; 150; 0; 100; cycloidal; 2000; 24; 205 to 305; die beyond 19 only while mill within 0.65
+die; 150; 205; 0; 50; cycloidal; ; ; 205 to 305;
+; 305; 360; 50; 0; cycloidal; ; ; ;
+"""
+RULE = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
+STILL = {"mill": ((205.0, 305.0),), "die": ((205.0, 305.0),)}
+FULL = [
+    "motion,stops,from in deg,to in deg,from in mm,to in mm,law,machine rate in pieces/h,still",
+    "die,,150,205,0,50,cycloidal,2000,",
+    "die,,205,305,50,50,dwell,2000,yes",
+    "die,,305,360,50,0,cycloidal,2000,",
+    "die,,360,510,0,0,,2000,",
+]
+
+
+def carton_machine(count: int) -> cm.Machine:
+    diagram = packaging_machine(count)
+    still = {diagram.names[0]: [(200, 300)]}
+    return cm.Machine("cartons", diagram, all_dies(diagram), still)
+
+
+def test_what_is_typed_is_the_machine_of_the_lessons() -> None:
+    machine = cm.machine_from_text(TABLE, "press")
+    example = cm.EXAMPLE
+    assert (machine.name, [*machine.rules], machine.still) == ("press", [RULE], STILL)
+    assert machine.diagram.rate_per_hour == 2000
+    for motion in (example.mill, example.die):
+        angles = [*range(0, 360, 7)]
+        found = machine.diagram[motion.name].position_mm(angles)
+        assert found.tolist() == motion.position_mm(angles).tolist()
+
+
+def test_a_table_pasted_from_a_spreadsheet_has_tabs() -> None:
+    pasted = TABLE.replace("; ", "\t").replace(";", "\t")
+    assert cm.machine_from_text(pasted) == cm.machine_from_text(TABLE)
+
+
+def test_dwells_may_be_left_out_but_not_one_of_several() -> None:
+    complete = cm.machine_from_text("\n".join(FULL))
+    moves = cm.machine_from_text("\n".join([FULL[0], FULL[1], FULL[3]]))
+    assert moves.diagram == complete.diagram
+    assert complete.still == {"die": ((205.0, 305.0),)}
+    with pytest.raises(cm.InputError, match=r"add up to 210 deg; .* add a dwell of 150 deg"):
+        cm.machine_from_text("\n".join(FULL[:4]))
+
+
+def test_a_turret_stands_between_its_moves_too() -> None:
+    mill = cm.machine_from_text(TABLE).diagram["mill"]
+    assert (mill.stops, mill.pitch_mm, mill.position_mm(360 + 75)) == (24, 100, 150)
+
+
+def test_a_plain_table_of_segments_is_a_machine_without_rules(tmp_path: Path) -> None:
+    path = cm.write_segments(cm.EXAMPLE.diagram, tmp_path / "m.csv")
+    machine = cm.read_machine(path)
+    assert (machine.diagram, machine.rules, machine.still) == (cm.EXAMPLE.diagram, (), {})
+    assert cm.read_segments(path) == cm.EXAMPLE.diagram
+
+
+def test_a_table_with_rules_is_read_as_segments(tmp_path: Path) -> None:
+    machine = cm.machine_from_text(TABLE)
+    for ending in (".csv", ".xlsx"):
+        path = cm.write_machine(machine, tmp_path / f"m{ending}")
+        assert cm.read_segments(path) == machine.diagram
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx", ".XLSX", ""])
+@pytest.mark.parametrize("count", [2, 8, 24])
+def test_what_is_written_comes_back(tmp_path: Path, ending: str, count: int) -> None:
+    machine = carton_machine(count)
+    path = cm.write_machine(machine, tmp_path / f"cartons{ending}")
+    assert cm.read_machine(path) == machine
+    with pytest.raises(cm.InputError, match="is there already"):
+        cm.write_machine(machine, path)
+    assert zipfile.is_zipfile(path) == (ending.lower() == ".xlsx")
+
+
+def test_more_rules_than_segments_have_lines_of_their_own(tmp_path: Path) -> None:
+    rules = [
+        cm.ClearanceRule(cm.beyond("die", depth), only_while=cm.within("mill", 0.65))
+        for depth in range(19, 40)
+    ]
+    machine = cm.Machine("m", cm.EXAMPLE.diagram, rules)
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / "m.csv")) == machine
+
+
+def named(name: str) -> cm.Machine:
+    """Return a machine whose die has another name, with a rule on it."""
+    die = cm.Motion(name, cm.EXAMPLE.die.segments)
+    rule = cm.ClearanceRule(cm.beyond(name, 19), only_while=cm.within("mill", 0.65))
+    return cm.Machine("m", cm.TimingDiagram([cm.EXAMPLE.mill, die], 2000), [rule])
+
+
+def test_a_name_that_spoils_a_rule_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(cm.InputError, match="This machine cannot be written as a table"):
+        cm.write_machine(named("a only while b"), tmp_path / "m.csv")
+    assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize("name", ["die beyond 3", "the beyond within", "The die", "=die"])
+def test_an_odd_name_comes_back(tmp_path: Path, name: str) -> None:
+    path = cm.write_machine(named(name), tmp_path / "m.csv")
+    assert cm.read_machine(path) == named(name)
+
+
+numbers = st.floats(-1e6, 1e6)
+halves = st.tuples(st.sampled_from([cm.beyond, cm.within]), numbers)
+
+
+@examples(50)
+@given(when=halves, only=halves)
+def test_every_rule_is_read_back(when: tuple[object, float], only: tuple[object, float]) -> None:
+    names = ("the upper die", "mill 2")
+    made = [make(name, limit) for (make, limit), name in zip((when, only), names, strict=True)]  # type: ignore[operator]
+    rule = cm.ClearanceRule(*made)
+    assert rule_from_text(rule_as_text(rule), names) == rule
+    assert (
+        rule_from_text(
+            rule_as_text(rule)
+            .upper()
+            .replace("MILL", "mill")
+            .replace("THE UPPER DIE", "the upper die"),
+            names,
+        )
+        == rule
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "decimal", "arcs"),
+    [
+        ("205 to 305", ".", [(205, 305)]),
+        ("from 205,5 to 305 deg", ",", [(205.5, 305)]),
+        ("205° to 305°", ".", None),
+        ("205 to 305 and 350 to 370", ".", [(205, 305), (350, 370)]),
+        ("205 to 305; 350 to 370", ".", [(205, 305), (350, 370)]),
+        (" YES ", ".", []),
+        ("x", ".", []),
+    ],
+)
+def test_arcs_as_people_type_them(
+    text: str, decimal: str, arcs: list[tuple[float, float]] | None
+) -> None:
+    if arcs is None:
+        with pytest.raises(cm.InputError, match="give a number"):
+            arcs_from_text(text, decimal)
+        return
+    assert arcs_from_text(text, decimal) == arcs
+    if arcs:
+        assert arcs_from_text(arcs_as_text(arcs)) == arcs
+
+
+def test_a_german_workbook_and_a_german_file_say_the_same(tmp_path: Path) -> None:
+    german = TABLE.replace("0.65", "0,65").replace("; 150; 205;", "; 150,0; 205,0;")
+    (tmp_path / "g.csv").write_text(german.strip(), "utf-8-sig")
+    assert cm.read_machine(tmp_path / "g.csv").rules == cm.machine_from_text(TABLE).rules
+
+
+ODD = ["=1+1", "a & b < c", '"quoted"', "ß日本😀", " edge ", "tab\there", "x" * 5000]
+
+
+def test_a_workbook_keeps_texts_and_numbers() -> None:
+    numbers = [1.5, -2, 1e-300, 12345678.9, 0.1]
+    rows: list[list[object]] = [["heading", *ODD], ["", *numbers]]
+    found = read_sheets("b.xlsx", sheets_as_xlsx({"one": rows, "a:b/c": [["x"]], "A_B_C": []}))
+    assert [*found] == ["one", "a_b_c", "A_B_C 2"]
+    assert found["one"][0] == rows[0]
+    assert [float(cell) for cell in found["one"][1][1:]] == numbers
+
+
+def test_the_same_rows_are_the_same_bytes() -> None:
+    assert sheets_as_xlsx({"a": [["b", 1]]}) == sheets_as_xlsx({"a": [["b", 1]]})
+
+
+def test_a_machine_refuses_what_does_not_fit() -> None:
+    diagram = cm.EXAMPLE.diagram
+    with pytest.raises(cm.InputError, match=r"the die moves"):
+        cm.Machine("m", diagram, [RULE], {"die": [(150, 160)]})
+    with pytest.raises(cm.InputError, match=r"There is no motion 'punch'"):
+        cm.Machine("m", diagram, [], {"punch": [(150, 160)]})
+    with pytest.raises(cm.InputError, match=r"The name of the machine"):
+        cm.Machine(" ", diagram)
+    other = cm.ClearanceRule(cm.beyond("punch", 19), only_while=cm.within("mill", 0.65))
+    with pytest.raises(cm.InputError, match=r"There is no motion 'punch'"):
+        cm.Machine("m", diagram, [other])
+
+
+def test_a_machine_says_what_is_broken() -> None:
+    wide = cm.EXAMPLE.diagram.with_motion(cm.with_angle(cm.EXAMPLE.die, 126))
+    machine = cm.Machine("m", wide, [RULE])
+    assert "1 rule, 1 broken" in repr(machine)
+    assert len(machine.violations) == 2
+    assert machine.hardest == "mill"

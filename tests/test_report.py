@@ -1,0 +1,257 @@
+"""The report of a machine: whole or not at all, true by its own tables, quick and small."""
+
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, NoReturn
+
+import pytest
+from bs4 import BeautifulSoup
+from cartons import all_dies, packaging_machine
+from report_checker import check
+
+import cammotion as cm
+from cammotion.report import findings, writing
+from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
+
+DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
+STILL = {"mill": [(205, 305)], "die": [(205, 305)]}
+PRESS = cm.Machine("press", cm.EXAMPLE.diagram, [cm.EXAMPLE.rule], STILL)
+LARGEST_BYTES, LONGEST_S = 2_000_000, 5.0
+CHECKER = Path(__file__).with_name("report_checker.py")
+
+
+@pytest.fixture(scope="module")
+def pads(tmp_path_factory: pytest.TempPathFactory) -> cm.Report:
+    return cm.write_report(cm.read_machine(DATA), tmp_path_factory.mktemp("pads"))
+
+
+@pytest.fixture(scope="module")
+def page(pads: cm.Report) -> BeautifulSoup:
+    return BeautifulSoup(pads.page.read_text("utf-8"), "html.parser")
+
+
+def test_a_program_that_knows_only_the_tables_agrees(pads: cm.Report) -> None:
+    ran = subprocess.run(
+        [sys.executable, "-I", str(CHECKER), str(pads.folder / "tables.xlsx")],
+        capture_output=True,
+        text=True,
+    )
+    assert ran.stdout == "The report agrees with its tables.\n", ran.stdout + ran.stderr
+    assert "cammotion" not in CHECKER.read_text("utf-8").split('"""')[2]
+
+
+def test_the_checker_sees_a_wrong_peak_and_a_wrong_clearance(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    report = cm.write_report(PRESS, tmp_path)
+    assert check(report.folder / "tables.xlsx") == []
+    right = cm.Machine.peaks.func  # type: ignore[attr-defined]
+    fewer = property(lambda self: {name: 0.97 * peak for name, peak in right(self).items()})
+    monkeypatch.setattr(cm.Machine, "peaks", fewer)
+    wrong = check(cm.write_report(replace(PRESS), tmp_path).folder / "tables.xlsx")
+    assert len(wrong) == 4
+    assert all(one.startswith("peak of") for one in wrong)
+
+
+def test_the_tables_can_be_read_as_machines(pads: cm.Report) -> None:
+    machine = cm.read_machine(pads.folder / "tables.xlsx")
+    assert machine == replace(cm.read_machine(DATA), name="tables")
+    table = cm.read_cam_table(pads.folder / "cam tables" / "die.csv")
+    assert len(table.angle_deg) == 360
+    assert (pads.folder / "codesys" / "mill.txt").is_file()
+
+
+def test_the_page_needs_nothing_else(pads: cm.Report, page: BeautifulSoup) -> None:
+    text = pads.page.read_text("utf-8")
+    outside = [
+        tag[name] for tag in page.find_all(True) for name in ("src", "href") if tag.get(name)
+    ]
+    assert outside
+    assert all(str(one).startswith("data:") for one in outside)
+    assert not re.search(r"https?://(?!www\.w3\.org)", text.split("<iframe")[0])
+    assert all(image["alt"] for image in page("img"))
+    assert sum(file.stat().st_size for file in pads.folder.rglob("*")) < LARGEST_BYTES
+
+
+def test_every_number_opens_to_its_formula(page: BeautifulSoup) -> None:
+    table = next(one for one in page("table") if "The hardest first" in one.get_text())
+    sucker = table("tr")[1]
+    peak = sucker("details")[1]
+    assert peak.get_text().startswith("14.14")
+    assert "6.2832 · 0.09 m / (0.2 s)² = 14.1372 m/s²" in peak.get_text()
+    assert len(page("details")) > 60
+
+
+def test_the_page_says_what_is_proved_and_under_which_conditions(page: BeautifulSoup) -> None:
+    text = page.get_text()
+    assert "No motions of these parts can have a largest peak below 3.99" in text
+    assert "is at most 58 % above the best" in text
+    assert "At the peak of today that is 3000 pieces/h" in text
+    assert "Conditions: the mill stands from 205 to 305 deg" in text
+
+
+def test_nothing_is_written_over(tmp_path: Path) -> None:
+    quick = replace(PRESS, still={})
+    names = [cm.write_report(quick, tmp_path).folder.name for _ in range(3)]
+    assert names == ["report-press", "report-press-2", "report-press-3"]
+    (tmp_path / "report-press-4").write_text("mine")
+    assert cm.write_report(quick, tmp_path).folder.name == "report-press-5"
+    assert (tmp_path / "report-press-4").read_text() == "mine"
+    assert not [*tmp_path.glob(".*")]
+
+
+@pytest.mark.parametrize("failing", ["sheets_as_xlsx", "write_page", "write_cam_tables", "_move"])
+@pytest.mark.parametrize("how", [OSError("disk full"), KeyboardInterrupt(), MemoryError()])
+def test_a_crash_leaves_nothing_half_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, failing: str, how: BaseException
+) -> None:
+    def fail(*_: Any, **__: Any) -> NoReturn:
+        raise how
+
+    monkeypatch.setattr(writing, failing, fail)
+    with pytest.raises(type(how)):
+        cm.write_report(replace(PRESS, still={}), tmp_path)
+    assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize("stopped", ["optimise", "least_peak"])
+def test_an_interrupt_takes_the_best_so_far(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stopped: str
+) -> None:
+    def interrupt(*_: Any, **__: Any) -> NoReturn:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(findings, stopped, interrupt)
+    text = cm.write_report(PRESS, tmp_path).page.read_text("utf-8")
+    assert "interrupted" in text
+    assert ("No motions of these parts" in text) == (stopped == "optimise")
+    assert ("With all moves balanced" in text) == (stopped == "least_peak")
+
+
+def test_an_interrupt_within_the_search_keeps_the_bound(tmp_path: Path) -> None:
+    told: list[float] = []
+
+    def tell(share: float, what: str) -> None:
+        told.append(share)
+        if what.startswith("built"):
+            raise KeyboardInterrupt
+
+    page = cm.write_report(PRESS, tmp_path, progress=tell).page.read_text("utf-8")
+    assert "No motions of these parts can have a largest peak below" in page
+    assert told == sorted(told)
+    assert (told[0], told[-1]) == (0, 1)
+
+
+def spoiled(machine: cm.Machine) -> cm.Machine:
+    return machine.with_diagram(machine.diagram.with_motion(cm.with_angle(cm.EXAMPLE.die, 126)))
+
+
+def test_a_broken_rule_is_shown_and_is_the_exit_code(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    broken = replace(spoiled(PRESS), still={})
+    path = cm.write_machine(broken, tmp_path / "broken.csv")
+    assert main([str(path), "--folder", str(tmp_path)]) == BROKEN
+    said = capsys.readouterr()
+    assert "Broken: the die is" in said.out
+    assert "[########################] done" in said.err
+    page = BeautifulSoup((tmp_path / "report-broken" / "report.html").read_text(), "html.parser")
+    assert page.select("tr.broken")
+    assert page.select_one("p.broken")
+
+
+def test_a_machine_without_rules_has_a_report(tmp_path: Path) -> None:
+    still = cm.motion("bed", cm.dwell(360))
+    machine = cm.Machine("bed", cm.TimingDiagram([still], 60))
+    assert cm.write_report(machine, tmp_path).is_kept
+    path = cm.write_machine(replace(PRESS, rules=(), still={}), tmp_path / "free.csv")
+    assert main([str(path), "--folder", str(tmp_path)]) == KEPT
+
+
+def test_a_folder_that_is_none_is_a_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = cm.write_machine(replace(PRESS, still={}), tmp_path / "m.csv")
+    assert main([str(path), "--folder", str(tmp_path / "none")]) == FAILED
+    assert "The folder 'none' is not there" in capsys.readouterr().err
+
+
+def test_names_are_no_markup_and_no_paths(tmp_path: Path) -> None:
+    name = '../<img src=x onerror="alert(1)">'
+    die = cm.Motion(name, cm.EXAMPLE.die.segments)
+    machine = cm.Machine(name, cm.TimingDiagram([cm.EXAMPLE.mill, die], 2000))
+    report = cm.write_report(machine, tmp_path)
+    assert report.folder.parent == tmp_path
+    page = BeautifulSoup(report.page.read_text("utf-8"), "html.parser")
+    assert not page.select("img[onerror]")
+    assert name in page.h1.get_text()  # type: ignore[union-attr]
+
+
+def test_dxf_of_each_mechanism_that_comes_back(tmp_path: Path) -> None:
+    report = cm.write_report(replace(PRESS, still={}), tmp_path, dxf=True)
+    assert [file.name for file in (report.folder / "dxf").iterdir()] == ["2 die.dxf"]
+    assert "prime circle of" in report.page.read_text("utf-8")
+
+
+@pytest.mark.parametrize("make", [lambda: packaging_machine(25), lambda: packaging_machine(12)])
+def test_many_mechanisms_have_a_report(
+    tmp_path: Path, make: Callable[[], cm.TimingDiagram]
+) -> None:
+    diagram = make()
+    report = cm.write_report(cm.Machine("cartons", diagram, all_dies(diagram)), tmp_path)
+    text = report.page.read_text("utf-8")
+    assert ("It is not drawn." in text) == (len(diagram.names) > 24)
+    assert len(text) < LARGEST_BYTES
+
+
+def test_a_report_takes_seconds(tmp_path: Path) -> None:
+    machine = replace(cm.read_machine(DATA), name="timed")
+    started = time.process_time()
+    cm.write_report(machine, tmp_path, seconds=1)
+    assert time.process_time() - started < LONGEST_S
+
+
+def test_what_is_no_machine_is_refused(tmp_path: Path) -> None:
+    for wrong in (None, cm.EXAMPLE.diagram, "press.csv"):
+        with pytest.raises(cm.InputError, match=r"^The machine is .*: give a Machine"):
+            cm.write_report(wrong, tmp_path)  # type: ignore[arg-type]
+    with pytest.raises(cm.InputError, match=r"^The time for the bound is 0 s"):
+        cm.write_report(PRESS, tmp_path, seconds=0)
+    assert not [*tmp_path.iterdir()]
+
+
+def odd(name: str, *motions: cm.Motion, still: dict[str, list[tuple[float, float]]]) -> cm.Machine:
+    return cm.Machine(name, cm.TimingDiagram(motions, 2000), [], still)
+
+
+BELT = cm.motion(
+    "belt",
+    cm.rise(10, over_deg=60, law=cm.CONSTANT_VELOCITY),
+    cm.dwell(60),
+    cm.return_(10, over_deg=60),
+    cm.dwell(180),
+)
+SHEAR = cm.motion(
+    "shear",
+    cm.rise(20, over_deg=70, law=cm.MATCHED),
+    cm.rise(60, over_deg=80, law=cm.CONSTANT_VELOCITY),
+    cm.rise(20, over_deg=50, law=cm.MATCHED),
+    cm.return_(100, over_deg=160),
+)
+ODD_MACHINES = [
+    odd("jumps", BELT, cm.EXAMPLE.die, still={"belt": [(70, 110)], "die": [(210, 300)]}),
+    odd("matched", SHEAR, cm.EXAMPLE.mill, still={"mill": [(205, 305)]}),
+    odd("stands", cm.motion("bed", cm.dwell(360)), still={"bed": [(0, 10)]}),
+    odd("n" * 3000, cm.EXAMPLE.mill, still={}),
+]
+
+
+@pytest.mark.parametrize("machine", ODD_MACHINES, ids=lambda machine: machine.name[:10])
+def test_an_odd_machine_has_a_report(tmp_path: Path, machine: cm.Machine) -> None:
+    text = cm.write_report(machine, tmp_path, seconds=1).page.read_text("utf-8")
+    assert "nan" not in BeautifulSoup(text, "html.parser").main.get_text()  # type: ignore[union-attr]
