@@ -19,6 +19,7 @@ _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of
 _NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
 _NONE: Mapping[str, str] = {}
 _TYPED = re.compile(r"[+-]?\d+([.,]\d+)?", re.ASCII)
+_TWO = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)  # with a decimal comma, or of thousands
 
 Floats = NDArray[np.float64]
 
@@ -164,8 +165,11 @@ class Quantity:
             return np.empty(0)
         if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
             return np.array([_as_float(item) for item in array.flat]).reshape(array.shape)
-        typed = as_typed(value)
-        meant = f"it as a number, {typed} without quotes" if typed else self._example
+        typed = typed_numbers(value)
+        sensible = [each for each in typed if self._inside(np.array(float(each)))] or typed
+        meant = (
+            f"it as a number, {' or '.join(sensible)} without quotes" if typed else self._example
+        )
         raise InputError(
             f"The {self.name} has to be a number{' in ' + self.unit if self.unit else ''}, "
             f"not {shorten(value)}: give {meant}."
@@ -272,14 +276,26 @@ def _as_float(item: Any) -> float:
         return math.inf if item > 0 else -math.inf
 
 
-def as_typed(value: object) -> str:
-    """Return the number that a text is, with a decimal point; an empty text if it is none.
+def readings(typed: str) -> tuple[str, ...]:
+    """Return a typed number with a decimal point, in both ways if it may be two numbers.
 
-    >>> as_typed("4,154"), as_typed(" 55 "), as_typed("die")
-    ('4.154', '55', '')
+    A decimal comma is a point; one comma before three digits may also part thousands.
+
+    >>> readings("4,15"), readings("0,806"), readings("2.400"), readings("-4,154")
+    (('4.15',), ('0.806',), ('2.400',), ('-4.154', '-4154'))
+    """
+    point = typed.replace(",", ".")
+    return (point, typed.replace(",", "")) if _TWO.fullmatch(typed) else (point,)
+
+
+def typed_numbers(value: object) -> tuple[str, ...]:
+    """Return the `readings` of a text that is a number, none of anything else.
+
+    >>> typed_numbers("4,15"), typed_numbers(" 55 "), typed_numbers("die"), typed_numbers(None)
+    (('4.15',), ('55',), (), ())
     """
     text = value.strip() if isinstance(value, str) else ""
-    return text.replace(",", ".") if _TYPED.fullmatch(text) else ""
+    return readings(text) if _TYPED.fullmatch(text) else ()
 
 
 def listed(values: Any) -> tuple[Any, ...]:
