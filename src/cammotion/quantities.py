@@ -2,7 +2,6 @@
 
 import math
 import numbers
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -14,12 +13,12 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from cammotion.typed import typed_numbers
+
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
 _NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
 _NONE: Mapping[str, str] = {}
-_TYPED = re.compile(r"[+-]?\d+([.,]\d+)?", re.ASCII)
-_TWO = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)  # with a decimal comma, or of thousands
 
 Floats = NDArray[np.float64]
 
@@ -149,8 +148,7 @@ class Quantity:
         return f"for example {self.example:g}{self._unit}"
 
     def _as_floats(self, value: ArrayLike) -> Floats:
-        items = value if isinstance(value, list | tuple) else ()
-        if np.ma.is_masked(value) or any(item is np.ma.masked for item in items):
+        if is_masked(value):
             raise InputError(
                 f"The {self.name} has masked values, which are none: leave them out, for example "
                 "with .compressed()."
@@ -276,26 +274,10 @@ def _as_float(item: Any) -> float:
         return math.inf if item > 0 else -math.inf
 
 
-def readings(typed: str) -> tuple[str, ...]:
-    """Return a typed number with a decimal point, in both ways if it may be two numbers.
-
-    A decimal comma is a point; one comma before three digits may also part thousands.
-
-    >>> readings("4,15"), readings("0,806"), readings("2.400"), readings("-4,154")
-    (('4.15',), ('0.806',), ('2.400',), ('-4.154', '-4154'))
-    """
-    point = typed.replace(",", ".")
-    return (point, typed.replace(",", "")) if _TWO.fullmatch(typed) else (point,)
-
-
-def typed_numbers(value: object) -> tuple[str, ...]:
-    """Return the `readings` of a text that is a number, none of anything else.
-
-    >>> typed_numbers("4,15"), typed_numbers(" 55 "), typed_numbers("die"), typed_numbers(None)
-    (('4.15',), ('55',), (), ())
-    """
-    text = value.strip() if isinstance(value, str) else ""
-    return readings(text) if _TYPED.fullmatch(text) else ()
+def is_masked(value: object) -> bool:
+    """Whether a value is masked, or one in an array, a list or a tuple is."""
+    items = value if isinstance(value, list | tuple) else ()
+    return bool(np.ma.is_masked(value)) or any(item is np.ma.masked for item in items)
 
 
 def listed(values: Any) -> tuple[Any, ...]:

@@ -4,7 +4,8 @@ import math
 import re
 from dataclasses import dataclass
 
-from cammotion.quantities import readings, shorten
+from cammotion.quantities import shorten
+from cammotion.typed import readings
 
 _DIGITS = r"\d+(?:[.,]\d+)?"
 _NUMBER = re.compile(

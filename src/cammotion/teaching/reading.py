@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import sympy
 
-from cammotion.quantities import readings, shorten, typed_numbers
+from cammotion.quantities import shorten
+from cammotion.typed import readings, typed_numbers
 
 _NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share
 
