@@ -8,6 +8,7 @@ import typing
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
+from cammotion.arguments.signatures import readable
 from cammotion.quantities import InputError, UnknownNameError, one_of
 
 T = TypeVar("T", bound=Callable[..., Any])
@@ -76,6 +77,7 @@ def _fitting(function: Any, title: str) -> Any:
             raise
 
     call.refuses_calls = True  # type: ignore[attr-defined]  # it is dressed once
+    call.__signature__ = readable(function)  # type: ignore[attr-defined]
     return call
 
 

@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from cammotion.arguments.calls import bind, called
+from cammotion.arguments.signatures import readable
 from cammotion.quantities import InputError, shorten
 
 T = TypeVar("T", bound=Callable[..., Any])
@@ -93,6 +94,7 @@ def _checked(function: Any, title: str) -> Any:
         return function(*bound.args, **bound.kwargs)
 
     call.refuses_calls = True  # type: ignore[attr-defined]  # a call that does not fit, by bind
+    call.__signature__ = readable(function)  # type: ignore[attr-defined]
     return call
 
 
