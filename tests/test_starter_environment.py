@@ -268,16 +268,22 @@ def test_a_learner_gets_what_is_not_for_the_tests_alone(root: Path) -> None:
 
 
 def test_the_learners_part_is_complete(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever a package of it asks for here is in it, and the tools of the tests are not."""
+    """Whatever a pinned package of it asks for is in it, and the tools of the tests are not."""
     monkeypatch.undo()  # the real workbook's
+    pinned = {f"{name}{pin}".partition(" ")[0] for name, pin, _ in download.entries(whole=True)}
+    learners = download.pinned_packages(whole=False)
     found, more = set[str](), {("cammotion", "lab")}
     while more:
         found |= {name for name, _ in more}
         asked = {one for name, extra in more for one in asked_by(name, extra)}
-        more = {one for one in asked if one[0] not in found}
-    learners = download.pinned_packages(whole=False)
-    assert found - {"cammotion"} <= learners
+        more = {one for one in asked if one[0] not in found and as_pinned(one[0]) in pinned}
+        assert {name for name, _ in asked} <= learners
     assert not {"mypy", "nbval", "playwright", "pytest", "ruff", "hypothesis"} & learners
+
+
+def as_pinned(name: str) -> str:
+    """Return a package as environment.txt would pin it, in the version that is here."""
+    return f"{name}=={importlib.metadata.version(name)}"
 
 
 def asked_by(name: str, extra: str) -> Iterator[tuple[str, str]]:
