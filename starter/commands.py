@@ -155,7 +155,7 @@ def set_up(options: argparse.Namespace) -> int:
 
 def test(options: argparse.Namespace) -> int:
     """Run linters and tests."""
-    environment.ensure()
+    environment.ensure(whole=True)
     return maintain.test(options.passed_on)
 
 

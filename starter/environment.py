@@ -10,13 +10,13 @@ from starter.errors import WorkbookError
 from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, START, VENV, first_free
 
 MARKER = VENV / "made-by-workbook"
-MB_FOR_NEW, MB_FOR_UPDATE = 1400, 400
+MB_FOR_NEW, MB_FOR_TESTS, MB_FOR_UPDATE = 1000, 1400, 400
 
 
-def ensure() -> None:
-    """Make, update or repair .venv, unless it is ready."""
+def ensure(whole: bool = False) -> None:
+    """Make, update or repair .venv, unless it is ready; `whole` with what only tests need."""
     download.check()
-    state, reason = inspection.judge()
+    state, reason = inspection.judge(whole)
     if state == "ready":
         return
     if not os.access(ROOT, os.W_OK):
@@ -26,39 +26,40 @@ def ensure() -> None:
             "Or put the workbook into a folder of your own, and start again."
         )
     with processes.only_one_in(ROOT, "Another set-up is at work in this folder"):
-        state, reason = inspection.judge()
+        state, reason = inspection.judge(whole)
         if state == "changed":
-            update(reason)
+            update(reason, whole)
         elif state != "ready":
-            make(reason)
+            make(reason, whole)
 
 
-def make(reason: str) -> None:
+def make(reason: str, whole: bool) -> None:
     """Make .venv from nothing; leave nothing half-made behind if that fails."""
     check_modules()
     if reason:
         print(f"The environment in .venv is not used: {reason}.")
     clear_the_way()
-    check_disk(MB_FOR_NEW)
+    check_disk(MB_FOR_TESTS if whole else MB_FOR_NEW)
     try:
         print(f"[1/3] Making the Python environment in .venv (Python {PYTHON_VERSION})")
         create()
-        installer.install_packages("[2/3]")
-        record("[3/3]")
+        installer.install_packages("[2/3]", whole)
+        record("[3/3]", whole)
     except BaseException:
         shutil.rmtree(VENV, ignore_errors=True)
         raise
 
 
-def update(reason: str) -> None:
-    """Install into the existing .venv what changed or is missing."""
+def update(reason: str, whole: bool) -> None:
+    """Install into the existing .venv what changed or is missing; what is whole stays whole."""
     print(f"The environment in .venv is updated: {reason}.")
-    check_disk(MB_FOR_UPDATE)
     before = inspection.read_stamp()
+    whole = whole or bool(before and before.whole)
+    check_disk(MB_FOR_UPDATE)
     inspection.STAMP.unlink()
     try:
-        installer.install_packages("[1/2]")
-        record("[2/2]")
+        installer.install_packages("[1/2]", whole)
+        record("[2/2]", whole)
     except BaseException:
         now = inspection.inspect()
         # Nothing was touched (no network, say): the next start need not make it anew.
@@ -78,7 +79,7 @@ def create() -> None:
         installer.add_pip()
 
 
-def record(step: str) -> None:
+def record(step: str, whole: bool) -> None:
     """Check the result of an installation, and stamp it."""
     print(f"{step} Checking the environment")
     now = inspection.inspect()
@@ -87,9 +88,9 @@ def record(step: str) -> None:
             "The packages were installed, but Python does not find cammotion. Does a setting of "
             "pip or uv send them elsewhere, such as target, prefix or root?"
         )
-    pinned = download.pinned_packages()
+    pinned = download.pinned_packages(whole)
     versions = {name: version for name, version in now.versions.items() if name in pinned}
-    inspection.write_stamp(now._replace(versions=versions))
+    inspection.write_stamp(now._replace(versions=versions, whole=whole))
 
 
 def check_modules() -> None:

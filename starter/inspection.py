@@ -25,21 +25,27 @@ print(json.dumps({
 
 
 class Environment(NamedTuple):
-    """What is, or at the end of an installation was, in .venv and asked for by `files`."""
+    """What is, or at the end of an installation was, in .venv and asked for by `files`.
+
+    `whole` is a stamp's: whether that was installed, too, which only the tests need.
+    """
 
     files: dict[str, str]
     python: str
     prefix: str
     package: str
     versions: dict[str, str]
+    whole: bool = True
 
 
-def judge() -> tuple[str, str]:
-    """Look at .venv: missing, or what `compare` says."""
+def judge(whole: bool = False) -> tuple[str, str]:
+    """Look at .venv: missing, or what `compare` says; `whole` asks for what only tests need."""
     if not os.path.lexists(VENV):
         return "missing", ""
     stamp = read_stamp()
-    return compare(stamp, inspect() if stamp else None)
+    verdict = compare(stamp, inspect() if stamp else None)
+    lacks_tests = verdict[0] == "ready" and whole and stamp and not stamp.whole
+    return ("changed", "the tests need more packages") if lacks_tests else verdict
 
 
 def compare(stamp: Environment | None, now: Environment | None) -> tuple[str, str]:

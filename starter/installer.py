@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from starter import download, processes, reasons
 from starter.errors import WorkbookError
-from starter.paths import ENVIRONMENT, ON_WINDOWS, ROOT, VENV, VENV_PYTHON
+from starter.paths import ON_WINDOWS, ROOT, VENV, VENV_PYTHON
 
 PATIENCE = {"PIP_RETRIES": "2", "UV_HTTP_RETRIES": "2", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
 # Settings of the user's that would send the packages elsewhere than into the environment.
@@ -26,9 +26,9 @@ def add_pip() -> None:
     run([str(VENV_PYTHON), "-Im", "ensurepip"], lambda _lines: "adding pip")
 
 
-def install_packages(step: str) -> None:
-    """Install what environment.txt pins, showing how far it is."""
-    total, before = len(download.pinned_packages()), count_installed()
+def install_packages(step: str, whole: bool) -> None:
+    """Install what environment.txt pins, `whole` with what only tests need; say how far it is."""
+    total, before = len(download.pinned_packages(whole)), count_installed()
     uv = find_uv()
     tool = [uv, "pip", "install", "-p"] if uv else []
     tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install", "--no-user"]
@@ -37,7 +37,7 @@ def install_packages(step: str) -> None:
     time_needed = "uv" if uv else "pip (a few minutes, once)"
     print(f"{step} Installing about {total} packages with {time_needed} ...")
     run(
-        [*tool, "-r", ENVIRONMENT.name],
+        [*tool, *download.requirements(whole)],
         lambda lines: describe_progress(lines, count_installed() - before, total),
     )
 

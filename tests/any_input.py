@@ -25,7 +25,9 @@ import numpy as np
 import sympy
 
 import cammotion as cm
-from cammotion import arguments
+from cammotion.arguments import calls, kinds
+
+WRAPPERS = {calls.__file__, kinds.__file__, contextlib.__file__}
 
 ODD: list[Any] = [
     *(None, True, False, 0, 1, -1, 2, 3.5, 8.0, 360, 361, -5, 1e-300, 1e300, -1e300, 10**400),
@@ -122,7 +124,7 @@ def recorded() -> list[Recorded]:
 def caller(frame: FrameType) -> FrameType | None:
     """Return who has called, what is put around a function left out."""
     back = frame.f_back
-    while back and back.f_code.co_filename in {arguments.__file__, contextlib.__file__}:
+    while back and back.f_code.co_filename in WRAPPERS:
         back = back.f_back
     return back
 

@@ -215,11 +215,18 @@ def test_a_law_is_found_in_any_case_and_by_its_other_names() -> None:
     assert cm.LAWS.get("cycloidal spline") is None
 
 
-@pytest.mark.parametrize("typed", ["55", "4,154", " 4.154 ", "-3"])
+@pytest.mark.parametrize("typed", ["55", "4,15", " 4.154 ", "0,806", "-3"])
 def test_a_number_in_quotes_is_asked_for_without(typed: str) -> None:
     number = typed.strip().replace(",", ".")
     with pytest.raises(cm.InputError, match=f": give it as a number, {number} without quotes"):
         cm.cycle_time(typed)
+
+
+def test_a_comma_before_three_digits_is_read_as_makes_sense() -> None:
+    with pytest.raises(cm.InputError, match=r"as a number, 2\.000 or 2000 without quotes"):
+        cm.cycle_time("2,000")
+    with pytest.raises(cm.InputError, match=r"as a number, 1\.250 without quotes"):
+        cm.peak_acceleration(50, "1,250", 2000)
 
 
 @pytest.mark.parametrize("value", [Decimal("2000.5"), Fraction(4001, 2), np.float32(2000.5)])

@@ -164,11 +164,11 @@ def test_a_force_over_the_end_of_the_turn() -> None:
     ("given", "said"),
     [
         ({"loads": {"dye": DIE}}, "There is no motion 'dye': did you mean 'die'"),
-        ({"loads": {"die": 12}}, "The loads are {.die.: 12}: say them by the names of motions"),
+        ({"loads": {"die": 12}}, "A load of a motion is 12: give a FollowerLoad, for example"),
         ({"loads": [DIE]}, r"The loads are \["),
         ({"friction_N": {"mill": 3}}, "There is no load of a motion 'mill': use one of 'die'"),
         ({"friction_N": {"die": -3}}, "friction is -3 N"),
-        ({"friction_N": 3}, "The friction_N are 3: say"),
+        ({"friction_N": 3}, "The forces of friction are 3: give them by the name of each load"),
         ({"process": [400]}, r"forces of the process are \[400\]: give a list of ProcessForce"),
         ({"process": 400}, "forces of the process are 400"),
         ({"inertia_kg_m2": -1}, "inertia of the drive is -1 kg m2"),

@@ -16,7 +16,7 @@ from cammotion.quantities import InputError
 from cammotion.teaching.classroom import histogram
 from cammotion.teaching.classroom.clean import clean
 from cammotion.teaching.classroom.collect import read_class
-from cammotion.teaching.prediction import number_in
+from cammotion.teaching.prediction import numbers_in
 
 DONE = {"exercises": {"01.1": {"state": "right", "tries": 1}}}
 
@@ -168,17 +168,25 @@ def test_counts_that_nobody_can_have_reached_are_none(tmp_path: Path) -> None:
         *[("1/4", "", 0.25), ("1 / 4", "", 0.25), ("1/0", "", None), ("4 times!", "", 4)],
         *[("25 %", "percent", 25), ("25%", "fraction", 0.25), ("25 percent", "percent", 25)],
         *[("50-60", "", None), ("50 or 60", "", None), ("", "", None), ("none", "", None)],
+        *[("4,15", "", 4.15), ("0,806", "", 0.806), ("4.154", "", 4.154), ("4,1540", "", 4.154)],
+        *[("1,234.5", "", None), ("1.234,5", "", None), ("10,000,000", "", None)],
+        *[("1/1,234.5", "", None), ("1/2/3", "", None), ("007,154 mm", "", 7.154)],
         *[("1e999", "", None), ("9" * 400, "", None), ("\u0665", "", 5), ("²", "", None)],
     ],
 )
 def test_the_number_in_what_was_typed(text: str, asked: str, number: float | None) -> None:
-    assert number_in(text, asked) == number
+    assert numbers_in(text, asked) == (() if number is None else (number,))
+
+
+def test_a_comma_before_three_digits_may_part_thousands() -> None:
+    assert numbers_in("about 4,154 m/s2", "m/s²") == (4.154, 4154)
+    assert numbers_in("−12,500", "deg") == (-12.5, -12500)
+    assert numbers_in("1,250 %", "fraction") == (0.0125, 12.5)
 
 
 @given(st.text())
 def test_any_text_is_a_number_or_none(text: str) -> None:
-    number = number_in(text, "deg")
-    assert number is None or math.isfinite(number)
+    assert all(math.isfinite(number) for number in numbers_in(text, "deg"))
     clean(text).encode()
     assert len(clean(text)) <= 40
 

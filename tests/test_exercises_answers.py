@@ -200,7 +200,10 @@ def test_no_reason_speaks_of_lengths_where_none_is_asked_for() -> None:
 
 
 ODD_NUMBERS: list[tuple[Any, str]] = [
-    ("4.154", "This is a text. Write one number in m/s², without quotes and unit"),
+    ("4.154", r"This is a text. Write one number in m/s², without quotes and unit: 4.154\.$"),
+    ("4,154", r"without quotes and unit: 4.154 or 4154\.$"),
+    ((4, 154), "If you mean 4.154 or 4154, write that, without the comma"),
+    ((4, 15), "If you mean 4.15, write that, without the comma"),
     (b"4.154", "This is a text"),
     ([4.154], r"several values \(it is of type list\).*one number in m/s².*\[0\]"),
     (np.array([4.154]), "of type ndarray"),

@@ -84,7 +84,7 @@ def test_a_stiff_spring_is_drawn_larger_and_says_so(figure: LiveFigure) -> None:
 
 
 def test_own_laws_and_one_alone() -> None:
-    figure = cm.explore_follower(["modified trapezoid"], start=8, damping=0.1)
+    figure = cm.explore_follower(["modified trapezoid"], start=8, damping_ratio=0.1)
     peak = cm.OneMass("modified trapezoid", 8, 0.1).peak
     assert figure.text.startswith(
         f"modified trapezoid: largest |A| of the cam 4.89, of the mass {peak:.3g}"

@@ -63,7 +63,7 @@ def test_in_closed_form() -> None:
     assert sp.expand(made.cam.s - law.s - law.a / (16 * sp.pi**2)) == 0
     assert sp.expand(made.mass.s - law.s) == 0
     assert made.at_rate(1).peak == pytest.approx(law.Ca, rel=1e-6)
-    assert (made.swings, made.damping, made.law) == (2, 0, law)
+    assert (made.swings, made.damping_ratio, made.law) == (2, 0, law)
 
 
 def test_a_stiff_follower_needs_no_other_cam() -> None:

@@ -148,7 +148,8 @@ def test_a_rate_at_which_the_limit_is_not_met_is_never_returned(
     [
         ({}, "No limit is given: give at least one"),
         ({"acceleration": 0}, "limit of the acceleration is 0 m/s2"),
-        ({"acceleration": {"dye": 3}}, "There is a limit of the acceleration for 'dye': give it"),
+        ({"acceleration": {"dye": 3}}, "There is no motion 'dye': did you mean 'die'"),
+        ({"force_N": {"dye": 3}}, "There is no load of a motion 'dye': did you mean 'die'"),
         ({"force_N": -1}, "limit of the force is -1 N"),
         ({"torque_N_m": math.nan}, "limit of the torque is nan N m"),
     ],

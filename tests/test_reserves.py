@@ -153,7 +153,7 @@ def test_to_touch_is_to_have_nothing_left_wherever_the_turn_begins() -> None:
     [
         ({"phase_deg": -1}, "phase error is -1 deg"),
         ({"off_mm": -1}, "error of the position is -1 mm"),
-        ({"phase_deg": {"dye": 1}}, "phase error is {'dye': 1}, and not every name in it"),
+        ({"phase_deg": {"dye": 1}}, "There is no motion 'dye': did you mean 'die'"),
         ({"off_mm": "much"}, "error of the position has to be a number in mm"),
     ],
 )

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import cammotion as cm
 from cammotion.teaching import session
-from cammotion.teaching.controls import Reveal
+from cammotion.teaching.controls import PredictionControl, Reveal
 from cammotion.teaching.lessons import PREDICTIONS
 from cammotion.teaching.places import GRADING, Place
 from cammotion.teaching.prediction import Prediction
@@ -122,10 +122,34 @@ def test_what_is_no_number_is_said_as_it_was_typed(typed: str) -> None:
         ("03.share", "10 %", "16 times too much"),
         ("03.share", "0.1 percent", "6.5 times too little"),
         ("06.spring", "5", "17 % too little"),
+        ("02.peak", "1,039", "as good as right"),
+        ("02.peak", "0,806 m/s²", "22 % too little"),
+        ("05.best", "about 4,154", "29 % too much"),
+        ("02.few", "15,970", "as good as right"),
     ],
 )
 def test_how_far_off_it_is(key: str, typed: str, far: str) -> None:
     assert PREDICTIONS[key].how_far(typed) == far
+
+
+def test_what_may_be_two_numbers_is_asked_and_the_answer_stays_folded() -> None:
+    made = Prediction("k", "pieces/h", 2000.0, HALF.why, high=5000)
+    guess = PredictionControl(made.asked, "", lambda _: None, made)
+    reveal = guess.reveal(*ANSWER)
+    guess.field.value = "2,000"
+    asked = "“2,000” may be 2 or 2000: write it with a point, or with no mark."
+    assert repr(reveal) == f"The answer is folded: {asked}"
+    assert asked in guess.children[1].value
+    assert "<details open" not in reveal.html
+    guess.field.value = "2000"
+    assert_open(reveal, "You predicted 2000: as good as right.")
+    assert "may be" not in guess.children[1].value
+
+
+@pytest.mark.parametrize("made", PREDICTIONS.values(), ids=PREDICTIONS)
+def test_no_prediction_of_a_lesson_is_asked_about(made: Prediction) -> None:
+    assert isinstance(made.true, str) or made.true < made.high
+    assert made.unclear("4,154") == ""
 
 
 @given(st.floats(1e-6, 1e6), st.floats(1e-6, 1e6))

@@ -118,7 +118,7 @@ def test_an_update_brings_the_switch(monkeypatch: pytest.MonkeyPatch) -> None:
     ran: list[list[str]] = []
     monkeypatch.setattr(installer, "find_uv", lambda: "uv")
     monkeypatch.setattr(installer, "run", lambda command, _: ran.append(command))
-    installer.install_packages("[1/2]")
+    installer.install_packages("[1/2]", whole=False)
     assert "--reinstall-package cammotion" in " ".join(ran[0])
 
 

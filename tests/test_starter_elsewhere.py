@@ -208,7 +208,7 @@ def test_an_environment_is_not_made_where_one_may_not_write(
     """Its reason is said, and nothing is tried."""
     monkeypatch.undo()
     move_starter(root.parent.parent / "closed", monkeypatch)
-    monkeypatch.setattr(inspection, "judge", lambda: ("changed", "environment.txt changed"))
+    monkeypatch.setattr(inspection, "judge", lambda _: ("changed", "environment.txt changed"))
     monkeypatch.setattr("os.access", lambda *_: False)
     monkeypatch.setattr(processes, "only_one_in", raiser(AssertionError("nothing is tried")))
     with pytest.raises(WorkbookError, match=r"not ready \(environment.txt changed\).* setup`"):

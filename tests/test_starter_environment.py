@@ -2,21 +2,25 @@
 
 import ensurepip
 import errno
+import importlib.metadata
 import importlib.util
 import os
+import re
 import shutil
 import socket
 import sys
 import time
 import zipfile
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
+from packaging.requirements import Requirement
 from small_workbook import move_starter, raiser
 
-from starter import commands, environment, inspection, installer, paths, processes
+from starter import commands, download, environment, inspection, installer, paths, processes
 from starter.errors import WorkbookError
 from starter.inspection import Environment
 
@@ -181,8 +185,8 @@ def test_a_new_environment_is_marked_and_stamped(
     monkeypatch.setattr(installer, "find_uv", lambda: "uv")  # so that no pip is laid in
     seen: list[bool] = []
 
-    def install(step: str) -> None:
-        assert step == "[2/3]"
+    def install(step: str, whole: bool) -> None:
+        assert (step, whole) == ("[2/3]", False)
         seen.extend([environment.MARKER.is_file(), inspection.STAMP.exists()])
 
     monkeypatch.setattr(installer, "install_packages", install)
@@ -193,7 +197,7 @@ def test_a_new_environment_is_marked_and_stamped(
     assert environment.MARKER.parent == inspection.STAMP.parent == root / ".venv"
     assert (root / ".venv" / "pyvenv.cfg").is_file()
     stamp = inspection.read_stamp()
-    assert stamp == sound(root)._replace(versions={"no-such-package": "1.0"})
+    assert stamp == sound(root)._replace(versions={"no-such-package": "1.0"}, whole=False)
     assert inspection.judge() == ("ready", "")
     assert capsys.readouterr().out.splitlines()[-1] == "[3/3] Checking the environment"
     monkeypatch.setattr(installer, "install_packages", raiser(AssertionError("nothing is to do")))
@@ -212,16 +216,100 @@ def test_an_update_is_stamped_anew(
     seen = []
     monkeypatch.setattr(inspection, "inspect", lambda: sound(root))
     monkeypatch.setattr(
-        installer, "install_packages", lambda step: seen.append((step, inspection.STAMP.exists()))
+        installer,
+        "install_packages",
+        lambda step, whole: seen.append((step, whole, inspection.STAMP.exists())),
     )
     environment.ensure()
-    assert seen == [("[1/2]", False)]
+    assert seen == [("[1/2]", True, False)]  # with what the tests need, as it was
     assert inspection.read_stamp() == sound(root)._replace(versions={"no-such-package": "1.0"})
     said = capsys.readouterr().out.splitlines()
     assert said[0] == (
         "The environment in .venv is updated: no-such-package is 1.0 instead of 0.9."
     )
     assert said[-1] == "[2/2] Checking the environment"
+
+
+PINS = """-e .
+alpha==1.0
+    # via
+    #   cammotion
+    #   gamma
+beta==1.0 ; os_name == 'posix'
+    # via gamma
+delta==1.0
+    # via cammotion
+gamma==1.0
+    # via cammotion
+zeta==1.0
+    # via
+    #   cammotion
+    #   beta
+"""
+PROJECT = """[project]
+dependencies = ["alpha>=1"]
+[project.optional-dependencies]
+lab = ["delta>=1,<2"]
+test = ["gamma>=1", "zeta", "delta"]
+"""
+
+
+def test_a_learner_gets_what_is_not_for_the_tests_alone(root: Path) -> None:
+    """Asked for by the package or the lab, or by what they ask for."""
+    (root / "environment.txt").write_text(PINS)
+    (root / "pyproject.toml").write_text(PROJECT)
+    assert download.requirements(whole=False) == ["--editable=.", "alpha==1.0", "delta==1.0"]
+    assert download.requirements(whole=True) == ["-r", "environment.txt"]
+    (root / "environment.txt").write_text(PINS.replace("via cammotion\ngamma", "via alpha\ngamma"))
+    assert download.pinned_packages(whole=False) == {"alpha", "delta"}
+    (root / "environment.txt").write_text(PINS.replace("#   beta", "#   delta"))
+    assert download.pinned_packages(whole=False) == {"alpha", "delta", "zeta"}
+    assert download.pinned_packages() == {"alpha", "beta", "gamma", "delta", "zeta"}
+
+
+def test_the_learners_part_is_complete(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever a pinned package of it asks for is in it, and the tools of the tests are not."""
+    monkeypatch.undo()  # the real workbook's
+    pinned = {f"{name}{pin}".partition(" ")[0] for name, pin, _ in download.entries(whole=True)}
+    learners = download.pinned_packages(whole=False)
+    found, more = set[str](), {("cammotion", "lab")}
+    while more:
+        found |= {name for name, _ in more}
+        asked = {one for name, extra in more for one in asked_by(name, extra)}
+        more = {one for one in asked if one[0] not in found and as_pinned(one[0]) in pinned}
+        assert {name for name, _ in asked} <= learners
+    assert not {"mypy", "nbval", "playwright", "pytest", "ruff", "hypothesis"} & learners
+
+
+def as_pinned(name: str) -> str:
+    """Return a package as environment.txt would pin it, in the version that is here."""
+    return f"{name}=={importlib.metadata.version(name)}"
+
+
+def asked_by(name: str, extra: str) -> Iterator[tuple[str, str]]:
+    """Yield what a package that is installed asks for, on this machine."""
+    for line in importlib.metadata.requires(name) or ():
+        asked = Requirement(line)
+        if asked.marker is None or asked.marker.evaluate({"extra": extra}):
+            yield re.sub("[-_.]+", "-", asked.name).lower(), ",".join(asked.extras)
+
+
+def test_the_tests_bring_what_they_need(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A learner's environment is ready for a lesson; for the tests it is completed, once."""
+    (root / ".venv").mkdir()
+    asked: list[bool] = []
+    monkeypatch.setattr(inspection, "inspect", lambda: sound(root))
+    monkeypatch.setattr(installer, "install_packages", lambda _, whole: asked.append(whole))
+    inspection.write_stamp(sound(root)._replace(whole=False))
+    environment.ensure()
+    assert asked == []
+    environment.ensure(whole=True)
+    environment.ensure(whole=True)
+    environment.ensure()
+    assert asked == [True]
+    assert "is updated: the tests need more packages." in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("now", [None, SOUND])
@@ -232,7 +320,7 @@ def test_an_environment_without_the_package_gets_no_stamp(
     (root / ".venv").mkdir()
     monkeypatch.setattr(inspection, "inspect", lambda: now)
     with pytest.raises(WorkbookError, match="Python does not find cammotion"):
-        environment.record("[3/3]")
+        environment.record("[3/3]", whole=True)
     assert not inspection.STAMP.exists()
 
 
@@ -258,7 +346,7 @@ def test_an_update_that_touched_nothing_leaves_the_stamp(
         inspection.write_stamp(SOUND)
         monkeypatch.setattr(inspection, "inspect", lambda now=now: now)
         with pytest.raises(WorkbookError):
-            environment.update("environment.txt changed")
+            environment.update("environment.txt changed", whole=False)
         assert inspection.STAMP.exists() == kept
 
 
@@ -366,7 +454,7 @@ def test_packages_go_into_the_environment_whatever_the_user_has_set(
         monkeypatch.setenv(name, str(root / value) if value == "pip.conf" else value)
     monkeypatch.setenv("HOME", str(root))
     environment.create()
-    installer.install_packages("[2/3]")
+    installer.install_packages("[2/3]", whole=False)
     now = inspection.inspect()
     assert now
     assert now.versions["cam-probe"] == "1.0"

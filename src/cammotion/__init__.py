@@ -9,8 +9,20 @@ written; `EXAMPLE`, the machine of the lessons; `SUSPECTS`, the six laws of the 
 `PRINTED_LIMITS`, a table of limits with errors in it.
 """
 
+from typing import Any
+
 import lazy_loader
 
 __version__ = "0.2.0"
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def __getattr__(name: str) -> Any:
+    """Return what a name stands for; a public one refuses calls that do not fit in a sentence."""
+    thing = _load(name)
+    if name in __all__ and callable(thing):
+        from cammotion.arguments import called
+
+        thing = globals()[name] = called(thing)
+    return thing

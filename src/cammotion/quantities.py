@@ -2,7 +2,6 @@
 
 import math
 import numbers
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -14,11 +13,12 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from cammotion.typed import typed_numbers
+
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
 _NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
 _NONE: Mapping[str, str] = {}
-_TYPED = re.compile(r"[+-]?\d+([.,]\d+)?", re.ASCII)
 
 Floats = NDArray[np.float64]
 
@@ -148,8 +148,7 @@ class Quantity:
         return f"for example {self.example:g}{self._unit}"
 
     def _as_floats(self, value: ArrayLike) -> Floats:
-        items = value if isinstance(value, list | tuple) else ()
-        if np.ma.is_masked(value) or any(item is np.ma.masked for item in items):
+        if is_masked(value):
             raise InputError(
                 f"The {self.name} has masked values, which are none: leave them out, for example "
                 "with .compressed()."
@@ -164,8 +163,11 @@ class Quantity:
             return np.empty(0)
         if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
             return np.array([_as_float(item) for item in array.flat]).reshape(array.shape)
-        typed = as_typed(value)
-        meant = f"it as a number, {typed} without quotes" if typed else self._example
+        typed = typed_numbers(value)
+        sensible = [each for each in typed if self._inside(np.array(float(each)))] or typed
+        meant = (
+            f"it as a number, {' or '.join(sensible)} without quotes" if typed else self._example
+        )
         raise InputError(
             f"The {self.name} has to be a number{' in ' + self.unit if self.unit else ''}, "
             f"not {shorten(value)}: give {meant}."
@@ -272,14 +274,10 @@ def _as_float(item: Any) -> float:
         return math.inf if item > 0 else -math.inf
 
 
-def as_typed(value: object) -> str:
-    """Return the number that a text is, with a decimal point; an empty text if it is none.
-
-    >>> as_typed("4,154"), as_typed(" 55 "), as_typed("die")
-    ('4.154', '55', '')
-    """
-    text = value.strip() if isinstance(value, str) else ""
-    return text.replace(",", ".") if _TYPED.fullmatch(text) else ""
+def is_masked(value: object) -> bool:
+    """Whether a value is masked, or one in an array, a list or a tuple is."""
+    items = value if isinstance(value, list | tuple) else ()
+    return bool(np.ma.is_masked(value)) or any(item is np.ma.masked for item in items)
 
 
 def listed(values: Any) -> tuple[Any, ...]:

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments.by_name import by_name
 from cammotion.bracketed import Extreme, summit
 from cammotion.drive.process import ProcessForce
 from cammotion.drive.spans import Moved, Span, SpanFunction, nodes, running_extremes, spans
@@ -27,6 +28,8 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, one_of, plain, shorten
 
+LOADED = "load of a motion"  # what is there of some names only
+_LOAD = "FollowerLoad(mass_kg=12)"
 _FRICTION = Quantity("friction", "N", example=20, low_included=True)
 _INERTIA = Quantity("inertia of the drive", "kg m2", example=2, low_included=True)
 
@@ -59,11 +62,12 @@ class Camshaft:
     inertia_kg_m2: float = 0.0
 
     def __post_init__(self) -> None:
-        as_diagram(self.diagram)
-        known = _by_name(self.loads, FollowerLoad, "loads={'die': FollowerLoad(mass_kg=12)}")
-        object.__setattr__(self, "loads", known)
-        held_back = _by_name(self.friction_N, object, "friction_N={'die': 20}")
-        object.__setattr__(self, "friction_N", held_back)
+        motions = as_diagram(self.diagram).names
+        loads = by_name("loads", self.loads, motions, _load, f"loads={{'die': {_LOAD}}}")
+        object.__setattr__(self, "loads", MappingProxyType(loads))
+        example, read = "friction_N={'die': 20}", _FRICTION.number
+        friction = by_name("forces of friction", self.friction_N, loads, read, example, of=LOADED)
+        object.__setattr__(self, "friction_N", MappingProxyType(friction))
         forces: Any = self.process
         is_list = isinstance(forces, Sequence)
         process = tuple(forces) if is_list else (None,)
@@ -74,8 +78,6 @@ class Camshaft:
         object.__setattr__(self, "process", process)
         for force in process:
             self._loaded(force.motion)
-        for name in self.friction_N:
-            _FRICTION.number(self.friction_N[self._loaded(name)])
         object.__setattr__(self, "inertia_kg_m2", _INERTIA.number(self.inertia_kg_m2))
         for name in self.loads:
             self._check_motion(name)
@@ -210,7 +212,7 @@ class Camshaft:
         return inertia, standing
 
     def _loaded(self, name: str) -> str:
-        return one_of("load of a motion", name, self.loads)
+        return one_of(LOADED, name, self.loads)
 
     def _torque(self, span: Span, angles: Floats) -> Floats:
         return np.add(*self.torque_parts(span, angles))
@@ -269,13 +271,10 @@ class Camshaft:
             )
 
 
-def _by_name(given: Any, kind: type, example: str) -> Mapping[str, Any]:
-    if isinstance(given, Mapping) and all(isinstance(each, kind) for each in given.values()):
-        return MappingProxyType(dict(given))
-    raise InputError(
-        f"The {example.partition('=')[0]} are {shorten(given)}: say them by the names of motions, "
-        f"for example {example}."
-    )
+def _load(given: Any) -> FollowerLoad:
+    if isinstance(given, FollowerLoad):
+        return given
+    raise InputError(f"A {LOADED} is {shorten(given)}: give a FollowerLoad, for example {_LOAD}.")
 
 
 def _peak(function: SpanFunction, over: Sequence[Span]) -> Extreme:

@@ -13,17 +13,17 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 from cammotion.arguments import checked
+from cammotion.arguments.by_name import by_name
 from cammotion.bracketed import largest
-from cammotion.drive.camshaft import Camshaft
+from cammotion.drive.camshaft import LOADED, Camshaft
 from cammotion.drive.spans import Span
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError, shorten
+from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
 
 _ACCELERATION = Quantity("limit of the acceleration", "m/s2", example=4)
 _FORCE = Quantity("limit of the force", "N", example=500)
@@ -107,29 +107,19 @@ def rate_limits(
     return tuple(sorted(found, key=lambda limit: limit.rate_per_hour))
 
 
-def _by_name(
-    given: float | Mapping[str, float] | None, quantity: Quantity, names: tuple[str, ...]
+def _limits(
+    given: float | Mapping[str, float] | None, quantity: Quantity, names: tuple[str, ...], of: str
 ) -> dict[str, float]:
     """Return the limit of each motion that has one."""
-    anything: Any = given
-    if given is None:
-        return {}
-    if not isinstance(anything, Mapping):
-        return dict.fromkeys(names, quantity.number(anything))
-    for name in anything:
-        if name not in names:
-            raise InputError(
-                f"There is a {quantity.name} for {shorten(name)}: give it for one of "
-                f"{', '.join(map(repr, names))}."
-            )
-    return {name: quantity.number(limit) for name, limit in anything.items()}
+    what, example = quantity.name.replace("limit", "limits", 1), f"{quantity.example:g}"
+    return by_name(what, given, names, quantity.number, example, of=of, one_for_all=True)
 
 
 def _accelerations(
     diagram: TimingDiagram, limits: float | Mapping[str, float] | None
 ) -> Iterator[RateLimit]:
     """Yield the rate of each motion: the peak goes with the square of the rate."""
-    for name, limit in _by_name(limits, _ACCELERATION, diagram.names).items():
+    for name, limit in _limits(limits, _ACCELERATION, diagram.names, "motion").items():
         motion, peak = diagram[name], diagram.peak_acceleration(name)
         rate = diagram.rate_per_hour * math.sqrt(limit / peak) if peak else math.inf
         corners = (at for p in motion.curve.derived(2).pieces for at in p.corners)
@@ -139,7 +129,7 @@ def _accelerations(
 
 
 def _forces(shaft: Camshaft, limits: float | Mapping[str, float] | None) -> Iterator[RateLimit]:
-    for name, limit in _by_name(limits, _FORCE, tuple(shaft.loads)).items():
+    for name, limit in _limits(limits, _FORCE, tuple(shaft.loads), LOADED).items():
         parts = partial(shaft.force_parts, name=name)
         rate, at_deg = _rate(shaft, parts, shaft.spans_of(name), limit)
         yield RateLimit(rate, "force", limit, name, at_deg)

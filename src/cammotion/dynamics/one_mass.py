@@ -49,8 +49,8 @@ class OneMass:
 
     `law` is a name or a law, `swings` the period ratio tau = tm/Tn: how often the mass, alone and
     undamped, swings during the move (its natural frequency in Hz times the indexing time in s), at
-    most 1000. `damping` is the damping ratio, dimensionless, from 0 (none) to 0.99. Each may be a
-    symbol instead; then there are expressions and no numbers. Cam and mass rest before the move.
+    most 1000. `damping_ratio` is dimensionless, from 0 (none) to 0.99. Each may be a symbol
+    instead; then there are expressions and no numbers. Cam and mass rest before the move.
     Raises InputError for other numbers, for an unknown law, for one whose velocity jumps, and for
     one that is not made of polynomials and waves.
 
@@ -59,9 +59,9 @@ class OneMass:
     19.011, 3.03 times the cam's
     """
 
-    def __init__(self, law: str | MotionLaw, swings: Any, damping: Any = 0.02) -> None:
+    def __init__(self, law: str | MotionLaw, swings: Any, damping_ratio: Any = 0.02) -> None:
         self.law = as_law(law)
-        given = {tau: (SWINGS, swings), zeta: (DAMPING, damping)}
+        given = {tau: (SWINGS, swings), zeta: (DAMPING, damping_ratio)}
         self._of = {
             s: v if isinstance(v, sympy.Expr) else q.number(v) for s, (q, v) in given.items()
         }
@@ -109,7 +109,7 @@ class OneMass:
         It is a factor like Ca: times hm/tm^2 it is in m/s^2. Raises InputError where a number is a
         symbol.
 
-        >>> print(f"{OneMass('constant acceleration', swings=5, damping=0).peak:.3f}")
+        >>> print(f"{OneMass('constant acceleration', swings=5, damping_ratio=0).peak:.3f}")
         16.000
         """
         end = 1 + 1 / self._number(tau)  # after the move each swing is less than the one before
@@ -119,13 +119,14 @@ class OneMass:
     def amplification(self) -> float:
         """How many times the cam's peak acceleration the mass's peak is.
 
-        >>> print(f"{OneMass('cycloidal', swings=200, damping=0.1).amplification:.3f}")
+        >>> print(f"{OneMass('cycloidal', swings=200, damping_ratio=0.1).amplification:.3f}")
         1.000
         """
         return self.peak / self.law.Ca
 
     def __repr__(self) -> str:
-        return f"OneMass({self.law.name!r}, swings={self._of[tau]}, damping={self._of[zeta]})"
+        numbers = f"swings={self._of[tau]}, damping_ratio={self._of[zeta]}"
+        return f"OneMass({self.law.name!r}, {numbers})"
 
     @cached_property
     def _response(self) -> MoveResponse:

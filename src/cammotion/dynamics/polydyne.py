@@ -36,14 +36,14 @@ class Polydyne:
     """A cam for a follower that gives way; made by `polydyne`.
 
     `law` is the one that was wanted, `cam` the lift of the cam and `mass` the motion of the mass,
-    all three laws; `swings` and `damping` are those for which the cam is made.
+    all three laws; `swings` and `damping_ratio` are those for which the cam is made.
     """
 
     law: MotionLaw
     cam: MotionLaw
     mass: MotionLaw
     swings: float
-    damping: float
+    damping_ratio: float
 
     def at_rate(self, factor: float) -> OneMass:
         """Return what the mass does when the machine runs so many times as fast.
@@ -57,24 +57,24 @@ class Polydyne:
         8.17
         """
         faster = Quantity("factor of the rate", "", example=1.1).number(factor)
-        return OneMass(self.cam, self.swings / faster, self.damping)
+        return OneMass(self.cam, self.swings / faster, self.damping_ratio)
 
 
-def polydyne(law: str | MotionLaw, swings: float, damping: float = 0.0) -> Polydyne:
+def polydyne(law: str | MotionLaw, swings: float, damping_ratio: float = 0.0) -> Polydyne:
     """Return the cam whose mass moves by a law at one rate of the machine, without swinging on.
 
     `law` is a name or a law whose third derivative goes on without a jump, from rest to rest, as
     that of the 4-5-6-7 polynomial does. `swings` is the period ratio tm/Tn at that rate, above 0
-    and at most 1000; `damping` the damping ratio, from 0 to 0.99. The cam is a law, so that motions
+    and at most 1000; `damping_ratio` is from 0 to 0.99. The cam is a law, so that motions
     and cams can be made of it; it may go below 0 and above 1, and ends at both. Raises InputError
     for a law that is not so smooth, and for numbers out of range.
 
-    >>> made = polydyne("4-5-6-7 polynomial", swings=2, damping=0.05)
+    >>> made = polydyne("4-5-6-7 polynomial", swings=2, damping_ratio=0.05)
     >>> print(f"{made.cam.Ca:.2f}, {made.mass.Ca:.2f}, {made.law.Ca:.2f}")
     5.32, 7.53, 7.51
     """
     wanted = as_law(law)
-    numbers = SWINGS.number(swings), DAMPING.number(damping)
+    numbers = SWINGS.number(swings), DAMPING.number(damping_ratio)
     _check(wanted)
     lead = 2 * exact(numbers[1]) / (2 * sympy.pi * exact(numbers[0]))
     give = 1 / (2 * sympy.pi * exact(numbers[0])) ** 2

@@ -88,8 +88,7 @@ def _sines(*amplitudes: float | sympy.Rational) -> sympy.Expr:
     return x - sum(waves) / (2 * _pi)
 
 
-_ratio = sympy.Rational
-_m = _ratio(1125, 1192)
+_ratio, _m = sympy.Rational, sympy.Rational(1125, 1192)
 
 _KNOWN: dict[str, tuple[Callable[[], Any], tuple[str, ...]]] = {
     "constant acceleration": (lambda: scca(0, 1, 0).curve, ("parabolic",)),

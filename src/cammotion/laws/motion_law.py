@@ -17,6 +17,7 @@ import sympy
 from numpy.typing import ArrayLike
 
 from cammotion.alike import Alike
+from cammotion.arguments import called
 from cammotion.laws.curve import Curve, mirrored
 from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
@@ -35,6 +36,7 @@ _JERK = 3  # the highest derivative a law is asked for
 _HALF = sympy.Rational(1, 2)
 
 
+@called
 class MotionLaw(Alike):
     """A motion law: its `name` and its one expression `s` in `cammotion.x`, 0 <= x <= 1.
 

@@ -8,9 +8,9 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
-from typing import Any
 
 from cammotion.arguments import checked
+from cammotion.arguments.by_name import by_name
 from cammotion.laws.piece import bisect
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement
 from cammotion.machine.clearance import (
@@ -22,7 +22,7 @@ from cammotion.machine.clearance import (
 )
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.quantities import Quantity
 
 _PHASE = Quantity("phase error", "deg", example=0.5, high=180, low_included=True)
 _OFF = Quantity("error of the position", "mm", example=0.1, low_included=True)
@@ -117,10 +117,10 @@ def reserves(
     >>> print(f"{left.deg:.2f} deg, {left.when_mm:.2f} mm; {left.times:.1f} times such errors")
     37.27 deg, 18.90 mm; 6.5 times such errors
     """
-    given = as_rules(diagram, rules)
+    given, names = as_rules(diagram, rules), diagram.names
     errors = _Errors(
-        _by_name(diagram, phase_deg, _PHASE, "phase_deg=0.5"),
-        _by_name(diagram, off_mm, _OFF, "off_mm=0.1"),
+        by_name("phase errors", phase_deg, names, _PHASE.number, "0.5", one_for_all=True),
+        by_name("errors of position", off_mm, names, _OFF.number, "0.1", one_for_all=True),
     )
     found = (_reserve(diagram, rule, errors) for rule in given)
     return tuple(sorted(found, key=lambda reserve: reserve.times))
@@ -203,18 +203,3 @@ def _spread(condition: Condition, deg: float) -> Condition:
 
 def _widened(these: list[Arc], deg: float) -> list[Arc]:
     return arcs((start - deg, end + deg) for start, end in these)
-
-
-def _by_name(
-    diagram: TimingDiagram, given: float | Mapping[str, float], quantity: Quantity, example: str
-) -> dict[str, float]:
-    anything: Any = given
-    if not isinstance(anything, Mapping):
-        return dict.fromkeys(diagram.names, quantity.number(anything))
-    if not all(name in diagram.names for name in anything):
-        raise InputError(
-            f"The {quantity.name} is {shorten(anything)}, and not every name in it is one of a "
-            f"motion: use {', '.join(map(repr, diagram.names))}, or one number for all, "
-            f"for example {example}."
-        )
-    return {name: quantity.number(value) for name, value in anything.items()}

@@ -95,13 +95,29 @@ class PredictionControl(ipywidgets.HBox):  # type: ignore[misc]
                 "flex_flow": "row wrap",
             },
         )
+        self._asks = ipywidgets.HTML()
         self.field.observe(lambda _: keep(self.prediction), "value")
-        super().__init__([self.field])
+        self.field.observe(lambda _: self._ask(), "value")
+        self._ask()
+        super().__init__([self.field, self._asks], layout={"flex_flow": "row wrap"})
 
     @property
     def prediction(self) -> str:
         """What was predicted, as it was typed; "" if nothing was."""
         return str(self.field.value).strip()
+
+    @property
+    def unclear(self) -> str:
+        """What is asked about a prediction that may be two numbers, "" about any other."""
+        return self._made.unclear(self.prediction) if self._made else ""
+
+    @property
+    def is_made(self) -> bool:
+        """Whether there is a prediction, and it is clear."""
+        return bool(self.prediction) and not self.unclear
+
+    def _ask(self) -> None:
+        self._asks.value = f'<span role="alert">{escape(self.unclear)}</span>'
 
     @property
     def said(self) -> str:
@@ -151,21 +167,26 @@ class Reveal(ipywidgets.HTML):  # type: ignore[misc]
     @property
     def text(self) -> str:
         """The plain text; while the answer is folded it does not say it."""
-        if not self._guess.prediction:
-            return "The answer is folded: you made no prediction yet."
+        if not self._guess.is_made:
+            return f"The answer is folded: {self._still}"
         return "\n".join([self._guess.said_how_far, *self._sentences])
 
     @property
     def html(self) -> str:
         """The HTML."""
         answer = "".join(f"<p>{escape(sentence)}</p>" for sentence in self._sentences)
-        if self._guess.prediction:
+        if self._guess.is_made:
             said = f"<strong>{escape(self._guess.said_how_far)}</strong>"
             return box(
                 "open", f"{said}<details open><summary>The answer</summary>{answer}</details>"
             )
-        summary = "Show the answer (you made no prediction yet)"
+        summary = escape(f"Show the answer ({self._still.rstrip('.')})")
         return box("open", f"<details><summary>{summary}</summary>{answer}</details>")
+
+    @property
+    def _still(self) -> str:
+        """What is still to be done."""
+        return self._guess.unclear or "you made no prediction yet."
 
     def __repr__(self) -> str:
         return self.text

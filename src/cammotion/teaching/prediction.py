@@ -4,12 +4,17 @@ import math
 import re
 from dataclasses import dataclass
 
+from cammotion.quantities import shorten
+from cammotion.typed import readings
+
+_DIGITS = r"\d+(?:[.,]\d+)?"
 _NUMBER = re.compile(
-    r"(?<![\w.,^/*])(?P<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)"
-    r"(?:\s*/\s*(?P<over>\d+(?:[.,]\d+)?))?(?P<percent>\s*%)?",
+    rf"(?<![\w.,^/*])(?P<value>[-+−]?{_DIGITS}(?:e[-+]?\d+)?)"
+    rf"(?:\s*/\s*(?P<over>{_DIGITS}))?(?![.,]?\d|\s*/\s*\d)(?P<percent>\s*%)?",
     re.IGNORECASE,
 )
 _LARGEST = 1e12  # beyond that it is a joke and no prediction
+_SENSIBLE = 999.0
 _CLOSE = 0.02
 _IN_TIMES = 2  # nearer than that it is said in percent
 
@@ -21,7 +26,8 @@ class Prediction:
     `true` is a number in the unit that `asked` names, or a text where no single number is asked
     for. What is as right as `true` is in `also`, and `why` one guesses otherwise is a word for the
     reveal: it stands here and not in the notebook's cell, where it would be read too soon. All of
-    them are about the machine of the lessons, with the same numbers for everybody.
+    them are about the machine of the lessons, with the same numbers for everybody. No sensible
+    prediction is larger than `high`: this tells what a comma before three digits means.
     """
 
     key: str
@@ -29,6 +35,32 @@ class Prediction:
     true: float | str
     why: str = ""
     also: tuple[float, ...] = ()
+    high: float = _SENSIBLE
+
+    def numbers(self, text: str) -> tuple[float, ...]:
+        """Return the numbers that a typed prediction may be: one, none, or two that make sense.
+
+        >>> Prediction("02.peak", "m/s²", 1.039).numbers("1,039")
+        (1.039,)
+        >>> Prediction("-", "pieces/h", 2000.0, high=5000).numbers("2,400")
+        (2.4, 2400.0)
+        """
+        found = numbers_in(text, self.asked)
+        return tuple(number for number in found if abs(number) <= self.high) or found
+
+    def unclear(self, text: str) -> str:
+        """Say what a typed prediction may be, "" unless that is more than one number.
+
+        >>> Prediction("-", "pieces/h", 2000.0, high=5000).unclear("2,400")
+        '“2,400” may be 2.4 or 2400: write it with a point, or with no mark.'
+        """
+        numbers = () if isinstance(self.true, str) else self.numbers(text)
+        said = " or ".join(f"{number:.12g}" for number in numbers)
+        return (
+            f"“{shorten(text, of=str)}” may be {said}: write it with a point, or with no mark."
+            if len(numbers) > 1
+            else ""
+        )
 
     def how_far(self, text: str) -> str:
         """Say how far off a typed prediction is, "" where that is not one number beside another.
@@ -37,9 +69,10 @@ class Prediction:
         >>> made.how_far("about 110"), made.how_far("30"), made.how_far("92"), made.how_far("few")
         ('19 % too much', '3.1 times too little', 'as good as right', '')
         """
-        number = None if isinstance(self.true, str) else number_in(text, self.asked)
-        if number is None or isinstance(self.true, str):
+        numbers = self.numbers(text)
+        if isinstance(self.true, str) or len(numbers) != 1:
             return ""
+        (number,) = numbers
         if number <= 0:
             return "too little"
         ratio = number / self.true
@@ -52,28 +85,28 @@ class Prediction:
         return f"{times:.2g} times {too}"
 
 
-def number_in(text: str, asked: str) -> float | None:
-    """Return the number that a typed prediction is, None if it is none or more than one.
+def numbers_in(text: str, asked: str) -> tuple[float, ...]:
+    """Return the number that a typed prediction is, both if it may be two, none if it is no number.
 
     A comma may stand for the point, a fraction for its value; units and words may stand around it.
-    A share in percent is made a number where percent are not what is asked for.
+    One comma before three digits may also part thousands. A share in percent is made a number where
+    percent are not what is asked for.
 
-    >>> number_in("about 1,04 m/s2", "m/s²"), number_in("1/4 of tm", "fraction")
-    (1.04, 0.25)
-    >>> number_in("25 %", "percent"), number_in("25 %", "fraction"), number_in("50 or 60", "deg")
-    (25.0, 0.25, None)
+    >>> numbers_in("about 1,04 m/s2", "m/s²"), numbers_in("1/4 of tm", "fraction")
+    ((1.04,), (0.25,))
+    >>> numbers_in("25 %", "percent"), numbers_in("25 %", "fraction"), numbers_in("50 or 60", "deg")
+    ((25.0,), (0.25,), ())
+    >>> numbers_in("4,154 m/s²", "m/s²"), numbers_in("0,806", "m/s²"), numbers_in("4.154", "m/s²")
+    ((4.154, 4154.0), (0.806,), (4.154,))
     """
     found = [*_NUMBER.finditer(text)]
     if len(found) != 1:
-        return None
-    value, over = (_read(found[0][name]) for name in ("value", "over"))
-    if value is None or over == 0:
-        return None
-    value /= over or 1
-    if found[0]["percent"] and "percent" not in asked:
-        value /= 100
-    return value if math.isfinite(value) and abs(value) <= _LARGEST else None
+        return ()
+    value, over = found[0]["value"], found[0]["over"] or "1"
+    parts = 100 if found[0]["percent"] and "percent" not in asked else 1
+    numbers = [a / b / parts for a in _readings(value) for b in _readings(over) if b != 0]
+    return tuple(one for one in numbers if math.isfinite(one) and abs(one) <= _LARGEST)
 
 
-def _read(digits: str | None) -> float | None:
-    return float(digits.replace(",", ".").replace("−", "-")) if digits else None
+def _readings(digits: str) -> tuple[float, ...]:
+    return tuple(float(reading) for reading in readings(digits.replace("−", "-")))

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import sympy
 
-from cammotion.quantities import as_typed, shorten
+from cammotion.quantities import shorten
+from cammotion.typed import readings, typed_numbers
 
 _NO_IMAGINARY_PART = 1e-9  # what is left of one by rounding, as a share
 
@@ -20,15 +21,15 @@ class OddAnswerError(Exception):
 def to_number(answer: Any, wanted: str) -> float:
     """Return an answer as a float if it is one real, finite number, else raise OddAnswerError."""
     if isinstance(answer, str | bytes):
-        meant = f": {typed}" if (typed := as_typed(answer)) else ""
+        meant = f": {' or '.join(typed)}" if (typed := typed_numbers(answer)) else ""
         raise OddAnswerError(f"This is a text. Write {wanted}, without quotes and unit{meant}.")
     if isinstance(answer, np.ndarray) and answer.ndim == 0:
         answer = answer.item()
     if isinstance(answer, tuple) and [type(part) for part in answer] == [int, int]:
-        whole, tenths = answer
+        meant = " or ".join(readings("{},{}".format(*answer)))
         raise OddAnswerError(
-            f"Python takes a comma for two numbers. If you mean {whole}.{tenths}, write it with a "
-            f"point. What is asked for is {wanted}."
+            f"Python takes a comma for two numbers. If you mean {meant}, write that, without the "
+            f"comma. What is asked for is {wanted}."
         )
     if isinstance(answer, Iterable | Sized):
         raise OddAnswerError(

@@ -1,5 +1,6 @@
 """The page: one HTML file that needs no network, no script and no second file."""
 
+import math
 from collections.abc import Iterable, Sequence
 from datetime import date
 from html import escape
@@ -169,7 +170,8 @@ def _others(students: Sequence[Student]) -> str:
     """Return predictions that are in no lesson of this version, as of a lesson of the teacher's."""
     keys = sorted({key for s in students for key in s.predictions} - PREDICTIONS.keys())
     exercises = {number for s in students for number in s.exercises} - EXERCISES.keys()
-    parts = [predicted.show(Prediction(key, "", ""), students) for key in keys[:_MOST_STRANGERS]]
+    made = [Prediction(key, "", "", high=math.inf) for key in keys[:_MOST_STRANGERS]]
+    parts = [predicted.show(one, students) for one in made]
     if len(keys) > _MOST_STRANGERS:
         parts.append(f"<p>Left out: {plural(len(keys) - _MOST_STRANGERS, 'prediction')}.</p>\n")
     if exercises:

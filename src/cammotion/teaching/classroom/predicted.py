@@ -7,7 +7,7 @@ from html import escape
 from cammotion.teaching.classroom import histogram, tally
 from cammotion.teaching.classroom.clean import clean, plural
 from cammotion.teaching.classroom.collect import Student
-from cammotion.teaching.prediction import Prediction, number_in
+from cammotion.teaching.prediction import Prediction
 
 _MOST_WORDS = 12
 
@@ -35,9 +35,9 @@ def _numbers_and_texts(made: Prediction, typed: Sequence[str]) -> tuple[list[flo
     """Part what is one number from the rest; where a text is asked for, all is the rest."""
     if isinstance(made.true, str) and made.true:
         return [], [*typed]
-    found = [(text, number_in(text, made.asked)) for text in typed]
-    numbers = [number for _, number in found if number is not None]
-    return numbers, [text for text, number in found if number is None]
+    found = [(text, made.numbers(text)) for text in typed]
+    numbers = [one[0] for _, one in found if len(one) == 1]
+    return numbers, [text for text, one in found if len(one) != 1]
 
 
 def _range(numbers: Sequence[float]) -> str:

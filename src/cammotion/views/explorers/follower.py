@@ -29,12 +29,12 @@ _SOFT = 24  # the most that stays at so few swings
 
 @checked
 def explore_follower(
-    laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping: float = 0.02
+    laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping_ratio: float = 0.02
 ) -> LiveFigure:
     """Return a live figure of a mass on a spring, driven by a law through one rise.
 
     The control n is how often the mass swings during the move, from 0.5 to 15, `start` at first.
-    `laws`, names or laws, are to choose from; `damping` is the damping ratio, dimensionless. The
+    `laws`, names or laws, are to choose from; `damping_ratio` is dimensionless. The
     accelerations are factors like Ca, to be multiplied by hm/tm². Raises InputError as `OneMass`
     does, and where there is no law.
 
@@ -44,7 +44,7 @@ def explore_follower(
     cycloidal: largest |A| of the cam 6.28, of the mass 7.82, which is 1.24 times as much
     """
     known = [as_law(law) for law in laws]
-    masses = [OneMass(law, n, damping) for law in known]
+    masses = [OneMass(law, n, damping_ratio) for law in known]
     curves = {law.name: _curves(law, mass) for law, mass in zip(known, masses, strict=True)}
     s, a, z, of_mass, c_a = choice("motion law", curves)
     law = next(iter(symbol for symbol in c_a.free_symbols), None)
@@ -66,15 +66,15 @@ def explore_follower(
 
 @checked
 def explore_residual(
-    laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping: float = 0.02
+    laws: Iterable[str | MotionLaw] = _LAWS, *, start: float = 5, damping_ratio: float = 0.02
 ) -> LiveFigure:
     """Return a live figure of a mass on a spring, and of the swing that is left after its move.
 
     The controls are n, how often the mass swings during the move, from 0.5 to 10, and the damping
-    ratio, from 0.005 to 0.3; `start` and `damping` are where they stand at first. `laws`, names or
-    laws, are to choose from. Above is the acceleration of cam and mass over the time, below how
-    large that of the mass is just after the move, over n. All are factors like Ca, to be multiplied
-    by hm/tm². Raises InputError as `OneMass` does, and where there is no law.
+    ratio, from 0.005 to 0.3; `start` and `damping_ratio` are where they stand at first. `laws`,
+    names or laws, are to choose from. Above is the acceleration of cam and mass over the time,
+    below how large that of the mass is just after the move, over n. All are factors like Ca, to be
+    multiplied by hm/tm². Raises InputError as `OneMass` does, and where there is no law.
 
     >>> figure = explore_residual()
     >>> figure.values = {n: 4}
@@ -108,7 +108,9 @@ def explore_residual(
         (x, 0, _END),
         {
             n: Control(low=0.5, high=_OFTEN, step=0.1, start=start, name="swings during the move"),
-            zeta: Control(low=0.005, high=0.3, step=0.005, start=damping, name="damping ratio"),
+            zeta: Control(
+                low=0.005, high=0.3, step=0.005, start=damping_ratio, name="damping ratio"
+            ),
         },
         says=[
             _peaks(law or known[0].name, c_a, of_mass),

@@ -5,9 +5,8 @@ from dataclasses import replace
 from typing import Any
 
 import sympy as sp
-from numpy.ma import masked
 
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, is_masked, shorten
 from cammotion.views.live.parts import Choice, Control
 from cammotion.views.notation import meaning
 
@@ -50,7 +49,7 @@ def chosen_control(symbol: Choice) -> Control:
 
 def _bound(name: str, value: Any) -> float:
     try:
-        number = math.nan if isinstance(value, str | bool) or value is masked else float(value)
+        number = math.nan if isinstance(value, str | bool) or is_masked(value) else float(value)
     except (TypeError, ValueError, OverflowError):
         number = math.nan
     if not abs(number) <= _MOST:

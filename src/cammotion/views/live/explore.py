@@ -5,9 +5,8 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
 
 import sympy as sp
-from numpy.ma import masked
 
-from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.quantities import InputError, Quantity, is_masked, shorten
 from cammotion.views import notation
 from cammotion.views.live.controls import MOST_CONTROLS, chosen_control, complete
 from cammotion.views.live.describe import Describer, describe
@@ -140,7 +139,7 @@ def _mapping(name: str, given: Any, example: str) -> Mapping[sp.Symbol, Any]:
 
 def _all_of(kind: type[_Part], given: Any, name: str, example: str) -> list[_Part]:
     """Return a list of parts of one kind; raise InputError for anything else."""
-    is_list = isinstance(given, Iterable) and not isinstance(given, str) and given is not masked
+    is_list = isinstance(given, Iterable) and not isinstance(given, str) and not is_masked(given)
     parts = list(given) if is_list else [given]
     for part in parts:
         if not isinstance(part, kind):

@@ -12,6 +12,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from cammotion.arguments.calls import bind, called
+from cammotion.arguments.signatures import readable
 from cammotion.quantities import InputError, shorten
 
 T = TypeVar("T", bound=Callable[..., Any])
@@ -57,6 +59,7 @@ class _InsideError(TypeError):
 def checked(thing: T) -> T:
     """Let a function or a dataclass refuse arguments of another kind than its annotations say.
 
+    A call that does not fit is refused, too, of a class also that of a method.
     Classes, texts, True and False, and lists and dictionaries of them are checked; a list may be
     anything that can be gone through, and comes in as a tuple. A number that is an argument itself
     is its `Quantity`'s to refuse, which knows its unit and its range.
@@ -69,6 +72,7 @@ def checked(thing: T) -> T:
     cammotion.InputError: greet is given loudly='no': give True or False.
     """
     if isinstance(thing, type):
+        called(thing)
         thing.__init__ = _checked(thing.__init__, thing.__name__)  # type: ignore[misc]
         return thing
     return typing.cast(T, _checked(thing, thing.__name__))
@@ -76,18 +80,21 @@ def checked(thing: T) -> T:
 
 def _checked(function: Any, title: str) -> Any:
     signature = inspect.signature(function)
-    readers: dict[str, tuple[_Reader, str]] = {}
+    readers: dict[str, tuple[_Reader, str]] | None = None  # made when it is first called
 
     @functools.wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
-        if not readers:
-            readers.update(_readers(function))
-        bound = signature.bind(*args, **kwargs)  # a wrong name is Python's own to refuse
+        nonlocal readers
+        if readers is None:
+            readers = dict(_readers(function))
+        bound = bind(signature, title, args, kwargs)
         for name, value in bound.arguments.items():
             if name in readers and value is not signature.parameters[name].default:
                 bound.arguments[name] = _read(*readers[name], value, f"{title} is given {name}")
         return function(*bound.args, **bound.kwargs)
 
+    call.refuses_calls = True  # type: ignore[attr-defined]  # a call that does not fit, by bind
+    call.__signature__ = readable(function)  # type: ignore[attr-defined]
     return call
 
 
