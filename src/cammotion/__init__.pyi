@@ -48,14 +48,6 @@ from .limits.least import LeastAcceleration, least_acceleration
 from .limits.quickest import quickest_move
 from .limits.reserves import Reserve, reserves
 from .limits.widest import WidestMove, widest_move, with_angle
-from .machine.clearance import (
-    ClearanceRule,
-    beyond,
-    find_clearances,
-    find_violations,
-    smallest_clearance,
-    within,
-)
 from .machine.diagram import TimingDiagram
 from .machine.kinematics import (
     Move,
@@ -76,6 +68,10 @@ from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
 from .measured.sampled_law import SampledLaw
 from .measured.smoothing import SmoothedTable, smoothed
 from .quantities import InputError, WrongAnswerError
+from .rules.checks import find_clearances, find_violations, smallest_clearance
+from .rules.clearance import ClearanceRule
+from .rules.conditions import beyond, moving, standing, within
+from .rules.distance import DistanceRule
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
@@ -128,6 +124,7 @@ __all__ = [
     "Cuboid",
     "Differences",
     "Disc",
+    "DistanceRule",
     "Fit",
     "FlatFacedCam",
     "Flight",
@@ -218,6 +215,7 @@ __all__ = [
     "limits_of",
     "mean_diameter_mm",
     "motion",
+    "moving",
     "natural_frequency",
     "peak_acceleration",
     "peak_jerk",
@@ -263,6 +261,7 @@ __all__ = [
     "smallest_prime_radius",
     "smoothed",
     "springs_in_series",
+    "standing",
     "tolerance_unit",
     "tuned_mass",
     "two_masses",

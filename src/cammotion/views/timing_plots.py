@@ -10,11 +10,13 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.arguments import checked
 from cammotion.machine.arcs import arcs
-from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, Quantity, one_of
+from cammotion.rules.checks import as_rules, find_violations
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Condition
 from cammotion.views.bars import HATCHES, draw_bars
 from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
 from cammotion.views.lanes import (
