@@ -51,11 +51,13 @@ from .limits.widest import WidestMove, widest_move, with_angle
 from .machine.diagram import TimingDiagram
 from .machine.kinematics import (
     Move,
+    arc_mm,
     cycle_time,
     indexing_time,
     peak_acceleration,
     peak_jerk,
     peak_velocity,
+    per_minute,
 )
 from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
@@ -63,6 +65,7 @@ from .machine.segments import Segment
 from .measured.cam_table import CamTable
 from .measured.differences import Differences, differences
 from .measured.from_points import law_from_points, law_from_table
+from .measured.from_table import motion_from_table
 from .measured.harmonics import Harmonics, harmonics
 from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
 from .measured.sampled_law import SampledLaw
@@ -173,6 +176,7 @@ __all__ = [
     "again",
     "animate",
     "animate_follower",
+    "arc_mm",
     "as_law",
     "ask",
     "beyond",
@@ -215,11 +219,13 @@ __all__ = [
     "limits_of",
     "mean_diameter_mm",
     "motion",
+    "motion_from_table",
     "moving",
     "natural_frequency",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
+    "per_minute",
     "pinned",
     "place_of_largest",
     "plot_cam",
