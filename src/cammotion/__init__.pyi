@@ -80,6 +80,7 @@ from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
+from .versions import compare
 from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
@@ -103,6 +104,7 @@ from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
 from .views.torque_plots import plot_torque
+from .views.version_plots import plot_comparison
 
 __version__: str
 
@@ -184,6 +186,7 @@ __all__ = [
     "check_setup",
     "choice",
     "choose",
+    "compare",
     "critical_harmonic",
     "cycle_time",
     "deviation_um",
@@ -230,6 +233,7 @@ __all__ = [
     "place_of_largest",
     "plot_cam",
     "plot_clearance",
+    "plot_comparison",
     "plot_curves",
     "plot_detour",
     "plot_fit",
