@@ -84,6 +84,7 @@ from .versions import compare
 from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
+from .views.chart import write_chart
 from .views.explorers.cam import explore_cam
 from .views.explorers.follower import explore_follower, explore_residual
 from .views.explorers.measured import explore_measured
@@ -281,6 +282,7 @@ __all__ = [
     "within",
     "write_cam",
     "write_cam_tables",
+    "write_chart",
     "write_curves",
     "write_segments",
     "x",
