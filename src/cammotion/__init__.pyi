@@ -84,6 +84,7 @@ from .versions import compare
 from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
+from .views.camshaft_plots import plot_camshaft
 from .views.chart import write_chart
 from .views.explorers.cam import explore_cam
 from .views.explorers.follower import explore_follower, explore_residual
@@ -233,6 +234,7 @@ __all__ = [
     "pinned",
     "place_of_largest",
     "plot_cam",
+    "plot_camshaft",
     "plot_clearance",
     "plot_comparison",
     "plot_curves",
