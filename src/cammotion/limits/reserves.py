@@ -21,8 +21,8 @@ from cammotion.rules.rule import Rule
 _PHASE = Quantity("phase error", "deg", example=0.5, high=180, low_included=True)
 _OFF = Quantity("error of the position", "mm", example=0.1, low_included=True)
 _ROUNDING_MM = 1e-9
-_CLOSE = 1e-10
-_DOUBLINGS = 24  # of a deg or of the errors: more than any distance bears
+_CLOSE = 1e-8
+_DOUBLINGS, _TURNS = 24, 10  # of the errors, and of a deg: more than a turn
 _MOST = 2.0**60  # times the errors, which no rule bears
 
 
@@ -158,11 +158,11 @@ def _ways(diagram: TimingDiagram, rule: Any) -> tuple[float, float]:
     def wider(field: str, way: float) -> float:
         return _room(diagram, replace(rule, **{field: getattr(rule, field) + way}))
 
-    early, late = (_first(partial(wider, field)) for field in ("early_deg", "late_deg"))
+    early, late = (_first(partial(wider, field), _TURNS) for field in ("early_deg", "late_deg"))
     return early, late
 
 
-def _first(room_mm: Callable[[float], float]) -> float:
+def _first(room_mm: Callable[[float], float], doublings: int = _DOUBLINGS) -> float:
     """Return how far it is until a room that only shrinks is used up; infinite where it never is.
 
     A billionth of a mm too little is rounding.
@@ -174,7 +174,7 @@ def _first(room_mm: Callable[[float], float]) -> float:
 
     if left(0.0) < 0:
         return 0.0
-    ways = (2.0**power for power in range(_DOUBLINGS))
+    ways = (2.0**power for power in range(doublings))
     most = next((way for way in ways if left(way) < 0), None)
     return math.inf if most is None else float(brentq(left, 0.0, most, xtol=_CLOSE))
 

@@ -121,11 +121,11 @@ def tightened(rule: Rule, motion: str, deg: float, mm: float) -> Rule:
 
 def _highest(motion: Motion, angle_deg: Floats, window_deg: float) -> Floats:
     """Return the highest position in the window that begins at each cam angle."""
-    high = np.maximum(motion.position_mm(angle_deg), motion.position_mm(angle_deg + window_deg))
-    for turn in motion.turning_degs:
-        is_inside = (turn - angle_deg) % DEG_PER_TURN <= window_deg
-        high = np.where(is_inside, np.maximum(high, motion.position_mm(turn)), high)
-    return np.asarray(high)
+    ends = motion.position_mm(angle_deg), motion.position_mm(angle_deg + window_deg)
+    corners = np.array([corner for piece in motion.curve.pieces for corner in piece.corners])
+    since = (corners[:, :1] - np.ravel(angle_deg)) % DEG_PER_TURN
+    inside = np.where(since <= window_deg, corners[:, 1:], -np.inf).max(axis=0)
+    return np.asarray(np.maximum(np.maximum(*ends), inside.reshape(np.shape(angle_deg))))
 
 
 def _widened(these: list[Arc], deg: float) -> list[Arc]:
