@@ -143,3 +143,17 @@ def test_pictures_and_explorers_take_or_refuse_every_kind() -> None:
         cm.plot_clearance(make_diagram(), DEEP)
     with pytest.raises(cm.InputError, match="not covered here"):
         cm.explore_overlap(make_diagram(), DEEP, contact_mm=20)
+
+
+def test_names_in_another_case_are_the_same_motions() -> None:
+    loud = cm.ClearanceRule(cm.beyond("DIE", 19), only_while=cm.within("Mill", 0.65))
+    for motion, rule in (("Die", RULE), ("die", loud), ("DIE", loud)):
+        found = cm.widest_move(make_diagram(), motion, rule)
+        assert found.angle_deg == pytest.approx(124.905, abs=1e-3)
+        assert found.motion == "die"
+        best = cm.least_acceleration(make_diagram(), motion, rule, still=[(205, 305)], cells=90)
+        assert best.reached > 0.5
+    wide = make_diagram(make_mill(), make_die(130))
+    assert cm.find_violations(wide, loud) == cm.find_violations(wide, RULE)
+    with pytest.raises(cm.InputError, match="Both halves of the clearance rule are about 'die'"):
+        cm.find_violations(wide, cm.ClearanceRule(cm.beyond("die", 1), cm.within("Die", 2)))

@@ -122,7 +122,7 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
     [50.0, 50.0]
     """
     moved = diagram[motion]
-    duties = list(_duties(diagram, motion, rules))
+    duties = list(_duties(diagram, moved.name, rules))
     arcs = still_arcs(moved, still)
     _check_stands(moved, arcs)
     ends = [end for arc in (*arcs, *(arc for _, arc in duties)) for end in arc]
@@ -188,8 +188,9 @@ def of_places(
 
     Raises InputError for one that does not say where it may be: of a distance, or whether it moves.
     """
-    found = []
-    for rule in every_rule(diagram, rules):
+    found, given = [], every_rule(diagram, rules)
+    motion = diagram[motion].name  # it may be given in another case
+    for rule in given:
         if motion not in rule.motions:
             continue
         halves = (rule.when, rule.only_while) if isinstance(rule, ClearanceRule) else ()

@@ -94,7 +94,7 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
     >>> print(f"{found.angle_deg:.2f} deg")
     123.05 deg
     """
-    given = every_rule(diagram, rules)
+    given, motion = every_rule(diagram, rules), diagram[motion].name  # given in any case
     touching = [rule for rule in given if motion in rule.motions]
     own = _tightened(touching, motion, reserve_deg, reserve_mm)
     frame = Frame(diagram[motion])

@@ -70,10 +70,13 @@ def every_rule(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Ru
             f"The clearance rules are {shorten(rules)}: give one or a list, for example "
             "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))."
         )
-    for rule in given:
-        for name in rule.motions:
-            diagram[name]
-    return given
+    return tuple(_as_spelled(diagram, rule) for rule in given)
+
+
+def _as_spelled(diagram: TimingDiagram, rule: Rule) -> Rule:
+    """Return the rule with the names as the diagram spells them; it may have another case."""
+    called = {name: diagram[name].name for name in rule.motions}
+    return rule if all(name == own for name, own in called.items()) else rule.renamed(called)
 
 
 def as_rules(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[ClearanceRule, ...]:

@@ -49,7 +49,8 @@ def plot_camshaft(shaft: Camshaft) -> Axes:
     ['2.6 N m at 164°']
     """
     diagram = readable(shaft.diagram)
-    loaded = [motion for motion in diagram.motions if motion.name in shaft.loads]
+    names = {diagram[name].name for name in shaft.loads}  # given in any case
+    loaded = [motion for motion in diagram.motions if motion.name in names]
     if not loaded:
         raise InputError(
             "The camshaft has no loads, and so no forces and no torque to draw: give some, for "

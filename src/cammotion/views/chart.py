@@ -197,10 +197,9 @@ def _frame(paper: Paper, lower: tuple[float, float], upper: tuple[float, float])
 
 
 def _radii(diagram: TimingDiagram, radius_mm: Mapping[str, float]) -> dict[str, float]:
-    for name, radius in radius_mm.items():
-        as_diagram(diagram)[name]
+    for radius in radius_mm.values():
         arc_mm(1, radius)
-    return dict(radius_mm)
+    return {as_diagram(diagram)[name].name: radius for name, radius in radius_mm.items()}
 
 
 def _metadata(suffix: str, title: str) -> dict[str, str | None]:
