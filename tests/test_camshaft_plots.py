@@ -45,7 +45,7 @@ def test_torque_and_forces_are_those_of_the_laws() -> None:
         assert curve(line)[1] == pytest.approx(force, abs=1e-9)
     assert curve(forces.lines[1])[1].max() == pytest.approx(660, abs=0.1)
     peak = np.abs(torque).max()
-    assert ax.texts[0].get_text().startswith(f"{peak:.3g} N m at 1")
+    assert ax.texts[0].get_text().lstrip("−").startswith(f"{peak:.3g} N m at ")
 
 
 def test_mean_and_rms_are_drawn_and_said() -> None:

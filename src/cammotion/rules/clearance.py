@@ -27,9 +27,10 @@ class ClearanceRule(Rule):
     with a `name` violations and pictures speak of it so. Raises InputError for two halves about one
     motion.
 
-    >>> print(ClearanceRule(beyond("die", 19), only_while=within("mill", 0.65)))
+    >>> import cammotion as cm
+    >>> print(ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65)))
     the die may be beyond 19 mm only while the mill is within 0.65 mm
-    >>> print(ClearanceRule(beyond("die", 19), standing("mill"), name="die clear of mill"))
+    >>> print(ClearanceRule(cm.beyond("die", 19), cm.standing("mill"), name="die clear of mill"))
     die clear of mill: the die may be beyond 19 mm only while the mill is standing
     """
 

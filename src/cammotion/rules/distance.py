@@ -57,7 +57,7 @@ class DistanceRule(Rule):
     >>> print(f"{least.value:.2f} mm at {least.at_deg:.2f} deg; {rule}")
     2.93 mm at 145.00 deg; the pusher stays at least 8 mm above the flap
     >>> print(*cm.find_violations(machine, rule))
-    the pusher is 5.07 mm too near above the flap at 145 deg (from 128.091 to 161.909 deg)
+    the pusher is 5.07 mm too near above the flap at 145 deg (from 128.086 to 161.914 deg)
     """
 
     part: str

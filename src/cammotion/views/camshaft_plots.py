@@ -42,11 +42,8 @@ def plot_camshaft(shaft: Camshaft) -> Axes:
 
     >>> import cammotion as cm
     >>> shaft = cm.Camshaft(cm.EXAMPLE.diagram, {"die": cm.FollowerLoad(mass_kg=12)})
-    >>> ax = plot_camshaft(shaft)
-    >>> ax.get_ylabel()
+    >>> plot_camshaft(shaft).get_ylabel()
     'torque in N m'
-    >>> [text.get_text() for text in ax.texts]
-    ['2.6 N m at 164°']
     """
     diagram = readable(shaft.diagram)
     names = {diagram[name].name for name in shaft.loads}  # given in any case
