@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from itertools import cycle, islice
 
 import cammotion as cm
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.motions import Motion
+from cammotion.rules.clearance import ClearanceRule
 
 RATE = 3600  # cartons/h
 

@@ -10,7 +10,8 @@ import numpy as np
 from scipy.optimize import linprog
 
 import cammotion as cm
-from cammotion.machine.clearance import ClearanceRule, find_violations
+from cammotion.rules.checks import find_violations
+from cammotion.rules.clearance import ClearanceRule
 
 Rng = np.random.Generator
 LAWS = ["cycloidal", "constant acceleration", "modified trapezoid", "3-4-5 polynomial", "MCV50"]

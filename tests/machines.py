@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 import cammotion as cm
 from cammotion import MotionLaw, x
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.motions import Motion
+from cammotion.rules.clearance import ClearanceRule
 
 Array: TypeAlias = NDArray[np.float64]
 Curve: TypeAlias = Callable[[Any], Any]

@@ -457,8 +457,8 @@ REFUSED: list[tuple[Any, dict[str, Any], str]] = [
     (BEFORE, {"turn_s": np.nan}, r"The time of a turn in the animation is nan s"),
     (BEFORE, {"turn_s": "9"}, "The time of a turn in the animation .* not '9'"),
     (BEFORE, {"turn_s": [9, 9]}, r"The time of a turn .* single number here, not \[9, 9\]"),
-    (BEFORE, {"rules": None}, r"is given rules=None: give a ClearanceRule, .* or a list"),
-    (BEFORE, {"rules": "die"}, r"is given rules='die': give a ClearanceRule, .* or a list"),
+    (BEFORE, {"rules": None}, r"is given rules=None: give a ClearanceRule or .* or a list"),
+    (BEFORE, {"rules": "die"}, r"is given rules='die': give a ClearanceRule or .* or a list"),
     (BEFORE, {"rules": [RULE, 3]}, r"is given rules\[1\]=3: give a ClearanceRule"),
     (DRUM, {"rules": RULE}, "There is no motion '(die|mill)': use one of 'drum', 'needle'"),
 ]

@@ -13,7 +13,8 @@ from known_slips_laws import gentle, harsh
 from shown import NUMBER, SVG, curve, is_red, numbers, texts, wrong
 
 import cammotion as cm
-from cammotion.machine.clearance import Violation, find_violations
+from cammotion.rules.checks import find_violations
+from cammotion.rules.rule import Violation
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.shown import frame
 from cammotion.teaching.shown.frame import INK, Shown

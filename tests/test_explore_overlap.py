@@ -12,8 +12,9 @@ from explored import at_corners, control_of, drawn, limits_of, lines_of, peaks_s
 from machines import OVERSHOOTING, RULE, make_diagram, make_die, make_mill
 
 import cammotion as cm
-from cammotion.machine.clearance import Condition, Violation
 from cammotion.machine.motions import Motion
+from cammotion.rules.conditions import Condition
+from cammotion.rules.rule import Violation
 from cammotion.views.explorers.overlap import B_MILL, START, B_m
 from cammotion.views.live.figure import LiveFigure
 

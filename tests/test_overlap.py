@@ -31,7 +31,7 @@ import cammotion as cm
 from cammotion import ClearanceRule, MotionLaw, TimingDiagram, beyond, within
 from cammotion.limits.frame import Frame
 from cammotion.limits.widest import WidestMove, with_angle
-from cammotion.machine.clearance import Condition
+from cammotion.rules.conditions import Condition
 
 TOLERANCE_MM = 1e-7  # by so much a plain formula may miss a limit
 DENSE = np.linspace(0, 360, 180_001)

@@ -1,5 +1,6 @@
 """Timing diagram and clearance map show what the diagram says, and what the rules forbid."""
 
+import dataclasses
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -9,10 +10,12 @@ import pytest
 from machines import RULE, make_diagram, make_die, make_mill
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.patches import Rectangle
 
 import cammotion as cm
 from cammotion.views.displacement import displacement
+from cammotion.views.pictures import PictureFigure, describe
 
 mpl.use("agg")
 
@@ -133,6 +136,47 @@ def test_a_collision_is_marked_where_it_is() -> None:
     for violation in violations:
         distances = np.subtract(shaded(ax), (violation.start_deg, violation.end_deg))
         assert np.abs(distances).max(axis=1).min() < 1e-9
+
+
+def test_a_broken_rule_is_marked_on_its_two_lanes_and_named() -> None:
+    rule = cm.ClearanceRule(cm.beyond("tool 2", 5), cm.within("mill", 1), name="clear of mill")
+    found = cm.find_violations(TWELVE, rule)
+    ax = cm.plot_timing(TWELVE, rules=rule)
+    boxes = [box for box in ax.patches if isinstance(box, Rectangle) and box.get_hatch() == "x"]
+    lanes = {(box.get_x(), box.get_x() + box.get_width(), round(box.get_y())) for box in boxes}
+    expected = {
+        (start % 360, end % 360 or 360, 11 - row)
+        for row in (0, 3)
+        for start, end in ((one.start_deg, one.end_deg) for one in found)
+    }
+    assert all(any(np.allclose(lane, one) for one in expected) for lane in lanes)
+    assert len(lanes) == len(expected) == 2 * len(found) > 0
+    assert isinstance(ax.figure, PictureFigure)
+    words = describe(ax.figure)
+    assert f"clear of mill broken from {found[0].start_deg:.5g} to" in words
+    assert "broken: clear of mill" in words
+    many = [dataclasses.replace(rule, name=f"rule {n}") for n in range(5)]
+    said = [
+        text
+        for text in texts(
+            cm.plot_timing(
+                TOO_WIDE, rules=[dataclasses.replace(RULE, name=one.name) for one in many]
+            )
+        )
+        if "broken" in text
+    ]
+    assert said == ["broken: rule 2 (and 2 more)", "broken: rule 1", "broken: rule 0"]
+
+
+def test_a_broken_rule_is_marked_on_both_curves() -> None:
+    ax = cm.plot_timing(TOO_WIDE, rules=RULE)
+    (first, *_) = cm.find_violations(TOO_WIDE, RULE)
+    marks = [mark for mark in ax.collections if isinstance(mark, LineCollection)]
+    assert len(marks) == 2 * len(cm.find_violations(TOO_WIDE, RULE))
+    for mark, name in zip(marks[:2], ("die", "mill"), strict=True):
+        ((start, low), *_, (end, high)) = mark.get_segments()[0]
+        assert (start, end) == pytest.approx((first.start_deg, first.end_deg))
+        assert [low, high] == pytest.approx(TOO_WIDE.position_mm(name, [start, end]))
 
 
 def test_twelve_mechanisms_get_a_lane_each() -> None:

@@ -15,8 +15,8 @@ from known_slips import die, law, place, rest, stroke, widest
 
 import cammotion as cm
 from cammotion.limits.widest import with_angle
-from cammotion.machine.clearance import find_violations
 from cammotion.quantities import Floats
+from cammotion.rules.checks import find_violations
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers

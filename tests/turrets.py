@@ -14,7 +14,7 @@ from machines import Array
 from scipy.optimize import linprog
 
 import cammotion as cm
-from cammotion.machine.clearance import ClearanceRule
+from cammotion.rules.clearance import ClearanceRule
 
 ANGLES = np.linspace(0, 360, 1441)[:-1]
 """From the beginning of the first still arc."""

@@ -51,22 +51,16 @@ from .limits.least import LeastAcceleration, least_acceleration
 from .limits.quickest import quickest_move
 from .limits.reserves import Reserve, reserves
 from .limits.widest import WidestMove, widest_move, with_angle
-from .machine.clearance import (
-    ClearanceRule,
-    beyond,
-    find_clearances,
-    find_violations,
-    smallest_clearance,
-    within,
-)
 from .machine.diagram import TimingDiagram
 from .machine.kinematics import (
     Move,
+    arc_mm,
     cycle_time,
     indexing_time,
     peak_acceleration,
     peak_jerk,
     peak_velocity,
+    per_minute,
 )
 from .machine.motions import Motion
 from .machine.parts import MATCHED, dwell, indexing_motion, motion, return_, rise
@@ -74,6 +68,7 @@ from .machine.segments import Segment
 from .measured.cam_table import CamTable
 from .measured.differences import Differences, differences
 from .measured.from_points import law_from_points, law_from_table
+from .measured.from_table import motion_from_table
 from .measured.harmonics import Harmonics, harmonics
 from .measured.inch import KG_PER_LB, MM_PER_INCH, N_PER_LBF
 from .measured.sampled_law import SampledLaw
@@ -81,14 +76,21 @@ from .measured.smoothing import SmoothedTable, smoothed
 from .own import Machine
 from .quantities import InputError, WrongAnswerError
 from .report.writing import Report, write_report
+from .rules.checks import find_clearances, find_violations, smallest_clearance
+from .rules.clearance import ClearanceRule
+from .rules.conditions import beyond, moving, standing, within
+from .rules.distance import DistanceRule
 from .teaching.bug_hunt import SUSPECTS
 from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
+from .versions import compare
 from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
+from .views.camshaft_plots import plot_camshaft
+from .views.chart import write_chart
 from .views.explorers.cam import explore_cam
 from .views.explorers.follower import explore_follower, explore_residual
 from .views.explorers.measured import explore_measured
@@ -109,6 +111,7 @@ from .views.number_control import NumberControl
 from .views.plots import plot_curves, plot_inverse_square, plot_peaks
 from .views.timing_plots import plot_clearance, plot_timing
 from .views.torque_plots import plot_torque
+from .views.version_plots import plot_comparison
 from .whole.least_peak import LeastPeak, least_peak
 from .whole.optimise import Optimised, optimise
 
@@ -135,6 +138,7 @@ __all__ = [
     "Cuboid",
     "Differences",
     "Disc",
+    "DistanceRule",
     "Fit",
     "FlatFacedCam",
     "Flight",
@@ -189,6 +193,7 @@ __all__ = [
     "again",
     "animate",
     "animate_follower",
+    "arc_mm",
     "as_law",
     "ask",
     "beyond",
@@ -196,6 +201,7 @@ __all__ = [
     "check_setup",
     "choice",
     "choose",
+    "compare",
     "critical_harmonic",
     "cycle_time",
     "deviation_um",
@@ -234,15 +240,20 @@ __all__ = [
     "machine_from_text",
     "mean_diameter_mm",
     "motion",
+    "motion_from_table",
+    "moving",
     "natural_frequency",
     "optimise",
     "peak_acceleration",
     "peak_jerk",
     "peak_velocity",
+    "per_minute",
     "pinned",
     "place_of_largest",
     "plot_cam",
+    "plot_camshaft",
     "plot_clearance",
+    "plot_comparison",
     "plot_curves",
     "plot_detour",
     "plot_fit",
@@ -281,6 +292,7 @@ __all__ = [
     "smallest_prime_radius",
     "smoothed",
     "springs_in_series",
+    "standing",
     "tolerance_unit",
     "tuned_mass",
     "two_masses",
@@ -290,6 +302,7 @@ __all__ = [
     "within",
     "write_cam",
     "write_cam_tables",
+    "write_chart",
     "write_curves",
     "write_machine",
     "write_report",

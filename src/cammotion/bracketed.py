@@ -76,7 +76,7 @@ def summit(function: Callable[[S, Floats], Floats], pieces: Sequence[S]) -> tupl
     return max(found, key=lambda each: each[0].value)
 
 
-def where_positive(function: Function, pieces: Sequence[Piece]) -> list[Arc]:
+def where_positive(function: Callable[[S, Floats], Floats], pieces: Sequence[S]) -> list[Arc]:
     """Return the arcs of the turn over which a function is above 0, their ends to 1e-9 deg."""
     found: list[Arc] = []
     for piece in pieces:
@@ -112,7 +112,7 @@ def cuts(piece: Stretch) -> list[float]:
     return sorted(found)
 
 
-def _positive(function: Function, piece: Piece, places: Floats) -> Iterator[Arc]:
+def _positive(function: Callable[[S, Floats], Floats], piece: S, places: Floats) -> Iterator[Arc]:
     """Yield arcs in order over which a function is above 0 at all of the places in them."""
     from scipy.optimize import brentq  # it takes a second to load
 

@@ -6,16 +6,16 @@ from typing import Any
 from cammotion.quantities import InputError, shorten
 
 
-def write_new(path: str | Path, text: str, *, overwrite: bool = False) -> Path:
-    """Write a text file, its line ends as they are, and return its path.
+def write_new(path: str | Path, text: str | bytes, *, overwrite: bool = False) -> Path:
+    """Write a file of text, its line ends as they are, or of bytes, and return its path.
 
     A file that is there already is left as it is, with an InputError, unless `overwrite` is True.
     """
     path = as_path(path)
     try:
-        content = text.encode("utf-8")
+        content = text if isinstance(text, bytes) else text.encode("utf-8")
     except UnicodeEncodeError as wrong:
-        near = text[max(wrong.start - 10, 0) : wrong.end + 10]
+        near = wrong.object[max(wrong.start - 10, 0) : wrong.end + 10]
         raise InputError(
             f"The text {shorten(near)} holds half a character, which no file can keep: write the "
             "name again."

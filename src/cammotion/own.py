@@ -8,16 +8,11 @@ from typing import Any
 from cammotion.arguments import checked
 from cammotion.limits.corridors import check_stands, still_arcs
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import (
-    Clearance,
-    ClearanceRule,
-    Violation,
-    as_rules,
-    find_clearances,
-    find_violations,
-)
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, shorten
+from cammotion.rules.checks import as_rules, find_clearances, find_violations
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.rule import Clearance, Violation
 from cammotion.shown import as_table
 
 _HEADING = ("mechanism", "moves", "travel in mm", "peak velocity in m/s", "peak acceleration, m/s²")

@@ -1,12 +1,13 @@
 """Checks of what is left until a rule breaks: motions are shifted, and limits, among samples."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 import cammotion as cm
-from cammotion import ClearanceRule, InputError
+from cammotion import InputError
 from fresh.check_machines import NEAR_MM
 from fresh.check_widest import widened
 from fresh.drawing import Machine
@@ -104,7 +105,7 @@ def _check_bare(found: cm.Reserve, tracks: Tracks) -> None:
 
 
 def _worst(
-    rule: ClearanceRule,
+    rule: Any,
     tracks: Tracks,
     later: tuple[float, float] = (0, 0),
     nearer: ArrayLike = (0, 0),

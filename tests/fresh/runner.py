@@ -32,6 +32,7 @@ from fresh import (
     check_questions,
     check_reserves,
     check_responses,
+    check_rules,
     check_whole,
     check_widest,
 )
@@ -49,6 +50,8 @@ CHECKS: Mapping[str, Check] = {
     "each_way": check_widest.each_way,
     "reserves": check_reserves.reserves,
     "reserved": check_reserves.reserved,
+    "distances": check_rules.distances,
+    "standings": check_rules.standings,
     "tables": check_machines.tables,
     "values": check_laws.values,
     "factors": check_laws.factors,

@@ -9,12 +9,13 @@ from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.piece import bisect
 from cammotion.limits.widest import widest_move, with_angle
 from cammotion.machine.arcs import Arc, arcs, intersect
-from cammotion.machine.clearance import ClearanceRule, find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.rules.checks import find_violations
+from cammotion.rules.clearance import ClearanceRule
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
 _WORTH = 1e-3  # of a peak: less is no gain

@@ -28,6 +28,8 @@ _HOW = {
     "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
     "Condition": "a condition, made with beyond('die', 19) or within('mill', 0.65)",
     "Any": "anything",
+    "Rule": "a ClearanceRule or a DistanceRule, for example "
+    "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
     "DiscCam": "a RollerCam or a FlatFacedCam",
     "Fit": "a Fit, for example Fit(20, 'H7', 'h6')",
     "FlatFacedCam": "a FlatFacedCam",

@@ -21,13 +21,13 @@ from cammotion.exchange.segment_lines import (
 from cammotion.exchange.table_source import Source
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.own import Machine
 from cammotion.quantities import InputError, shorten
+from cammotion.rules.clearance import ClearanceRule
 
 _ROUNDING = 1e-9  # deg
 

@@ -5,8 +5,9 @@ from collections.abc import Iterable
 
 from cammotion.exchange.cells import number_in, two_readings
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule, Condition, beyond, within
 from cammotion.quantities import InputError, one_of, shorten
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Condition, beyond, within
 
 EXAMPLE = "the die may be beyond 19 mm only while the mill is within 0.65 mm"
 ARC_EXAMPLE = "205 to 305"

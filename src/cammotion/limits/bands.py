@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import Condition
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError
+from cammotion.rules.conditions import Condition
 
 ROUNDING_MM = 1e-9
 

@@ -15,12 +15,15 @@ from numpy.typing import NDArray
 from cammotion.limits.bands import ROUNDING_MM, Band, check_agree, make_band
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, intersect, unwrap
 from cammotion.machine.arcs import arcs as as_set
-from cammotion.machine.clearance import ClearanceRule, Condition, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, POSITION
 from cammotion.quantities import Floats, InputError, listed, shorten
+from cammotion.rules.checks import every_rule
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Condition, Moving
+from cammotion.rules.rule import Rule
 
 _ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
 _SLACK_DEG = 10 * ROUNDING_DEG  # ends of arcs that are nearer to each other are one node
@@ -98,7 +101,7 @@ class Corridor:
 def corridor(  # noqa: PLR0913 - all but three are given by name
     diagram: TimingDiagram,
     motion: str,
-    rules: ClearanceRule | Iterable[ClearanceRule],
+    rules: Rule | Iterable[Rule],
     *,
     still: Iterable[Arc] = (),
     travel_mm: tuple[float, float] | None = None,
@@ -119,7 +122,7 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
     [50.0, 50.0]
     """
     moved = diagram[motion]
-    duties = list(_duties(diagram, motion, rules))
+    duties = list(_duties(diagram, moved.name, rules))
     arcs = still_arcs(moved, still)
     check_stands(moved, arcs)
     ends = [end for arc in (*arcs, *(arc for _, arc in duties)) for end in arc]
@@ -165,10 +168,10 @@ def _standing(name: str, limited: Corridor, bands: list[Band], places: Floats) -
 
 
 def _duties(
-    diagram: TimingDiagram, motion: str, rules: ClearanceRule | Iterable[ClearanceRule]
+    diagram: TimingDiagram, motion: str, rules: Rule | Iterable[Rule]
 ) -> Iterator[tuple[Condition, Arc]]:
     """Yield what the motion has to keep, and over which arcs in one piece: that no rule breaks."""
-    for rule in as_rules(diagram, rules):
+    for rule in of_places(diagram, motion, rules):
         for own, other in (
             (rule.when.opposite, rule.only_while.opposite),
             (rule.only_while, rule.when),
@@ -176,6 +179,30 @@ def _duties(
             if own.motion == motion:
                 for arc in unwrap(other.arcs(diagram)):
                     yield own, arc
+
+
+def of_places(
+    diagram: TimingDiagram, motion: str, rules: Rule | Iterable[Rule]
+) -> tuple[ClearanceRule, ...]:
+    """Return the rules in which a motion has a part.
+
+    Raises InputError for one that does not say where it may be: of a distance, or whether it moves.
+    """
+    found, given = [], every_rule(diagram, rules)
+    motion = diagram[motion].name  # it may be given in another case
+    for rule in given:
+        if motion not in rule.motions:
+            continue
+        halves = (rule.when, rule.only_while) if isinstance(rule, ClearanceRule) else ()
+        own = [half for half in halves if half.motion == motion]
+        if not isinstance(rule, ClearanceRule) or isinstance(own[0], Moving):
+            raise InputError(
+                f"The rule '{rule}' does not say between which positions the {motion} may be, and "
+                "here all depends on that: give the dwells that it needs as still arcs, or the "
+                "rule as a ClearanceRule of beyond or within."
+            )
+        found.append(rule)
+    return tuple(found)
 
 
 def still_arcs(motion: Motion, still: Any) -> list[Arc]:

@@ -10,11 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from cammotion.machine.arcs import Arc, arcs, intersect
-from cammotion.machine.clearance import ClearanceRule, Condition, find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
+from cammotion.rules.checks import find_violations
+from cammotion.rules.clearance import ClearanceRule
 
 _MM = 1e-5  # by so much a motion may be off its place or beyond a limit
 _DEG = 1e-6
@@ -60,11 +61,10 @@ def find_faults(before: TimingDiagram, after: Motion, asked: Asked) -> Iterator[
 
 def _loosened(rule: ClearanceRule, name: str) -> ClearanceRule | None:
     """Return a rule with the limit of this motion farther off by a rounding; None without it."""
-    for half, side in (("when", 1), ("only_while", -1)):
-        condition: Condition = getattr(rule, half)
-        if condition.motion == name:
-            way = side * _MM if condition.is_beyond else -side * _MM
-            return replace(rule, **{half: replace(condition, limit_mm=condition.limit_mm + way)})
+    if rule.when.motion == name:
+        return replace(rule, when=rule.when.eased(-_MM))
+    if rule.only_while.motion == name:
+        return replace(rule, only_while=rule.only_while.eased(_MM))
     return None
 
 

@@ -7,11 +7,12 @@ from typing import NamedTuple
 
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import ROUNDING_DEG
-from cammotion.machine.clearance import ClearanceRule, after
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError
+from cammotion.rules.conditions import after
+from cammotion.rules.rule import Rule
 
 NARROW_DEG = 1e-4  # a move that takes no time, for all that a cam can do
 
@@ -21,7 +22,7 @@ class Event(NamedTuple):
 
     move: int
     bm: float
-    rule: ClearanceRule
+    rule: Rule
     at_deg: float
 
 

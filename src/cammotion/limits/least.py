@@ -23,16 +23,16 @@ from functools import cached_property
 
 import numpy as np
 
-from cammotion.limits.corridors import Corridor, corridor, still_arcs, travel_ends
+from cammotion.limits.corridors import Corridor, corridor, of_places, still_arcs, travel_ends
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import GridMotion
 from cammotion.limits.programs import from_above, from_below
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
+from cammotion.rules.rule import Rule
 
 _JERK_LIMIT = Quantity("jerk limit", "m/s³", example=20)
 _CELLS = Quantity("number of cells", "", example=720, low=12, high=2880, low_included=True)
@@ -80,7 +80,7 @@ class LeastAcceleration:
 def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     diagram: TimingDiagram,
     motion: str,
-    rules: ClearanceRule | Iterable[ClearanceRule],
+    rules: Rule | Iterable[Rule],
     *,
     still: Iterable[Arc],
     travel_mm: tuple[float, float] | None = None,
@@ -89,11 +89,11 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
 ) -> LeastAcceleration:
     """Return the least peak acceleration of one motion, whatever its law, and a motion that has it.
 
-    The motion is free but for this: it keeps every rule that it has a part in, the other motions of
-    the diagram being as they are; over the arcs `still`, pairs of cam angles in deg, it stands
-    where it stands in the diagram; with `travel_mm` it stays between two positions in the turn with
-    which it begins there; with `jerk_limit`, in m/s3, its jerk is nowhere larger. The grid has
-    `cells` cells to the turn, 12 to 2880.
+    The motion is free but for this: it keeps every rule that it has a part in, each one that says
+    where it may be, the other motions of the diagram being as they are; over the arcs `still`,
+    pairs of cam angles in deg, it stands where it stands in the diagram; with `travel_mm` it stays
+    between two positions in the turn with which it begins there; with `jerk_limit`, in m/s3, its
+    jerk is nowhere larger. The grid has `cells` cells to the turn, 12 to 2880.
 
     An indexing motion has to be near to a stop over some arcs, or away from its stops. At which
     stop it is over an arc in which it need not stand is found with it, and takes longer: with 720
@@ -114,7 +114,7 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     most_jerk = np.inf if is_free else _JERK_LIMIT.number(jerk_limit)
     grid = _whole(_CELLS.number(cells))
     asked = Asked(
-        as_rules(diagram, rules),
+        of_places(diagram, motion, rules),
         still_arcs(diagram[motion], still),
         travel_ends(travel_mm),
         most_jerk,

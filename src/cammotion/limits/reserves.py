@@ -1,78 +1,46 @@
-"""What is left until a rule breaks: in deg, in mm, and when the mechanisms are off their places.
-
-A mechanism that may run early or late does over wider arcs what it did: a condition is spread by so
-many deg. What two spread arcs have in common is a violation that the errors can bring about.
-"""
+"""What is left until a rule breaks: in deg, in mm, and when the mechanisms are off their places."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import product
+from typing import Any
 
 from cammotion.arguments import checked
 from cammotion.arguments.by_name import by_name
 from cammotion.laws.piece import bisect
-from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement
-from cammotion.machine.clearance import (
-    ClearanceRule,
-    Condition,
-    after,
-    as_rules,
-    smallest_clearance,
-)
+from cammotion.limits.spread import with_errors
+from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Quantity
+from cammotion.rules.checks import every_rule
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.rule import Rule
 
 _PHASE = Quantity("phase error", "deg", example=0.5, high=180, low_included=True)
 _OFF = Quantity("error of the position", "mm", example=0.1, low_included=True)
+_ROUNDING_MM = 1e-9
+_CLOSE = 1e-8
+_DOUBLINGS, _TURNS = 24, 10  # of the errors, and of a deg: more than a turn
 _MOST = 2.0**60  # times the errors, which no rule bears
-
-
-@dataclass(frozen=True)
-class Spread(Condition):
-    """A condition as it may hold when its motion runs early or late by up to `spread_deg`.
-
-    Below 0 it is the condition as it holds for certain: its opposite may not.
-    """
-
-    spread_deg: float = 0.0
-
-    @property
-    def opposite(self) -> "Spread":
-        """The condition that holds exactly where this one does not."""
-        return replace(self, is_beyond=not self.is_beyond, spread_deg=-self.spread_deg)
-
-    def arcs(self, diagram: TimingDiagram) -> list[Arc]:
-        """Return the arcs over which it may hold, or holds for certain."""
-        sharp = super().arcs(diagram)
-        if self.spread_deg >= 0:
-            return _widened(sharp, self.spread_deg)
-        return complement(_widened(complement(sharp), -self.spread_deg))
-
-    def room_mm(self, diagram: TimingDiagram, angle_deg: float) -> float:
-        """Return the least room that it may have, or of one for certain the largest."""
-        width = abs(self.spread_deg)
-        start, end = angle_deg - width, angle_deg + width
-        turns = (after(turn, start) for turn in diagram[self.motion].offset_turning_degs)
-        places = (start, angle_deg, end, *(turn for turn in turns if turn < end))
-        rooms = [super(Spread, self).room_mm(diagram, place) for place in places]
-        return min(rooms) if self.spread_deg >= 0 else max(rooms)
 
 
 @dataclass(frozen=True)
 class Reserve:
     """What a diagram leaves until a rule breaks, or what some errors leave of that.
 
-    `early_deg` and `late_deg` are how much earlier or later the motion of `rule.when` may be
-    against the other one, `when_mm` how far it may be off its place towards the limit, and
-    `other_mm` how far the other motion may. Each is for itself, and below 0 where the rule is
-    broken: then the degrees are the longest arc over which it is. They are infinite where the rule
-    cannot be broken so. `times` is how many times the errors the rule bears, all of them growing
-    alike: below 1 it breaks with them, 0 it does without any. It is infinite without errors.
+    `early_deg` and `late_deg` are how much earlier or later the first motion of the rule, that of
+    `rule.when`, may be against the other one, `when_mm` how far it may be off its place towards the
+    limit, and `other_mm` how far the other motion may. Each is for itself, and below 0 where the
+    rule is broken: then the degrees are the longest arc over which it is. They are infinite where
+    the rule cannot be broken so. `times` is how many times the errors the rule bears, all of them
+    growing alike: below 1 it breaks with them, 0 it does without any. It is infinite without
+    errors.
     """
 
-    rule: ClearanceRule
+    rule: Rule
     early_deg: float
     late_deg: float
     when_mm: float
@@ -86,7 +54,7 @@ class Reserve:
 
     def __str__(self) -> str:
         """Say it in words."""
-        when, other = self.rule.when.motion, self.rule.only_while.motion
+        when, other = self.rule.motions
         left = (
             f"{self.early_deg:.3g} deg early, {self.late_deg:.3g} deg late, {self.when_mm:.3g} mm "
             f"of the {when}, {self.other_mm:.3g} mm of the {other}"
@@ -97,7 +65,7 @@ class Reserve:
 @checked
 def reserves(
     diagram: TimingDiagram,
-    rules: ClearanceRule | Iterable[ClearanceRule],
+    rules: Rule | Iterable[Rule],
     *,
     phase_deg: float | Mapping[str, float] = 0.0,
     off_mm: float | Mapping[str, float] = 0.0,
@@ -117,24 +85,13 @@ def reserves(
     >>> print(f"{left.deg:.2f} deg, {left.when_mm:.2f} mm; {left.times:.1f} times such errors")
     37.27 deg, 18.90 mm; 6.5 times such errors
     """
-    given, names = as_rules(diagram, rules), diagram.names
+    given, names = every_rule(diagram, rules), diagram.names
     errors = _Errors(
         by_name("phase errors", phase_deg, names, _PHASE.number, "0.5", one_for_all=True),
         by_name("errors of position", off_mm, names, _OFF.number, "0.1", one_for_all=True),
     )
     found = (_reserve(diagram, rule, errors) for rule in given)
     return tuple(sorted(found, key=lambda reserve: reserve.times))
-
-
-def tightened(rule: ClearanceRule, motion: str, deg: float, mm: float) -> ClearanceRule:
-    """Return the rule that is kept where this one keeps a reserve in deg, and in mm of `when`.
-
-    What is spread is the half that is not about `motion`, whose own limit so stays sharp.
-    """
-    when, only = _eased(rule.when, mm), rule.only_while
-    if when.motion == motion:
-        return ClearanceRule(when, _spread(only, -deg))
-    return ClearanceRule(_spread(when, deg), only)
 
 
 @dataclass(frozen=True)
@@ -148,21 +105,22 @@ class _Errors:
     def are_none(self) -> bool:
         return not any((*self.phase_deg.values(), *self.off_mm.values()))
 
-    def worst(self, rule: ClearanceRule, times: float = 1.0) -> ClearanceRule:
+    def worst(self, rule: Rule, times: float = 1.0) -> Rule:
         """Return the rule that is kept where this one is kept with so many times the errors."""
-        when, only = rule.when, rule.only_while
-        phase = self.phase_deg.get(when.motion, 0.0) + self.phase_deg.get(only.motion, 0.0)
-        eased = _eased(when, times * self.off_mm.get(when.motion, 0.0))
-        kept = _eased(only.opposite, times * self.off_mm.get(only.motion, 0.0)).opposite
-        return ClearanceRule(_spread(eased, times * phase), kept)
+        one, other = rule.motions
+        phase = self.phase_deg.get(one, 0.0) + self.phase_deg.get(other, 0.0)
+        off_mm = self.off_mm.get(one, 0.0), self.off_mm.get(other, 0.0)
+        return with_errors(rule, times * phase, (times * off_mm[0], times * off_mm[1]))
 
 
-def _reserve(diagram: TimingDiagram, rule: ClearanceRule, errors: _Errors) -> Reserve:
+def _reserve(diagram: TimingDiagram, rule: Rule, errors: _Errors) -> Reserve:
     worst = errors.worst(rule)
-    reverse = ClearanceRule(rule.only_while.opposite, only_while=rule.when.opposite)
-    own, other = (
-        smallest_clearance(diagram, asked).clearance_mm for asked in (worst, errors.worst(reverse))
-    )
+    own = _room(diagram, worst)
+    if not isinstance(rule, ClearanceRule):
+        times = math.inf
+        if not errors.are_none or own < -_ROUNDING_MM:
+            times = _first(lambda times: _room(diagram, errors.worst(rule, times)))
+        return Reserve(rule, *_ways(diagram, worst), own, own, times)
 
     def bears(times: float) -> bool:
         return not errors.worst(rule, times).violated_arcs(diagram)
@@ -170,10 +128,17 @@ def _reserve(diagram: TimingDiagram, rule: ClearanceRule, errors: _Errors) -> Re
     times = math.inf if bears(0.0) else 0.0
     if times and not errors.are_none and not bears(_MOST):
         times = bisect(bears, 0.0, _MOST)
+    other = _room(diagram, errors.worst(rule.reverse))
     return Reserve(rule, *_gaps(diagram, worst), own, other, times)
 
 
-def _gaps(diagram: TimingDiagram, rule: ClearanceRule) -> tuple[float, float]:
+def _room(diagram: TimingDiagram, rule: Rule) -> float:
+    """Return the room in mm of the first motion of a rule."""
+    found = rule.room_of_when(diagram) if isinstance(rule, ClearanceRule) else rule.room(diagram)
+    return math.inf if found is None else found.mm
+
+
+def _gaps(diagram: TimingDiagram, rule: Any) -> tuple[float, float]:
     """Return how far the arcs of `when` can come earlier, and later, until they meet the others."""
     if broken := rule.violated_arcs(diagram):
         longest = max(end - start for start, end in broken)
@@ -185,21 +150,37 @@ def _gaps(diagram: TimingDiagram, rule: ClearanceRule) -> tuple[float, float]:
     return min(early, default=math.inf), min(late, default=math.inf)
 
 
+def _ways(diagram: TimingDiagram, rule: Any) -> tuple[float, float]:
+    """Return how far a part can come earlier, and later, until its distance is too small."""
+    if broken := rule.violated_arcs(diagram):
+        longest = max(end - start for start, end in broken)
+        return -longest, -longest
+
+    def wider(field: str, way: float) -> float:
+        return _room(diagram, replace(rule, **{field: getattr(rule, field) + way}))
+
+    early, late = (_first(partial(wider, field), _TURNS) for field in ("early_deg", "late_deg"))
+    return early, late
+
+
+def _first(room_mm: Callable[[float], float], doublings: int = _DOUBLINGS) -> float:
+    """Return how far it is until a room that only shrinks is used up; infinite where it never is.
+
+    A billionth of a mm too little is rounding.
+    """
+    from scipy.optimize import brentq  # it takes a second to load
+
+    def left(way: float) -> float:
+        return room_mm(way) + _ROUNDING_MM
+
+    if left(0.0) < 0:
+        return 0.0
+    ways = (2.0**power for power in range(doublings))
+    most = next((way for way in ways if left(way) < 0), None)
+    return math.inf if most is None else float(brentq(left, 0.0, most, xtol=_CLOSE))
+
+
 def _ahead(way: float) -> float:
     """Return a way from one angle on to another, within a turn; what is just before it is 0."""
     ahead = way % DEG_PER_TURN
     return 0.0 if DEG_PER_TURN - ahead <= 2 * ROUNDING_DEG else ahead
-
-
-def _eased(condition: Condition, mm: float) -> Condition:
-    """Return the condition that holds where this one is so near as to hold."""
-    way = -mm if condition.is_beyond else mm
-    return replace(condition, limit_mm=condition.limit_mm + way)
-
-
-def _spread(condition: Condition, deg: float) -> Condition:
-    return Spread(condition.motion, condition.limit_mm, condition.is_beyond, deg)
-
-
-def _widened(these: list[Arc], deg: float) -> list[Arc]:
-    return arcs((start - deg, end + deg) for start, end in these)

@@ -6,24 +6,22 @@ these angles meets one at which another motion meets its own limit. These are tr
 first; nothing is searched for in steps.
 """
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from cammotion.arguments import checked
+from cammotion.laws.catalogue import as_law
+from cammotion.laws.piece import bisect
 from cammotion.limits.frame import NARROW_DEG, Event, Frame
-from cammotion.limits.reserves import tightened
-from cammotion.machine.clearance import (
-    Clearance,
-    ClearanceRule,
-    Violation,
-    as_rules,
-    find_violations,
-    smallest_clearance,
-)
+from cammotion.limits.spread import tightened
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, Quantity, WrongAnswerError
+from cammotion.rules.checks import every_rule, find_violations, smallest_clearance
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.rule import Clearance, Rule, Violation
 
 _WIDER_DEG = 1e-3  # by so much a move is widened to see that it cannot be
 _TOUCHING_MM = 1e-6
@@ -68,7 +66,7 @@ class WidestMove:
 def widest_move(  # noqa: PLR0913 - what is left out is none
     diagram: TimingDiagram,
     motion: str,
-    rules: ClearanceRule | Iterable[ClearanceRule],
+    rules: Rule | Iterable[Rule],
     *,
     each_way: bool | None = None,
     reserve_deg: float = 0.0,
@@ -82,10 +80,11 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
     pairs the one with the smallest peak acceleration; with `each_way=False` both get one, even if
     that is harder. Of each rule `reserve_deg` and `reserve_mm` are kept in hand: however much of
     the one the motion is early or late, a clearance of the other is left. What is broken
-    `elsewhere`, by others alone, is listed in the answer. The answer is checked before it is
-    returned: no rule is broken, what stood still stands where it did, and no move that is a
-    thousandth of a degree wider is free. Raises InputError if no move keeps the rules, for a motion
-    of another build, for a reserve below 0, and for what are no rules of this diagram.
+    `elsewhere`, by others alone, is listed in the answer. With a `DistanceRule` both get one angle,
+    and laws that do not turn back. The answer is checked before it is returned: no rule is broken,
+    what stood still stands where it did, and no move that is a thousandth of a degree wider is
+    free. Raises InputError if no move keeps the rules, for a motion of another build, for a reserve
+    below 0, and for what are no rules of this diagram.
 
     >>> import cammotion as cm
     >>> found = widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
@@ -95,12 +94,13 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
     >>> print(f"{found.angle_deg:.2f} deg")
     123.05 deg
     """
-    given = as_rules(diagram, rules)
-    touching = [rule for rule in given if motion in (rule.when.motion, rule.only_while.motion)]
+    given, motion = every_rule(diagram, rules), diagram[motion].name  # given in any case
+    touching = [rule for rule in given if motion in rule.motions]
     own = _tightened(touching, motion, reserve_deg, reserve_mm)
     frame = Frame(diagram[motion])
-    events = list(_events(diagram, frame, own))
-    for angles in frame.candidates(events, frame.has_two_angles if each_way is None else each_way):
+    is_each_way = frame.has_two_angles if each_way is None else each_way
+    events = list(_events(diagram, frame, own, is_each_way))
+    for angles in frame.candidates(events, is_each_way):
         wider = diagram.with_motion(frame.with_angles(angles))
         if _keeps(wider, own):
             _check(diagram, frame, own, angles)
@@ -135,14 +135,14 @@ def with_angle(motion: Motion, angle_deg: float) -> Motion:
     return frame.with_angles([room.number(angle_deg)] * len(frame.anchors))
 
 
-def _keeps(diagram: TimingDiagram, rules: Iterable[ClearanceRule]) -> bool:
+def _keeps(diagram: TimingDiagram, rules: Iterable[Rule]) -> bool:
     return not any(rule.violated_arcs(diagram) for rule in rules)
 
 
 def _check(
     diagram: TimingDiagram,
     frame: Frame,
-    rules: Sequence[ClearanceRule],
+    rules: Sequence[Rule],
     angles: tuple[float, ...],
 ) -> None:
     """Raise WrongAnswerError for a move that can be made wider, or that moves what stood."""
@@ -161,23 +161,21 @@ def _check(
         raise WrongAnswerError("widest_move", f"the {name} could take more than {angles[0]} deg")
 
 
-def _tightened(
-    rules: list[ClearanceRule], motion: str, reserve_deg: float, reserve_mm: float
-) -> list[ClearanceRule]:
+def _tightened(rules: list[Rule], motion: str, reserve_deg: float, reserve_mm: float) -> list[Rule]:
     """Return the rules that have to be kept for the reserves to be there; themselves for none."""
     deg, mm = _RESERVE_DEG.number(reserve_deg), _RESERVE_MM.number(reserve_mm)
     return [tightened(rule, motion, deg, mm) for rule in rules] if deg or mm else rules
 
 
 def _tight(
-    diagram: TimingDiagram, meetings: Iterable[Event], rules: Mapping[ClearanceRule, ClearanceRule]
+    diagram: TimingDiagram, meetings: Iterable[Event], rules: Mapping[Rule, Rule]
 ) -> Clearance | None:
     """Return the first meeting at which both motions of its rule do stand at their limits.
 
     `rules` has for each rule that one of which it keeps a reserve.
     """
     for _, _, rule, where in meetings:
-        rooms = [half.room_mm(diagram, where) for half in (rule.when, rule.only_while)]
+        rooms = _rooms_mm(diagram, rule, where)
         if max(map(abs, rooms)) < _TOUCHING_MM:
             loose = rules[rule]
             return (
@@ -188,8 +186,16 @@ def _tight(
     return None
 
 
+def _rooms_mm(diagram: TimingDiagram, rule: Rule, where: float) -> list[float]:
+    """Return how far each motion of a rule is from its limit at a cam angle, or both together."""
+    if isinstance(rule, ClearanceRule):
+        return [half.room_mm(diagram, where) for half in (rule.when, rule.only_while)]
+    found = rule.room(diagram)
+    return [found.mm if found else math.inf]
+
+
 def _events(
-    diagram: TimingDiagram, frame: Frame, rules: Iterable[ClearanceRule]
+    diagram: TimingDiagram, frame: Frame, rules: Iterable[Rule], each_way: bool
 ) -> Iterator[Event]:
     """Yield each Bm at which a rule can begin or cease to hold.
 
@@ -197,8 +203,39 @@ def _events(
     Between two neighbours of these Bm nothing changes.
     """
     for rule in rules:
+        if not isinstance(rule, ClearanceRule):
+            yield from _narrowed(diagram, frame, rule, each_way)
+            continue
         for own, other in ((rule.when, rule.only_while), (rule.only_while, rule.when)):
             if own.motion == frame.motion.name:
                 for meeting in {end for arc in other.arcs(diagram) for end in arc}:
                     for move, bm in frame.angles_at(own.limit_mm, meeting):
                         yield Event(move, bm, rule, meeting)
+
+
+def _narrowed(diagram: TimingDiagram, frame: Frame, rule: Rule, each_way: bool) -> Iterator[Event]:
+    """Yield the Bm at which a distance begins to be too small, if there is one.
+
+    The wider its moves, the nearer the motion is at every cam angle to where it stays: so the
+    distance only grows with Bm, or only shrinks.
+    """
+    moves = frame.motion.moves
+    if each_way or not all(as_law(move.law).is_monotone for move in moves):
+        why = "gives rise and return one angle" if each_way else "takes laws that do not turn back"
+        fix = "each_way=False" if each_way else "such a law, or widen it by hand"
+        raise InputError(
+            f"With the rule '{rule}' the widest move of the {frame.motion.name} {why}: give {fix}."
+        )
+
+    def wide(bm: float) -> TimingDiagram:
+        return diagram.with_motion(frame.with_angles([bm] * len(moves)))
+
+    def keeps(bm: float) -> bool:
+        room = rule.room(wide(bm))
+        return room is None or room.mm >= 0
+
+    most = frame.room / len(moves)
+    if keeps(NARROW_DEG) and not keeps(most):
+        bm = math.nextafter(bisect(keeps, NARROW_DEG, most), 0.0)
+        room = rule.room(wide(bm))
+        yield Event(0, bm, rule, room.at_deg if room else 0.0)

@@ -1,4 +1,4 @@
-"""The machine: mechanisms that move over the cam angle, the rules between them, the widest move.
+"""The machine: mechanisms that move over the cam angle.
 
 All conversion of units happens in `kinematics`.
 """

@@ -12,7 +12,14 @@ from numpy.typing import ArrayLike
 from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
-from cammotion.machine.kinematics import DEG_PER_TURN, RATE, Move, cycle_time, over_time
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    MINUTES_PER_HOUR,
+    RATE,
+    Move,
+    cycle_time,
+    over_time,
+)
 from cammotion.machine.motions import HEADING, Motion
 from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import InputError, Numbers, Quantity, one_of, plain, shorten
@@ -26,8 +33,9 @@ TIME = Quantity("time", "s", example=0.9, low=-math.inf)
 class TimingDiagram:
     """The motions of any number of mechanisms, and the machine rate N in pieces/h.
 
-    Each motion has a name of its own, by which it is asked for. Raises InputError for no motion,
-    for two of one name, and for a rate that is not above 0.
+    A rate in cycles or turns of the camshaft a minute is `rate_per_hour=per_minute(40)`. Each
+    motion has a name of its own, by which it is asked for. Raises InputError for no motion, for two
+    of one name, and for a rate that is not above 0.
 
     >>> import cammotion as cm
     >>> diagram = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die], rate_per_hour=2000)
@@ -63,6 +71,11 @@ class TimingDiagram:
     def names(self) -> tuple[str, ...]:
         """The names of the motions, in order."""
         return tuple(motion.name for motion in self.motions)
+
+    @property
+    def rpm(self) -> float:
+        """How many turns a minute the camshaft makes, and how many cycles the machine."""
+        return self.rate_per_hour / MINUTES_PER_HOUR
 
     @property
     def cycle_time_s(self) -> float:

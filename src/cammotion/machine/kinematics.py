@@ -5,6 +5,7 @@ tm = Bm/360 T. Lengths come in mm; velocity, acceleration and jerk are returned 
 m/s3. Units are converted here, or with the numbers from here.
 """
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,7 +21,12 @@ FULL_TURN_DEG = 360 * (1 + 1e-12)  # as 150 + 210.00000000000003 deg is
 ANGLE = Quantity("indexing angle", "deg", example=55, high=FULL_TURN_DEG)
 RATE = Quantity("machine rate", "pieces/h", example=2000)
 
+_CYCLES = Quantity("rate", "cycles/min", example=40)
+_TURN = Quantity("angle of the part", "deg", example=30, low=-math.inf)
+_RADIUS = Quantity("radius", "mm", example=80)
+
 SECONDS_PER_HOUR = 3600
+MINUTES_PER_HOUR = 60
 DEG_PER_TURN = 360
 MM_PER_M = 1000
 STANDARD_GRAVITY = 9.80665  # m/s2, by definition
@@ -36,6 +42,37 @@ def cycle_time(rate_per_hour: ArrayLike) -> Numbers:
     1.8
     """
     return plain(SECONDS_PER_HOUR / RATE.array(rate_per_hour))
+
+
+def per_minute(cycles: ArrayLike) -> Numbers:
+    """Return a machine rate in pieces/h, given in cycles a minute: what a camshaft turns in rpm.
+
+    A cycle is one turn of the camshaft and one piece. `cycles` is a number or an array, above 0.
+    Raises InputError for others.
+
+    >>> import cammotion as cm
+    >>> cm.TimingDiagram([cm.EXAMPLE.die], rate_per_hour=per_minute(40))
+    TimingDiagram(die at 2400 pieces/h)
+    """
+    return plain(_CYCLES.array(cycles) * MINUTES_PER_HOUR)
+
+
+def arc_mm(angle_deg: ArrayLike, radius_mm: ArrayLike) -> Numbers:
+    """Return how many mm a point at a radius goes along its arc while its part turns by some deg.
+
+    So a part that swings or turns is described: all of it in mm at one radius. An acceleration in
+    m/s2 there is 1000/radius_mm times as much in rad/s2. Both are numbers or arrays that broadcast.
+    Raises InputError for what is not finite, and a radius that is not above 0.
+
+    >>> import cammotion as cm
+    >>> up, down = (arc_mm(angle, radius_mm=80) for angle in (30, 30))
+    >>> arm = cm.motion("arm", cm.rise(up, over_deg=90), cm.return_(down, over_deg=270))
+    >>> print(f"{arm.range_mm[1]:.2f} mm")
+    41.89 mm
+    """
+    angle, radius = _TURN.array(angle_deg), _RADIUS.array(radius_mm)
+    broadcast(angle_deg=angle, radius_mm=radius)
+    return plain(np.radians(angle) * radius)
 
 
 def indexing_time(angle_deg: ArrayLike, rate_per_hour: ArrayLike) -> Numbers:

@@ -7,7 +7,6 @@ from html import escape
 from pathlib import Path
 
 from cammotion.laws.catalogue import as_law
-from cammotion.machine.clearance import Clearance, ClearanceRule
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
 from cammotion.report.findings import Findings
@@ -15,6 +14,8 @@ from cammotion.report.live import live_figure
 from cammotion.report.markup import Cell, Opened, opened, paragraph, short, table
 from cammotion.report.numbers import of_peak, of_rate, of_velocity
 from cammotion.report.pictures import moving, timing
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.rule import Clearance
 
 _STYLE = Path(__file__).with_name("page.css")
 _NOTHING = 1e-5  # mm: a rule that is just kept
@@ -114,9 +115,9 @@ def _rules(found: Findings) -> str:
 
 
 def _clearance(machine: Machine, one: Clearance) -> Opened | str:
-    if one.angle_deg is None:
+    rule = one.rule
+    if one.angle_deg is None or not isinstance(rule, ClearanceRule):
         return "never in the way"
-    rule: ClearanceRule = one.rule
     at = one.angle_deg % DEG_PER_TURN
     when, other = (
         f"the {half.motion} is at {float(machine.diagram[half.motion].offset_mm(at)):.4g} mm"

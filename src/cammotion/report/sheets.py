@@ -7,11 +7,11 @@ import numpy as np
 
 from cammotion.exchange.cam_tables_out import positions_over_turn
 from cammotion.exchange.machine_files import machine_rows
-from cammotion.machine.clearance import Condition
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
 from cammotion.report.findings import Findings
+from cammotion.rules.conditions import Condition
 
 STEP_DEG = 0.5
 """Of the cam tables: fine enough for a spline through them."""

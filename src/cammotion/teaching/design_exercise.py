@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.machine.clearance import ClearanceRule, find_violations, within
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.own import Machine
+from cammotion.rules.checks import find_violations
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import within
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Exercise, Verdict
 from cammotion.teaching.reading import OddAnswerError

@@ -4,11 +4,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from cammotion.limits.widest import widest_move
-from cammotion.machine.clearance import ClearanceRule, beyond, within
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import beyond, within
 from cammotion.teaching.fit_numbers import FitNumbers
 from cammotion.teaching.follower_numbers import FollowerNumbers
 from cammotion.teaching.law_numbers import LawNumbers

@@ -23,7 +23,7 @@ from cammotion.views.scales import short_number
 
 SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
 LANE_INCHES = 0.36
-_LANE = 0.75  # the share of a lane that a curve fills
+LANE_SHARE = 0.75  # of a lane, that a curve fills
 _NAME, _SMALL = 11, 10  # the size of a name at its curve, and beside its lane, in points
 _POINTS = 72  # of an inch
 _SAID = 74  # columns of what is said above a row
@@ -67,7 +67,7 @@ def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None 
     for curve in curves:
         low, high = curve.range
         bottom = count - 1 - curve.number
-        scale = _LANE / ((high - low) or 1)
+        scale = LANE_SHARE / ((high - low) or 1)
         to_lane = Affine2D().translate(0, -low).scale(1, scale).translate(0, bottom)
         line = ax.plot(curve.angles, curve.values, transform=to_lane + ax.transData)[0]
         style_line(line, curve.number).set_label(as_label(printable(curve.motion.name)))
@@ -75,9 +75,9 @@ def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None 
             ax.axhline(bottom - low * scale, color="#999999", linewidth=0.8, zorder=1)
         infinite = peaks is not None and math.isinf(peaks[curve.number])
         said = f"{short_number(low)} to {short_number(high)}{', peak ∞' if infinite else ''}"
-        at = (1.01, bottom + _LANE / 2)
+        at = (1.01, bottom + LANE_SHARE / 2)
         ax.text(*at, said, fontsize=_SMALL, va="center", transform=ax.get_yaxis_transform())
-    middles = [count - 1 - curve.number + _LANE / 2 for curve in curves]
+    middles = [count - 1 - curve.number + LANE_SHARE / 2 for curve in curves]
     ax.set_yticks(middles, [curve.label for curve in curves])
     name_rows(ax)
     ax.grid(visible=False, axis="y")

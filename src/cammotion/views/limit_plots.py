@@ -20,10 +20,10 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.segments import POSITION
 from cammotion.quantities import Floats, InputError, Quantity, shorten
+from cammotion.views.broken import BROKEN
 from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
-from cammotion.views.timing_plots import BROKEN
 
 BEST, NAMED = COLOURS[:2]
 OUT_OF_REACH = "#e4e4e4"

@@ -2,11 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import TypeVar
 
-from cammotion.machine.clearance import ClearanceRule, Condition
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.quantities import InputError
+from cammotion.rules.rule import Rule
 from cammotion.views.names import printable, short_names
+
+R = TypeVar("R", bound=Rule)
 
 MOST_MECHANISMS = 24
 
@@ -32,14 +35,9 @@ def short_diagram(diagram: TimingDiagram) -> TimingDiagram:
     return TimingDiagram(tuple(motions), diagram.rate_per_hour)
 
 
-def short_rule(diagram: TimingDiagram, rule: ClearanceRule) -> ClearanceRule:
+def short_rule(diagram: TimingDiagram, rule: R) -> R:
     """Return a rule about motions of the diagram for `short_diagram` of it."""
-    called = _called(diagram)
-
-    def half(condition: Condition) -> Condition:
-        return replace(condition, motion=called[condition.motion])
-
-    return ClearanceRule(half(rule.when), only_while=half(rule.only_while))
+    return rule.renamed(_called(diagram))
 
 
 def names_in_full(diagram: TimingDiagram, *names: str) -> list[str]:

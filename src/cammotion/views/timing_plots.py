@@ -10,12 +10,16 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.arguments import checked
 from cammotion.machine.arcs import arcs
-from cammotion.machine.clearance import ClearanceRule, Condition, as_rules, find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, Quantity, one_of
+from cammotion.rules.checks import as_rules, every_rule, find_violations
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Condition
+from cammotion.rules.rule import Rule
 from cammotion.views.bars import HATCHES, draw_bars
+from cammotion.views.broken import BROKEN, draw_broken
 from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
 from cammotion.views.lanes import (
     LANE_INCHES,
@@ -44,7 +48,6 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "jerk": TimingDiagram.jerk,
 }
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
-BROKEN: dict[str, Any] = {"facecolor": "#f9c9c0", "edgecolor": "#b3200e", "hatch": "xx"}
 _SPAN = Quantity("span of the axis", "mm", example=5)
 
 
@@ -52,7 +55,7 @@ _SPAN = Quantity("span of the axis", "mm", example=5)
 def plot_timing(
     diagram: TimingDiagram,
     *,
-    rules: ClearanceRule | Iterable[ClearanceRule] = (),
+    rules: Rule | Iterable[Rule] = (),
     rows: Sequence[str] = (),
     ax: Axes | None = None,
 ) -> Axes:
@@ -60,12 +63,12 @@ def plot_timing(
 
     Displacement in mm over the cam angle, one curve a mechanism; beneath it a bar for each, hatched
     where it moves, with the angles of its segments. Grey is where two move at once, or, with
-    `rules`, where the two motions of a rule do; a broken rule is marked. `rows`,
-    any of "velocity", "acceleration" and "jerk", are drawn below over the same cam angle; a row
-    names the mechanisms whose peak is infinite. More than four mechanisms get a lane each, with a
-    scale of its own and its range beside it. Long names are shortened; the words of the picture
-    have them in full. Raises InputError for more than 24 mechanisms, for an unknown row, and for a
-    rule about a motion that the diagram lacks.
+    `rules`, where the two motions of a rule do. A broken rule is marked on the two mechanisms that
+    it is about, and named if it has a name. `rows`, any of "velocity", "acceleration" and "jerk",
+    are drawn below over the same cam angle; a row names the mechanisms whose peak is infinite. More
+    than four mechanisms get a lane each, with a scale of its own and its range beside it. Long
+    names are shortened; the words of the picture have them in full. Raises InputError for more than
+    24 mechanisms, for an unknown row, and for a rule about a motion that the diagram lacks.
 
     >>> import cammotion as cm
     >>> ax = plot_timing(cm.EXAMPLE.diagram, rules=cm.EXAMPLE.rule, rows=["acceleration"])
@@ -73,7 +76,7 @@ def plot_timing(
     'displacement in mm'
     """
     rows = [one_of("row", row, ROWS) for row in rows]
-    given = as_rules(diagram, rules) if rules else ()
+    given = every_rule(diagram, rules) if rules else ()
     names = labels(readable(diagram).names)
     in_lanes = len(names) > SHARED_AXIS
     heights = [LANE_INCHES * len(names)] * (1 + len(rows))
@@ -94,7 +97,7 @@ def plot_timing(
     for axis, row in zip(lower, rows, strict=True):
         style_axes(axis, "", CURVES[row].replace(" in ", "\nin "))
         _draw_curves(axis, diagram, row)
-    _shade(ax, diagram, given)
+    _shade(ax, bars, diagram, given)
     _share_angle(ax, bars, *lower)
     return ax
 
@@ -193,23 +196,20 @@ def _derivative(diagram: TimingDiagram, row: str) -> Values:
     return lambda motion, angles: np.asarray(ROWS[row](diagram, motion.name, angles))
 
 
-def _shade(ax: Axes, diagram: TimingDiagram, rules: tuple[ClearanceRule, ...]) -> None:
-    groups: list[Sequence[str]] = [(rule.when.motion, rule.only_while.motion) for rule in rules]
+def _shade(ax: Axes, bars: Axes, diagram: TimingDiagram, rules: tuple[Rule, ...]) -> None:
+    groups: list[Sequence[str]] = [rule.motions for rule in rules]
     overlaps = [arc for names in groups or [diagram.names] for arc in diagram.overlap(*names)]
-    violations = find_violations(diagram, rules) if rules else ()
-    where_broken = [(broken.start_deg, broken.end_deg) for broken in violations]
     grey: dict[str, Any] = {"facecolor": "white", "edgecolor": "#555555"}
     key = [Patch(**grey, hatch=hatch, label=kind) for kind, hatch in HATCHES.items()]
     is_calm = len(diagram.names) > SHARED_AXIS  # dots behind many lanes are in their way
-    for label, found, style in (
-        ("overlap", overlaps, OVERLAP | {"hatch": ""} if is_calm else OVERLAP),
-        ("rule broken", where_broken, BROKEN),
-    ):
-        for start, end in arcs(found):
-            span = f"{label} from {start:.5g} to {end:.5g} deg"
-            ax.axvspan(start, end, **style, linewidth=0, zorder=0.5, label=span)
-        if found:
-            key.append(Patch(**style, label=label))
+    style = OVERLAP | {"hatch": ""} if is_calm else OVERLAP
+    for start, end in arcs(overlaps):
+        span = f"overlap from {start:.5g} to {end:.5g} deg"
+        ax.axvspan(start, end, **style, linewidth=0, zorder=0.4, label=span)
+    if overlaps:
+        key.append(Patch(**style, label="overlap"))
+    if draw_broken(ax, bars, diagram, find_violations(diagram, rules) if rules else ()):
+        key.append(Patch(**BROKEN, label="rule broken"))
     ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(key), frameon=False)
 
 

@@ -8,11 +8,12 @@ import numpy as np
 
 from cammotion.limits.corridors import check_stands, even_nodes, still_arcs, travel_ends
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
+from cammotion.rules.checks import as_rules
+from cammotion.rules.clearance import ClearanceRule
 from cammotion.whole.parts import Part
 from cammotion.whole.sides import Side
 

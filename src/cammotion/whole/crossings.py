@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import Arc, complement, unwrap
-from cammotion.machine.clearance import Condition
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError
+from cammotion.rules.conditions import Condition
 
 _ROUNDING_DEG = 1e-7
 

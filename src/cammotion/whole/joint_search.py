@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.machine.clearance import find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.rules.checks import find_violations
 from cammotion.whole.asked_of_all import Task, weighted_peak
 from cammotion.whole.joint_bound import Outline, outline
 from cammotion.whole.joint_motion import motions, unsettled

@@ -15,9 +15,9 @@ import numpy as np
 
 from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Quantity
+from cammotion.rules.clearance import ClearanceRule
 from cammotion.whole.asked_of_all import read_task, weighted_peak
 from cammotion.whole.joint_search import Search
 

@@ -19,12 +19,14 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.frame import with_dwells
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule, Condition, find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, Quantity, WrongAnswerError
+from cammotion.rules.checks import find_violations
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Condition
 from cammotion.whole.asked_of_all import Task, read_task, weighted_peak
 from cammotion.whole.asked_of_moves import Laws, Ranges, read_laws, read_ranges
 from cammotion.whole.crossings import Span, fixed_spans, spans

@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cammotion.machine.arcs import ROUNDING_DEG, Arc
-from cammotion.machine.clearance import Condition
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
+from cammotion.rules.conditions import Condition
 
 _SLACK_DEG = 30 * ROUNDING_DEG
 _SLACK_MM = 1e-9

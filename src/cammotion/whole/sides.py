@@ -12,10 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cammotion.machine.arcs import Arc, unwrap
-from cammotion.machine.clearance import ClearanceRule, Condition
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Condition
 from cammotion.whole.parts import Interval, Part, intervals
 
 _SLACK_DEG = 3e-8

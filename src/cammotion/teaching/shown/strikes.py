@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 
 from cammotion.limits.widest import with_angle
-from cammotion.machine.clearance import find_violations
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, motion, return_, rise
+from cammotion.rules.checks import find_violations
 from cammotion.teaching.example import MillAndDie
 
 ROUNDING = 1e-6  # mm or deg, beneath which nothing is said of a difference

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from cammotion.laws.catalogue import LAWS
-from cammotion.machine.clearance import smallest_clearance
 from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time
 from cammotion.quantities import Floats
+from cammotion.rules.checks import smallest_clearance
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.shown.frame import (
     DIE,

@@ -12,9 +12,10 @@ import drawsvg as draw
 import numpy as np
 
 from cammotion.machine.arcs import ROUNDING_DEG
-from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError
+from cammotion.rules.checks import as_rules
+from cammotion.rules.clearance import ClearanceRule
 from cammotion.views.animation import svg
 from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import Die, find_dies

@@ -8,9 +8,10 @@ from typing import Any
 import drawsvg as draw
 
 from cammotion.machine.arcs import Arc, arcs
-from cammotion.machine.clearance import ClearanceRule, Violation, find_violations
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.rules.checks import find_violations
+from cammotion.rules.rule import Rule, Violation
 from cammotion.views.animation import svg
 from cammotion.views.animation.charts import (
     GAP_PX,
@@ -40,7 +41,7 @@ class Design:
 
     title: str
     diagram: TimingDiagram
-    rules: tuple[ClearanceRule, ...]
+    rules: tuple[Rule, ...]
     in_full: tuple[str, ...] = ()  # what its short names stand for
 
     @cached_property
@@ -111,7 +112,7 @@ class Design:
         """
         found: dict[str, list[Arc]] = {}
         for broken in self.violations:
-            pair = [broken.rule.when.motion, broken.rule.only_while.motion]
+            pair = broken.rule.motions
             movers = [name for name in pair if not self.diagram[name].is_indexing]
             for name in movers or pair:
                 found.setdefault(name, []).append((broken.start_deg, broken.end_deg))

@@ -9,9 +9,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from cammotion.machine.arcs import Arc, complement
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
+from cammotion.rules.clearance import ClearanceRule, in_mm
+from cammotion.rules.rule import Rule
 from cammotion.views.animation.keyframes import Trace, trace_position
 
 MARGIN_MM = 1.0  # less for a die that hardly moves
@@ -70,10 +71,12 @@ class Die:
         return complement(self.motion.where_beyond(high - depth_mm))
 
 
-def find_dies(diagram: TimingDiagram, rules: Iterable[ClearanceRule]) -> dict[str, list[Die]]:
+def find_dies(diagram: TimingDiagram, rules: Iterable[Rule]) -> dict[str, list[Die]]:
     """Return for each turret the motions that a rule links with it, no more than it has stops."""
     found: dict[str, list[Die]] = {m.name: [] for m in diagram.motions if m.is_indexing}
     for rule in rules:
+        if not isinstance(rule, ClearanceRule) or not in_mm([rule]):
+            continue
         for own, other in ((rule.when, rule.only_while), (rule.only_while, rule.when)):
             used = {die.motion.name for dies in found.values() for die in dies}
             if own.motion in found or own.motion in used or other.motion not in found:

@@ -10,9 +10,10 @@ from functools import cached_property
 from typing import Any
 
 from cammotion.arguments import checked
-from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.rules.checks import every_rule
+from cammotion.rules.rule import Rule
 from cammotion.views.animation import svg
 from cammotion.views.animation.columns import INNER_PX, Design, Layout
 from cammotion.views.animation.dies import find_dies
@@ -113,7 +114,7 @@ class Animation(MovingPicture):
 def animate(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     *,
-    rules: ClearanceRule | Iterable[ClearanceRule] = (),
+    rules: Rule | Iterable[Rule] = (),
     turn_s: float = 9.0,
     magnify: float | None = None,
 ) -> Animation:
@@ -182,7 +183,7 @@ def _design(title: Any, diagram: Any, rules: Any) -> Design:
             f"The design {title!r} is {shorten(diagram)}: give a TimingDiagram of the motions, for "
             "example TimingDiagram([mill, die], rate_per_hour=2000)."
         )
-    found = () if rules == () else as_rules(readable(diagram), rules)
+    found = () if rules == () else every_rule(readable(diagram), rules)
     return Design(
         printable(title),
         short_diagram(readable(diagram)),

@@ -10,8 +10,8 @@ from typing import Any, Protocol
 import drawsvg as draw
 
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
+from cammotion.rules.rule import Rule
 from cammotion.views.animation import svg
 from cammotion.views.animation.magnifier import Magnifier
 from cammotion.views.animation.slide import Slide
@@ -32,7 +32,7 @@ class Drawing(Protocol):
 
     @classmethod
     def find(
-        cls, diagram: TimingDiagram, rules: Iterable[ClearanceRule], left: list[str], width: float
+        cls, diagram: TimingDiagram, rules: Iterable[Rule], left: list[str], width: float
     ) -> "Sequence[Drawing]":
         """Return what can be drawn so of the motions that are `left`; a row is `width` wide."""
 
@@ -53,7 +53,7 @@ class Scene:
     def __init__(
         self,
         diagram: TimingDiagram,
-        rules: Iterable[ClearanceRule],
+        rules: Iterable[Rule],
         width: float,
         magnify: float | None = None,
     ) -> None:
@@ -70,7 +70,7 @@ class Scene:
 
 
 def _drawings(
-    diagram: TimingDiagram, rules: Iterable[ClearanceRule], width: float, magnify: float | None
+    diagram: TimingDiagram, rules: Iterable[Rule], width: float, magnify: float | None
 ) -> Iterator["Drawing | Magnifier"]:
     left = list(diagram.names)
     for kind in KINDS:

@@ -7,9 +7,9 @@ from typing import Any
 import drawsvg as draw
 
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
+from cammotion.rules.rule import Rule
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import trace_position
 from cammotion.views.plots import colour
@@ -35,7 +35,7 @@ class Slide:
     def find(
         cls,
         diagram: TimingDiagram,
-        rules: Iterable[ClearanceRule],  # noqa: ARG003 - a slide needs none
+        rules: Iterable[Rule],  # noqa: ARG003 - a slide needs none
         left: list[str],
         width: float,
     ) -> "list[Slide]":

@@ -15,9 +15,9 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.views import plots
 from cammotion.views.animation.keyframes import Trace
+from cammotion.views.broken import BROKEN
 from cammotion.views.names import cut, printable, text_px
 from cammotion.views.plots import colour, dashes_of, mixed
-from cammotion.views.timing_plots import BROKEN
 
 FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
 INK, GREY = "#222222", "#777777"

@@ -11,9 +11,9 @@ import drawsvg as draw
 import numpy as np
 
 from cammotion.machine.arcs import Arc
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
+from cammotion.rules.rule import Rule
 from cammotion.views.animation import svg
 from cammotion.views.animation.aside import ASIDE_PX
 from cammotion.views.animation.dies import Die, find_dies
@@ -69,7 +69,7 @@ class Turret:
 
     @classmethod
     def find(
-        cls, diagram: TimingDiagram, rules: Iterable[ClearanceRule], left: list[str], width: float
+        cls, diagram: TimingDiagram, rules: Iterable[Rule], left: list[str], width: float
     ) -> "list[Turret]":
         """Return a turret for each indexing motion that is left, with the dies of the rules."""
         dies = find_dies(diagram, rules)

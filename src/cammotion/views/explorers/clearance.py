@@ -9,11 +9,12 @@ import sympy as sp
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
-from cammotion.machine.clearance import ClearanceRule, as_rules
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, Quantity
+from cammotion.rules.checks import as_rules
+from cammotion.rules.clearance import ClearanceRule
 from cammotion.views.explorers.moving import ALPHA, Moving, Part, check_rests, heights
 from cammotion.views.live.formulas import inverse, largest, place_of_largest
 from cammotion.views.live.parts import ALARM, REFERENCE, Box, Line, Panel, Say

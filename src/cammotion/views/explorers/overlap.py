@@ -4,10 +4,10 @@ import sympy as sp
 
 from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
+from cammotion.rules.clearance import ClearanceRule
 from cammotion.views.explorers.clearance import (
     IN,
     LIMIT,

@@ -6,10 +6,10 @@ from dataclasses import replace
 import sympy as sp
 
 from cammotion.arguments import checked
-from cammotion.machine.clearance import ClearanceRule
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
+from cammotion.rules.clearance import ClearanceRule
 from cammotion.views.explorers.clearance import (
     LIMIT,
     NOTHING,

@@ -13,9 +13,9 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
 from cammotion.quantities import Floats
+from cammotion.views.broken import BROKEN
 from cammotion.views.names import add_legend, as_label, plain
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
-from cammotion.views.timing_plots import BROKEN
 
 Functions = Sequence[Callable[..., Any]]
 

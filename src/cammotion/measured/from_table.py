@@ -1,0 +1,203 @@
+"""The motion of a mechanism whose cam is given by a table over the whole turn.
+
+Where the positions stay the motion dwells. What lies between two dwells is one cubic spline, and a
+cam without a dwell is one that goes on over the end of the turn; it is cut where it turns, each
+part being a rise or a return with a law from its points.
+"""
+
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from cammotion.arguments import checked
+from cammotion.laws.curve import Curve
+from cammotion.laws.spline import Spline
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
+from cammotion.measured.cam_table import CamTable
+from cammotion.measured.fits import Through
+from cammotion.measured.from_points import law_from_points
+from cammotion.measured.sampled_law import SampledLaw
+from cammotion.quantities import Floats, InputError, Quantity
+
+_DWELL = Quantity("shortest dwell", "deg", example=10, high=360.0)
+_SWING = 1e-5  # of the travel: what turns back by less is the spline's, or rounding
+_STEPS = 1.5  # of the table, within which the positions of a dwell lie
+_NEAR = 1e-3  # of a part between two points: a turn so near to one of them is there
+_MOST = 24  # moves of a turn
+_FEWEST = 4  # points of a law
+_RULES = 0.2  # of the peak: an effect of the rounding that is to be warned of
+
+
+@checked
+def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10) -> Motion:
+    """Return the motion of a cam that is given by a table of one whole turn.
+
+    It goes through the points, with a velocity and an acceleration that do not jump where it turns.
+    Where the positions stay the same over `least_dwell_deg` or more, to one and a half of the
+    table's step, it dwells, and rests at both ends. Its moves have laws from points, so that it is
+    checked, drawn and written like any motion. Raises InputError for a table that is no cycle, that
+    stays where it is, or that turns back too often, as one of measured noise does.
+
+    >>> angles = np.arange(0.0, 360.0, 5)
+    >>> table = CamTable(angles, 25 - 25 * np.cos(np.radians(angles)), is_cycle=True)
+    >>> cam = motion_from_table("cam", table)
+    >>> [f"{move.kind} {move.angle_deg:.2f}" for move in cam.segments]
+    ['rise 180.00', 'return 180.00']
+    >>> print(f"{cam.position_mm(92.5):.4f} mm")
+    26.0905 mm
+    """
+    shortest = _DWELL.number(least_dwell_deg)
+    if not table.is_cycle:
+        raise InputError(
+            "The table is no whole turn, and a motion fills one: give CamTable(..., "
+            "is_cycle=True), mirror a table of its rise with table.mirrored(), or make a law with "
+            "law_from_table."
+        )
+    travel = float(np.ptp(table.position_mm))
+    swing, within = max(table.step_mm, _SWING * travel), max(_STEPS * table.step_mm, 1e-9 * travel)
+    if travel <= within:
+        raise InputError(
+            f"The table goes over {travel:g} mm in steps of {table.step_mm:g}, and so stays where "
+            "it is: make a motion of a dwell of 360 deg."
+        )
+    stays = _dwells(table, within, shortest)
+    moves = _with_dwells(table, stays, swing) if stays else _without_dwells(table, swing)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # of each law; said of the table once, below
+        found = Motion(name, _from_lowest(list(moves)))
+    _warn(found, table)
+    return found.shifted(-(found.start_deg // DEG_PER_TURN) * DEG_PER_TURN)
+
+
+def _dwells(table: CamTable, within_mm: float, shortest: float) -> list[tuple[int, int, float]]:
+    """Return the first and the last point of each dwell, the last one after it, and its height.
+
+    Points count on over the end of the turn.
+    """
+    size = table.angle_deg.size
+    angles, heights = _twice(table)
+    found: list[tuple[int, int, float]] = []
+    n = int(np.argmax(np.abs(np.diff(heights[: size + 1])))) + 1  # where it surely moves
+    end = n + size
+    while n < end:
+        last = n
+        while last + 1 < end and np.ptp(heights[n : last + 2]) <= within_mm:
+            last += 1
+        if angles[last] - angles[n] >= shortest:
+            middle = float(np.median(heights[n : last + 1]))
+            known = (stay for _, _, stay in found if abs(stay - middle) <= within_mm)
+            found.append((n, last, next(known, middle)))
+            n = last
+        n += 1
+    return found
+
+
+def _with_dwells(
+    table: CamTable, stays: Sequence[tuple[int, int, float]], swing: float
+) -> Iterator[Segment]:
+    """Yield each dwell and the moves to the next one."""
+    size = table.angle_deg.size
+    angles, heights = _twice(table)
+    first, _, height = stays[0]
+    following = [*stays[1:], (first + size, 0, height)]
+    for (start, last, stay), (then, _, there) in zip(stays, following, strict=True):
+        yield _stay(angles[start], angles[last], stay)
+        which = np.arange(last, then + 1) % size
+        places = angles[last] + np.mod(angles[which] - angles[last], DEG_PER_TURN)
+        values = np.array([stay, *heights[which[1:-1]], there])
+        curve = Through(places, (0.0, 0.0)).curve(values)
+        moves = list(_moves(curve, places, table, swing))
+        yield from moves or [_stay(places[0], places[-1], stay)]
+
+
+def _without_dwells(table: CamTable, swing: float) -> Iterator[Segment]:
+    """Yield the moves of a cam that never stays, from its lowest point on."""
+    from scipy.interpolate import CubicSpline  # it takes a second to load
+
+    size = table.angle_deg.size
+    angles, heights = _twice(table)
+    rows = CubicSpline(angles[: size + 1], heights[: size + 1], bc_type="periodic").c
+    turn = Spline(angles[: size + 1], np.array(rows))
+    low = min(turn.turns, key=turn.at)
+    places = np.array([low, *angles[(angles > low) & (angles < low + DEG_PER_TURN)], low])
+    places[-1] += DEG_PER_TURN
+    values = turn.over(np.where(places > turn.high, places - DEG_PER_TURN, places))
+    values[-1] = values[0]
+    yield from _moves(Through(places, (0.0, 0.0)).curve(values), places, table, swing)
+
+
+def _moves(curve: Curve, places: Floats, table: CamTable, swing: float) -> Iterator[Segment]:
+    """Yield the rises and returns of a curve between two rests, each with a law of its points."""
+    corners = [corner for piece in curve.pieces for corner in piece.corners]
+    ends = _turns(corners, swing)
+    if len(ends) > _MOST:
+        raise InputError(
+            f"The table turns back {len(ends) - 2} times by more than {swing:.3g} mm, as one of "
+            "measured noise does: smooth its positions with smoothed, or give its step_mm."
+        )
+    for (low, start), (high, end) in pairwise(ends):
+        near = _NEAR * float(np.diff(places).min())
+        inside = places[(places > low + near) & (places < high - near)]
+        if inside.size + 2 < _FEWEST:
+            inside = np.linspace(low, high, _FEWEST)[1:-1]
+        at = np.array([low, *inside, high])
+        x, s = (at - low) / (high - low), (curve(at) - start) / (end - start)
+        s[0], x[-1], s[-1] = 0.0, 1.0, 1.0
+        step = table.step_mm / abs(end - start)
+        law = law_from_points(x, s, name=f"table, {low % DEG_PER_TURN:.6g} deg", step=min(step, 1))
+        yield Segment(from_deg=low, to_deg=high, from_mm=start, to_mm=end, law=law)
+
+
+def _from_lowest(segments: list[Segment]) -> tuple[Segment, ...]:
+    """Return the segments from the rise on that begins lowest, after a dwell if there is one."""
+    rises = [n for n, segment in enumerate(segments) if segment.kind == "rise"]
+    near = _SWING * max(abs(segment.change_mm) for segment in segments)
+    lowest = min(segments[n].from_mm for n in rises) + near
+    low = [n for n in rises if segments[n].from_mm <= lowest]
+    first = min(low, key=lambda n: segments[n - 1].kind != "dwell")
+    later = (
+        replace(s, from_deg=s.from_deg + DEG_PER_TURN, to_deg=s.to_deg + DEG_PER_TURN)
+        for s in segments[:first]
+    )
+    return (*segments[first:], *later)
+
+
+def _turns(corners: Sequence[tuple[float, float]], swing: float) -> list[tuple[float, float]]:
+    """Return both ends and the corners between them at which it turns back by more than `swing`."""
+    kept = [corners[0]]
+    for place, height in corners[1:]:
+        goes_on = len(kept) > 1 and (height - kept[-1][1]) * (kept[-1][1] - kept[-2][1]) > 0
+        if goes_on:
+            kept[-1] = place, height
+        elif abs(height - kept[-1][1]) > swing:
+            kept.append((place, height))
+    return [*kept[:-1], corners[-1]] if len(kept) > 1 else kept
+
+
+def _warn(motion: Motion, table: CamTable) -> None:
+    """Say it where the rounding of the positions may be much of what the acceleration is."""
+    laws = [law for move in motion.moves if isinstance(law := move.law, SampledLaw)]
+    share = max(law.rounding.bound / law.curve.derived(2).largest for law in laws)
+    if share > _RULES:
+        warnings.warn(
+            f"The positions of the table are rounded to {table.step_mm:g} mm. That alone changes "
+            f"the acceleration of {motion.name} by up to {share:.0%} of its peak: take positions "
+            "with more digits, or smoothed ones.",
+            UserWarning,
+            stacklevel=4,
+        )
+
+
+def _stay(start: float, end: float, height: float) -> Segment:
+    return Segment(from_deg=float(start), to_deg=float(end), from_mm=height, to_mm=height)
+
+
+def _twice(table: CamTable) -> tuple[Floats, Floats]:
+    """Return the angles and positions of two turns."""
+    angles, heights = table.angle_deg, table.position_mm
+    return np.concatenate([angles, angles + DEG_PER_TURN]), np.concatenate([heights, heights])

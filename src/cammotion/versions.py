@@ -1,0 +1,249 @@
+"""Two versions of a machine side by side: what was changed, and what it cost or gained."""
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import zip_longest
+
+from cammotion.arguments import checked
+from cammotion.drive.camshaft import Camshaft
+from cammotion.laws.catalogue import as_law
+from cammotion.limits.reserves import reserves
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
+from cammotion.quantities import InputError
+from cammotion.rules.checks import every_rule, find_clearances, find_violations
+from cammotion.rules.rule import Rule
+from cammotion.shown import as_table
+
+_SAME = 1e-9  # by such a share two numbers may differ and be one
+_NONE = "–"
+_HEADING = ("of", "what", "before", "after", "change")
+_PEAKS = {"velocity": "m/s", "acceleration": "m/s²", "jerk": "m/s³"}
+
+
+@dataclass(frozen=True)
+class Change:
+    """What one version has in another way than the other, in words; "–" is what it lacks.
+
+    `of` is a motion, or "machine" for its rate.
+    """
+
+    of: str
+    what: str
+    before: str
+    after: str
+
+    def __str__(self) -> str:
+        """Say it in words."""
+        return f"{self.of}, {self.what}: {self.before} → {self.after}"
+
+
+@dataclass(frozen=True)
+class Effect:
+    """A number of both versions, in a `unit`: a peak, a clearance, a torque.
+
+    `of` is a motion, a rule or "camshaft". What a version lacks is None.
+    """
+
+    of: str
+    what: str
+    unit: str
+    before: float | None
+    after: float | None
+
+    @property
+    def times(self) -> float | None:
+        """How many times what it was it is; None for no number, for 0 and for infinity."""
+        if self.before is None or self.after is None or abs(self.before) < _SAME:
+            return None
+        times = self.after / self.before
+        return times if math.isfinite(times) and math.isfinite(self.before) else None
+
+    @property
+    def is_change(self) -> bool:
+        """Whether the two numbers differ by more than rounding."""
+        if self.before is None or self.after is None:
+            return self.before is not self.after
+        return not math.isclose(self.before, self.after, rel_tol=_SAME, abs_tol=_SAME)
+
+    def __str__(self) -> str:
+        """Say it in words."""
+        before, after = _number(self.before), _number(self.after)
+        return f"{self.of}, {self.what}: {before} → {after} {self.unit}"
+
+
+@dataclass(frozen=True, repr=False)
+class Comparison:
+    """Two versions of a machine, `before` and `after`, and how they differ; made by `compare`.
+
+    `changes` are what was changed: the rate, motions that came or went, moves and their laws.
+    `effects` are what that cost or gained: each peak that is another one now, what each rule has
+    left, and, of two camshafts, forces and torque. A notebook shows both as a table.
+    """
+
+    before: TimingDiagram
+    after: TimingDiagram
+    rules: tuple[Rule, ...]
+    changes: tuple[Change, ...]
+    effects: tuple[Effect, ...]
+
+    def __repr__(self) -> str:
+        count = len(self.changes)
+        said = [f"{count or 'no'} change{'' if count == 1 else 's'}", self._hardest]
+        if self.rules:
+            broken = len({found.rule for found in find_violations(self.after, self.rules)})
+            said.append(f"{broken or 'no'} rule{'s' if broken > 1 else ''} broken")
+        return f"Comparison({'; '.join(said)})"
+
+    def _repr_html_(self) -> str:
+        changes = [(c.of, c.what, c.before, c.after, "") for c in self.changes]
+        effects = [
+            (e.of, f"{e.what} in {e.unit}", _number(e.before), _number(e.after), _share(e.times))
+            for e in self.effects
+        ]
+        return as_table(_HEADING, [*changes, *effects])
+
+    @property
+    def _hardest(self) -> str:
+        """The largest peak acceleration of both, whose ever it is."""
+        peaks = (
+            max(diagram.peak_acceleration(name) for name in diagram.names)
+            for diagram in (self.before, self.after)
+        )
+        return "largest peak acceleration {:.4g} → {:.4g} m/s²".format(*peaks)
+
+
+@checked
+def compare(
+    before: TimingDiagram | Camshaft,
+    after: TimingDiagram | Camshaft,
+    rules: Rule | Iterable[Rule] = (),
+) -> Comparison:
+    """Return how two versions of a machine differ, and what that cost or gained.
+
+    Both are timing diagrams, or camshafts, which know forces and torque too. The `rules` have to be
+    about motions that both versions have. Raises InputError for others, and for a diagram beside a
+    camshaft.
+
+    >>> import cammotion as cm
+    >>> after = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram
+    >>> found = compare(cm.EXAMPLE.diagram, after, cm.EXAMPLE.rule)
+    >>> print(found.changes[0])
+    die, rise: 150 to 205 deg, 50 mm, cycloidal → 80.16 to 205 deg, 50 mm, cycloidal
+    >>> found
+    Comparison(2 changes; largest peak acceleration 4.154 → 1.117 m/s²; no rule broken)
+    """
+    shafts = [each for each in (before, after) if isinstance(each, Camshaft)]
+    if len(shafts) == 1:
+        raise InputError(
+            "One version is a Camshaft and the other a TimingDiagram, which has no loads: give "
+            "both as Camshafts, or shaft.diagram of the one."
+        )
+    one, other = (each.diagram if isinstance(each, Camshaft) else each for each in (before, after))
+    given = every_rule(one, rules) if rules != () else ()
+    every_rule(other, given)
+    effects = [*_peaks(one, other), *_of_rules(one, other, given)]
+    if shafts:
+        effects += _of_shafts(*shafts)
+    return Comparison(one, other, given, tuple(_changes(one, other)), tuple(effects))
+
+
+def _changes(before: TimingDiagram, after: TimingDiagram) -> Iterator[Change]:
+    if not math.isclose(before.rate_per_hour, after.rate_per_hour, rel_tol=_SAME):
+        rates = (f"{diagram.rate_per_hour:.6g} pieces/h" for diagram in (before, after))
+        yield Change("machine", "rate", *rates)
+    for name in _names(before, after):
+        versions = [d[name] if name in d.names else None for d in (before, after)]
+        if None in versions:
+            yield Change(name, "motion", *map(_whole, versions))
+            continue
+        old, new = (motion.moves for motion in versions if motion)
+        for one, other in zip_longest(old, _turned(old, new)):
+            said = [_NONE if move is None else _said(move) for move in (one, other)]
+            if said[0] != said[1]:
+                yield Change(name, (one or other).kind, *said)
+
+
+def _whole(motion: Motion | None) -> str:
+    """Return in words a motion that one of the versions lacks."""
+    if motion is None:
+        return _NONE
+    count = len(motion.moves)
+    return f"{count or 'no'} move{'' if count == 1 else 's'}"
+
+
+def _names(before: TimingDiagram, after: TimingDiagram) -> list[str]:
+    return list(dict.fromkeys([*before.names, *after.names]))
+
+
+def _turned(old: tuple[Segment, ...], new: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """Return the new moves in such an order that each stands beside the old one that it was."""
+    if len(old) != len(new) or not new:
+        return new
+    orders = [new[n:] + new[:n] for n in range(len(new))]
+    return min(orders, key=lambda order: sum(map(_apart, old, order)))
+
+
+def _apart(one: Segment, other: Segment) -> float:
+    """Return how far the middles of two moves are from each other in deg, and if they are alike."""
+    way = (one.from_deg + one.to_deg - other.from_deg - other.to_deg) / 2
+    half = DEG_PER_TURN / 2
+    return abs((way + half) % DEG_PER_TURN - half) + (one.kind != other.kind) * DEG_PER_TURN
+
+
+def _said(move: Segment) -> str:
+    start = move.from_deg % DEG_PER_TURN
+    angles = f"{start:.4g} to {start + move.angle_deg:.4g} deg"
+    return f"{angles}, {abs(move.change_mm):.6g} mm, {as_law(move.law).name}"
+
+
+def _peaks(before: TimingDiagram, after: TimingDiagram) -> Iterator[Effect]:
+    """Yield the peaks of the motions that are other ones now."""
+    for name in _names(before, after):
+        for what, unit in _PEAKS.items():
+            peaks = (
+                getattr(diagram, f"peak_{what}")(name) if name in diagram.names else None
+                for diagram in (before, after)
+            )
+            found = Effect(name, f"peak {what}", unit, *peaks)
+            if found.is_change:
+                yield found
+
+
+def _of_rules(
+    before: TimingDiagram, after: TimingDiagram, rules: tuple[Rule, ...]
+) -> Iterator[Effect]:
+    """Yield what each rule has left, be it changed or not."""
+    rooms = [find_clearances(diagram, rules) for diagram in (before, after)]
+    left = [{found.rule: found.deg for found in reserves(d, rules)} for d in (before, after)]
+    for rule, old, new in zip(rules, *rooms, strict=True):
+        of = rule.name or str(rule)
+        yield Effect(of, "clearance", "mm", old.clearance_mm, new.clearance_mm)
+        yield Effect(of, "reserve", "deg", left[0][rule], left[1][rule])
+
+
+def _of_shafts(before: Camshaft, after: Camshaft) -> Iterator[Effect]:
+    """Yield the peak forces, and what the shaft is asked."""
+    for name in dict.fromkeys([*before.loads, *after.loads]):
+        forces = (
+            abs(shaft.peak_force(name).value) if name in shaft.loads else None
+            for shaft in (before, after)
+        )
+        yield Effect(name, "peak force", "N", *forces)
+    both = before, after
+    yield Effect("camshaft", "peak torque", "N m", *(abs(s.peak_torque().value) for s in both))
+    yield Effect("camshaft", "rms torque", "N m", *(s.rms_torque_N_m for s in both))
+    yield Effect("camshaft", "mean power", "W", *(s.mean_power_W for s in both))
+
+
+def _number(value: float | None) -> str:
+    return _NONE if value is None else f"{0.0 if abs(value) < _SAME else value:.4g}"
+
+
+def _share(times: float | None) -> str:
+    if times is None:
+        return ""
+    return f"{100 * (times - 1):+.3g} %" if times < 2 else f"{times:.3g} times"  # noqa: PLR2004

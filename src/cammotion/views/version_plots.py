@@ -1,0 +1,135 @@
+"""The picture of two versions of a machine: their motions over one another, and what that cost."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.transforms import Affine2D
+from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
+
+from cammotion.arguments import checked
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.quantities import Floats
+from cammotion.versions import Comparison, Effect
+from cammotion.views.displacement import curve_angles, displacement
+from cammotion.views.lanes import LANE_INCHES, LANE_SHARE, name_rows, room_inches
+from cammotion.views.named import readable
+from cammotion.views.names import as_label, labels, plain, printable, short
+from cammotion.views.pictures import blank_axes
+from cammotion.views.plots import colour, mixed, style_axes
+from cammotion.views.scales import short_number
+from cammotion.views.timing_plots import TICK_DEG, WIDTH_INCHES
+
+_BAR_INCHES, _EDGES_INCHES, _GAP_INCHES = 0.3, 0.9, 0.75
+_DRAWN = ("peak acceleration", "peak force", "peak torque", "rms torque")
+_BEFORE: dict[str, Any] = {"color": "#777777", "linestyle": (0, (4, 2)), "linewidth": 1.4}
+_FULL = 100  # per cent
+_MOST = 30  # bars
+
+
+@checked
+def plot_comparison(comparison: Comparison) -> Axes:
+    """Draw two versions of a machine, and return the Axes of the displacements.
+
+    Each mechanism has a lane with its displacement over the cam angle, as it was in grey dashes and
+    as it is in colour, on one scale. Below are the peaks that are other ones now, in per cent of
+    what they were, with both numbers beside them: accelerations, and of camshafts forces and
+    torque. `compare` makes the comparison. Raises InputError for more than 24 mechanisms.
+
+    >>> import cammotion as cm
+    >>> after = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram
+    >>> ax = plot_comparison(cm.compare(cm.EXAMPLE.diagram, after))
+    >>> [text.get_text() for text in ax.get_yticklabels()]
+    ['mill', 'die']
+    """
+    before, after = readable(comparison.before), readable(comparison.after)
+    names = list(dict.fromkeys([*after.names, *before.names]))
+    effects = [e for e in comparison.effects if e.what in _DRAWN and e.times is not None][:_MOST]
+    lanes, bars = LANE_INCHES * len(names), _BAR_INCHES * max(len(effects), 1)
+    below = bars + _GAP_INCHES if effects else 0.0
+    called = labels(names)
+    rows = [f"{short(effect.of)}, {effect.what}" for effect in effects]
+    left = room_inches([*called, *rows]) + 0.3
+    ax = blank_axes(WIDTH_INCHES, lanes + below + _EDGES_INCHES)
+    ax.figure.subplots_adjust(
+        left=left / WIDTH_INCHES, right=1 - 1.3 / WIDTH_INCHES, top=0.95, bottom=0.1
+    )
+    style_axes(ax, "cam angle in deg", "")
+    _draw_lanes(ax, before, after, names, called)
+    if effects:
+        axes = make_axes_locatable(ax).append_axes("bottom", size=bars, pad=_GAP_INCHES)
+        _draw_bars(axes, effects, rows, names)
+    key = [
+        Line2D([], [], **_BEFORE, label="before"),
+        Line2D([], [], color="#000000", linewidth=2, label="after"),
+    ]
+    ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=2, frameon=False)
+    return ax
+
+
+def _draw_lanes(
+    ax: Axes,
+    before: TimingDiagram,
+    after: TimingDiagram,
+    names: Sequence[str],
+    called: Sequence[str],
+) -> None:
+    for number, name in enumerate(names):
+        versions = [d[name] if name in d.names else None for d in (before, after)]
+        curves = [None if m is None else _curve(m) for m in versions]
+        heights = np.concatenate([curve[1] for curve in curves if curve is not None])
+        low, high = float(heights.min()), float(heights.max())
+        bottom, scale = len(names) - 1 - number, LANE_SHARE / ((high - low) or 1.0)
+        to_lane = Affine2D().translate(0, -low).scale(1, scale).translate(0, bottom)
+        for curve, is_after in zip(curves, (False, True), strict=True):
+            if curve is not None:
+                angles, values = curve
+                (line,) = ax.plot(angles, values, transform=to_lane + ax.transData)
+                line.set(**({"color": colour(number), "linewidth": 2} if is_after else _BEFORE))
+                said = f"{printable(name)} {'after' if is_after else 'before'}"
+                line.set_label(as_label(said))
+        text = ax.text(
+            1.01,
+            bottom + LANE_SHARE / 2,
+            f"{short_number(low)} to {short_number(high)} mm",
+            fontsize=9,
+            va="center",
+            transform=ax.get_yaxis_transform(),
+        )
+        plain(text)
+    middles = [len(names) - 1 - number + LANE_SHARE / 2 for number in range(len(names))]
+    ax.set_yticks(middles, called)
+    name_rows(ax)
+    ax.grid(visible=False, axis="y")
+    ax.set_ylim(-0.25, len(names))
+    ax.set_xlim(0, DEG_PER_TURN)
+    ax.set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
+
+
+def _curve(motion: Motion) -> tuple[Floats, Floats]:
+    angles = curve_angles(motion)
+    return angles, displacement(motion, angles)
+
+
+def _draw_bars(
+    ax: Axes, effects: Sequence[Effect], rows: Sequence[str], names: Sequence[str]
+) -> None:
+    style_axes(ax, "after, in per cent of before", "")
+    for row, effect in enumerate(effects):
+        share = _FULL * (effect.times or 0.0)
+        number = names.index(effect.of) if effect.of in names else None
+        face = "#dddddd" if number is None else mixed(colour(number), "white", 0.6)
+        edge = "#000000" if number is None else colour(number)
+        ax.barh(row, share, 0.6, facecolor=face, edgecolor=edge)
+        said = f"{effect.before:.3g} → {effect.after:.3g} {effect.unit}"
+        plain(ax.text(1.01, row, said, fontsize=9, va="center", transform=ax.get_yaxis_transform()))
+    ax.axvline(_FULL, color="#000000", linewidth=1)
+    ax.set_yticks(range(len(rows)), rows)
+    plain(*ax.get_yticklabels())
+    ax.set_ylim(len(rows) - 0.5, -0.5)
+    ax.tick_params(axis="y", length=0)
+    ax.grid(visible=False, axis="y")

@@ -1,0 +1,158 @@
+"""The timing chart on paper: what is on the page, where, and that nothing covers anything."""
+
+import re
+import zlib
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cartons import packaging_machine, pusher_rule
+from machines import RULE, make_diagram, make_die, make_mill
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from matplotlib.transforms import Bbox
+
+import cammotion as cm
+from cammotion.views.chart import draw_chart
+
+DAY = "2026-11-27"
+A4 = 297.0, 210.0
+
+
+def page(diagram: cm.TimingDiagram, *rules: cm.ClearanceRule, scale: float = 1.0) -> Figure:
+    return draw_chart(diagram, scale, ("Cartoner 7", DAY), rules, {})
+
+
+def texts(figure: Figure) -> list[str]:
+    return [text.get_text() for text in figure.axes[0].texts if text.get_text()]
+
+
+def boxes(figure: Figure) -> list[tuple[str, Bbox]]:
+    renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
+    found = [text for text in figure.axes[0].texts if text.get_text()]
+    for text in found:
+        text.set_bbox(None)
+    return [(text.get_text(), text.get_window_extent(renderer)) for text in found]
+
+
+@pytest.mark.parametrize("count", [2, 8, 24])
+@pytest.mark.parametrize("scale", [1.0, 2**0.5])
+def test_no_text_covers_another_or_leaves_the_page(count: int, scale: float) -> None:
+    diagram = packaging_machine(count)
+    figure = page(diagram, *((pusher_rule(diagram),) if count > 2 else ()), scale=scale)
+    found = boxes(figure)
+    touch = 0.3 / 25.4 * figure.dpi * scale
+    covering = [
+        (one, other)
+        for (one, a), (other, b) in combinations(found, 2)
+        if min(a.x1, b.x1) - max(a.x0, b.x0) > touch and min(a.y1, b.y1) - max(a.y0, b.y0) > touch
+    ]
+    assert covering == []
+    whole = Bbox.union([box for _, box in found])
+    width, height = figure.get_size_inches() * figure.dpi
+    edge = 10 / 297 * width
+    assert whole.x0 >= edge
+    assert whole.y0 >= edge
+    assert whole.x1 <= width - edge
+    assert whole.y1 <= height - edge
+
+
+def test_each_curve_has_its_angles_at_its_corners() -> None:
+    figure = page(make_diagram())
+    curves = {line.get_label(): line for line in figure.axes[0].lines}
+    x, y = (np.asarray(curves["die"].get_data()[n], dtype=float) for n in (0, 1))
+    left, right = x.min(), x.max()
+    angles = (x - left) / (right - left) * 360
+    heights = (y - y.min()) / (y.max() - y.min()) * 50
+    assert heights == pytest.approx(make_die().position_mm(angles), abs=1e-9)
+    dots = [line for line in figure.axes[0].lines if line.get_marker() == "o"]
+    places = sorted(
+        (round((float(np.asarray(dot.get_xdata())[0]) - left) / (right - left) * 360, 6))
+        for dot in dots
+    )
+    assert places == [0, 0, 150, 150, 205, 305]
+    written = texts(figure)
+    assert [text for text in written if text in {"0", "150", "205", "305"}].count("150") == 2
+    grid = [line for line in figure.axes[0].lines if np.ptp(np.asarray(line.get_xdata())) == 0]
+    lines = {round(float(np.asarray(line.get_xdata())[0]), 6) for line in grid}
+    assert {round(left + n * (right - left) / 36, 6) for n in range(37)} <= lines
+
+
+def test_what_is_said_beside_the_lanes_and_in_the_block() -> None:
+    said = texts(draw_chart(make_diagram(), 1.0, ("Cartoner 7", DAY), [RULE], {"die": 80}))
+    for words in (
+        *("mill", "100 mm, 24 stops", "1.12 m/s²", "die", "0 to 50 mm (35.8°)", "4.15 m/s²"),
+        *("cycloidal", "Cartoner 7", "2000 pieces/h", "33.33 rpm, 1.8 s", DAY),
+    ):
+        assert words in said
+    assert any(line.startswith("kept, 19 mm left: the die may be beyond") for line in said)
+    still = cm.TimingDiagram([cm.motion("gate", cm.dwell(360), start_mm=3)], 60)
+    assert {"stands", "3 to 3 mm", "no rules given"} <= {*texts(page(still))}
+
+
+def test_a_broken_rule_is_hatched_in_its_two_lanes() -> None:
+    wide = make_diagram(make_mill(), make_die(130), cm.motion("gate", cm.dwell(360)))
+    figure = page(wide, RULE)
+    found = cm.find_violations(wide, RULE)
+    hatched = [p for p in figure.axes[0].patches if isinstance(p, Rectangle) and p.get_hatch()]
+    assert len(hatched) == 2 * len(found)
+    assert len({round(box.get_y(), 6) for box in hatched}) == 2
+    assert any(line.startswith(f"BROKEN by {found[0].excess_mm:.3g} mm") for line in texts(figure))
+
+
+def test_more_rules_than_have_room_are_counted() -> None:
+    loose = [
+        cm.ClearanceRule(cm.beyond("die", 20 + n), RULE.only_while, name=f"rule {n}")
+        for n in range(9)
+    ]
+    said = texts(page(make_diagram(), *loose))
+    assert "and 5 more, 0 of all are broken" in said
+
+
+@pytest.mark.parametrize(("paper", "points"), [("A4", (842, 595)), ("A3", (1191, 842))])
+def test_the_page_is_one_of_lines_and_letters(
+    tmp_path: Path, paper: str, points: tuple[int, int]
+) -> None:
+    file = cm.write_chart(make_diagram(), tmp_path / "chart.pdf", rules=RULE, paper=paper)
+    content = file.read_bytes()
+    ((width, height),) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
+    assert (float(width), float(height)) == pytest.approx(points, abs=1)
+    assert b"/Subtype /Image" not in content
+    streams = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", content, re.DOTALL)
+    drawn = b""
+    for stream in streams:
+        try:
+            drawn += zlib.decompress(stream)
+        except zlib.error:
+            continue
+    assert re.search(rb"[\d.]+ G\b", drawn)  # a grey
+    assert not re.search(rb"[\d.]+ [\d.]+ [\d.]+ (?:rg|RG)\b", drawn)  # and no colour
+    again = cm.write_chart(make_diagram(), tmp_path / "same.pdf", rules=RULE, paper=paper)
+    assert again.read_bytes() == content
+
+
+def test_nothing_is_written_over(tmp_path: Path) -> None:
+    for kind in ("pdf", "svg", "png"):
+        file = cm.write_chart(make_diagram(), tmp_path / f"chart.{kind}")
+        before = file.read_bytes()
+        with pytest.raises(cm.InputError, match="is there already and was left as it is"):
+            cm.write_chart(make_diagram(), file, title="another")
+        assert file.read_bytes() == before
+        cm.write_chart(make_diagram(), file, title="another", overwrite=True)
+        assert file.read_bytes() != before
+
+
+def test_what_is_no_chart(tmp_path: Path) -> None:
+    with pytest.raises(cm.InputError, match=r"let its name end in .pdf, .svg or .png"):
+        cm.write_chart(make_diagram(), tmp_path / "chart.doc")
+    with pytest.raises(cm.InputError, match="There is no paper 'A5'"):
+        cm.write_chart(make_diagram(), tmp_path / "chart.pdf", paper="A5")
+    with pytest.raises(cm.InputError, match="no motion 'arm'"):
+        cm.write_chart(make_diagram(), tmp_path / "chart.pdf", radius_mm={"arm": 80})
+    with pytest.raises(cm.InputError, match="radius is -1 mm"):
+        cm.write_chart(make_diagram(), tmp_path / "chart.pdf", radius_mm={"die": -1})
+    with pytest.raises(cm.InputError, match="has 25 mechanisms"):
+        cm.write_chart(packaging_machine(25), tmp_path / "chart.pdf")
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,127 @@
+"""Motions from tables of whole turns, against the motions and functions that the tables are of."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import CURVES, MONOTONE, RULE, Array, examples, make_diagram, make_die, make_mill
+
+import cammotion as cm
+
+ANGLES: Array = np.arange(0.0, 360.0)
+AT: Array = np.arange(0.0, 360.0, 0.13)
+SMOOTH = ["cycloidal", "3-4-5", "4-5-6-7", "Gutman", "mod. sine"]
+
+
+def table(positions: Array, angles: Array = ANGLES, step: float = 0.0) -> cm.CamTable:
+    rounded = np.round(positions / step) * step if step else positions
+    return cm.CamTable(angles, rounded, step_mm=step, is_cycle=True)
+
+
+def lift(at: Array, start: float, widths: tuple[float, float, float], law: str) -> Array:
+    """Return a rise of 40 mm, a dwell and a return, written out."""
+    up, stay, down = widths
+    since, curve = (at - start) % 360, CURVES[law]
+    rise, back = np.clip(since / up, 0, 1), np.clip((since - up - stay) / down, 0, 1)
+    return np.asarray(40 * (curve(rise) - curve(back)))
+
+
+@examples(25)
+@given(
+    st.floats(-360, 360),
+    st.tuples(st.floats(40, 100), st.floats(15, 100), st.floats(40, 100)),
+    st.sampled_from(SMOOTH),
+)
+def test_a_rise_a_dwell_and_a_return(
+    start: float, widths: tuple[float, float, float], law: str
+) -> None:
+    cam = cm.motion_from_table("cam", table(lift(ANGLES, start, widths, law)))
+    kinds = [segment.kind for segment in cam.segments]
+    assert sorted(kinds) == ["dwell", "dwell", "return", "rise"]
+    assert 0 <= cam.start_deg < 360
+    assert cam.position_mm(AT) == pytest.approx(lift(AT, start, widths, law), abs=0.01)
+    rise = next(s for s in cam.segments if s.kind == "rise")
+    assert rise.angle_deg == pytest.approx(widths[0], abs=3)
+    factor = {law.name: law for law in MONOTONE}[law].Ca
+    peak = max(cm.Move(stroke_mm=40, angle_deg=b, rate_per_hour=2000).time_s for b in widths[::2])
+    fastest = min(cm.indexing_time(widths[n], 2000) for n in (0, 2))
+    assert peak >= fastest
+    expected = factor * 0.04 / fastest**2
+    assert make_diagram(cam).peak_acceleration("cam") == pytest.approx(expected, rel=0.05)
+    assert cam.steps(1) == []
+
+
+@examples(20)
+@given(st.floats(0, 360), st.sampled_from([2.0, 5.0, 7.5]), st.floats(0, 12))
+def test_a_cam_that_never_stays(start: float, step: float, second: float) -> None:
+    """An eccentric with a second harmonic: turned where its slope is zero, to the last bit."""
+
+    def height(at: Array) -> Array:
+        angle = np.radians(at - start)
+        return np.asarray(50 - 25 * np.cos(angle) + second * np.sin(2 * angle))
+
+    angles = np.arange(start % step, 360, step)
+    cam = cm.motion_from_table("cam", table(height(angles), angles))
+    assert cam.position_mm(AT) == pytest.approx(height(AT), abs=2e-3)
+    close = np.arange(0, 360, 0.01)
+    low, high = height(close).min(), height(close).max()
+    assert cam.range_mm == pytest.approx((low, high), abs=2e-3)
+    assert cam.steps(1) == cam.steps(2) == []
+    slope = np.diff(height(close), 2) / np.radians(0.01) ** 2
+    expected = np.abs(slope).max() * (2 * np.pi / 1.8) ** 2 / 1000
+    assert make_diagram(cam).peak_acceleration("cam") == pytest.approx(expected, rel=0.02)
+
+
+def test_two_strokes_a_turn() -> None:
+    parts = cm.rise(20, over_deg=60), cm.return_(20, over_deg=50), cm.dwell(100)
+    more = cm.rise(30, over_deg=80), cm.return_(30, over_deg=70)
+    twice = cm.motion("twice", *parts, *more, start_deg=313.3)
+    cam = cm.motion_from_table("twice", table(np.asarray(twice.position_mm(ANGLES))))
+    assert [s.kind for s in cam.segments] == ["rise", "return", "rise", "return", "dwell"]
+    assert cam.position_mm(AT) == pytest.approx(twice.position_mm(AT), abs=1e-3)
+
+
+def test_it_is_checked_drawn_and_written(tmp_path: Path) -> None:
+    cam = cm.motion_from_table("die", table(lift(ANGLES, 150, (55, 100, 55), "cycloidal")))
+    machine = make_diagram(make_mill(), cam)
+    assert cm.find_violations(machine, RULE) == ()
+    rule = cm.ClearanceRule(cm.beyond("die", 10), only_while=cm.within("mill", 0.65))
+    exact = make_diagram(make_mill(), make_die(55, stroke_mm=40))
+    widest = [cm.widest_move(each, "die", rule).angle_deg for each in (exact, machine)]
+    assert 60 < widest[0] < 129
+    assert widest[1] == pytest.approx(widest[0], abs=0.01)
+    assert cm.plot_timing(machine, rules=RULE).lines
+    again = cm.read_segments(cm.write_segments(machine, tmp_path / "machine.csv"))
+    assert again["die"].position_mm(AT) == pytest.approx(cam.position_mm(AT), abs=1e-9)
+
+
+def test_what_is_rounded_is_told_once() -> None:
+    fine = table(lift(ANGLES, 150, (55, 100, 55), "cycloidal"), step=0.01)
+    with pytest.warns(UserWarning, match="to 0.01 mm. That alone changes") as told:
+        cam = cm.motion_from_table("die", fine)
+    assert len(told) == 1
+    assert cam.position_mm(AT) == pytest.approx(lift(AT, 150, (55, 100, 55), "cycloidal"), abs=0.02)
+
+
+def test_what_is_no_motion() -> None:
+    wave = 25 - 25 * np.cos(np.radians(ANGLES))
+    with pytest.raises(cm.InputError, match="no whole turn, and a motion fills one"):
+        cm.motion_from_table("cam", cm.CamTable(ANGLES, wave))
+    with pytest.raises(cm.InputError, match=r"goes over 0 mm in steps of 0.01, and so stays"):
+        cm.motion_from_table("cam", table(0 * wave, step=0.01))
+    noise = np.random.default_rng(1).normal(0, 0.5, wave.size)
+    with pytest.raises(cm.InputError, match=r"turns back \d+ times by more than 0.000"):
+        cm.motion_from_table("cam", table(wave + noise))
+    with pytest.raises(cm.InputError, match="shortest dwell is 0 deg"):
+        cm.motion_from_table("cam", table(wave), least_dwell_deg=0)
+
+
+def test_rates_and_strokes_in_other_units() -> None:
+    assert cm.per_minute(40) == 2400
+    assert cm.TimingDiagram([cm.EXAMPLE.die], cm.per_minute(33.5)).rpm == pytest.approx(33.5)
+    assert cm.per_minute([1, 2]).tolist() == [60, 120]
+    assert cm.arc_mm(180, radius_mm=10) == pytest.approx(10 * np.pi)
+    with pytest.raises(cm.InputError, match="radius is 0 mm"):
+        cm.arc_mm(30, radius_mm=0)

@@ -1,0 +1,159 @@
+"""Rules about moving and standing, and names of rules, against samples."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from machines import RULE, Array, die_mm, examples, make_diagram, make_die, make_mill, mill_off_mm
+from numpy.typing import NDArray
+
+import cammotion as cm
+
+AT: Array = np.arange(0, 360, 0.01)
+DEEP = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.standing("mill"))
+
+
+def is_moving(start: float, width: float) -> NDArray[np.bool_]:
+    """Return where a move that begins and lasts so is under way."""
+    return np.asarray((AT - start) % 360 < width, dtype=np.bool_)
+
+
+def arcs_of(broken: NDArray[np.bool_]) -> float:
+    """Return over how many deg something holds."""
+    return float(broken.mean() * 360)
+
+
+@examples(30)
+@given(st.floats(20, 129), st.floats(60, 300), st.floats(0, 360))
+def test_a_die_that_may_be_deep_only_while_the_mill_stands(
+    angle: float, width: float, middle: float
+) -> None:
+    machine = make_diagram(make_mill(width, middle_deg=middle), make_die(angle))
+    found = cm.find_violations(machine, DEEP)
+    die, moves = die_mm(AT, angle), is_moving(middle - width / 2, width)
+    broken = sum(v.end_deg - v.start_deg for v in found)
+    assert broken == pytest.approx(arcs_of((die > 19) & moves), abs=0.1)
+    clearance = cm.smallest_clearance(machine, DEEP).clearance_mm
+    assert clearance == pytest.approx(19 - die[moves].max(), abs=0.05)
+    reverse = cm.ClearanceRule(cm.moving("mill"), only_while=cm.within("die", 19))
+    assert [(v.start_deg, v.end_deg) for v in cm.find_violations(machine, reverse)] == [
+        (v.start_deg, v.end_deg) for v in found
+    ]
+    assert cm.smallest_clearance(machine, reverse).clearance_mm == pytest.approx(clearance)
+
+
+def test_two_that_never_move_at_once() -> None:
+    rule = cm.ClearanceRule(cm.moving("die"), only_while=cm.standing("mill"), name=" one by one ")
+    assert str(rule) == "one by one: the die may be moving only while the mill is standing"
+    assert cm.find_violations(make_diagram(), rule) == ()
+    assert cm.find_clearances(make_diagram(), rule)[0].clearance_mm == 0  # one ends, one begins
+    (free,) = cm.find_clearances(make_diagram(make_mill(149), make_die(54)), rule)
+    assert (free.clearance_mm, free.angle_deg) == (np.inf, None)
+    both = make_diagram(make_mill(), make_die(95))
+    found = cm.find_violations(both, rule)
+    assert [(v.start_deg, v.end_deg) for v in found] == [(0, 40), (110, 150)]
+    start, end = die_mm(np.array([0.0, 150.0]), 95)  # 40 deg before it is up, and after it began
+    assert [v.excess_mm for v in found] == pytest.approx([start, end])
+    assert start == pytest.approx(end)
+    assert str(found[0]).startswith("one by one: the die is ")
+    assert "mm on its way at" in str(found[0])
+    assert "while the mill is not standing (from 0 to 40 deg)" in str(found[0])
+
+
+def test_one_of_two_always_moves() -> None:
+    rule = cm.ClearanceRule(cm.standing("die"), only_while=cm.moving("mill"))
+    found = cm.find_violations(make_diagram(), rule)
+    assert [(v.start_deg, v.end_deg, v.excess_mm) for v in found] == [(205, 305, 0)]
+    other = cm.ClearanceRule(cm.standing("die"), only_while=cm.standing("mill"))
+    (broken,) = cm.find_violations(make_diagram(), other)
+    assert (broken.start_deg, broken.end_deg, broken.excess_mm) == (0, 150, 50)
+
+
+@pytest.mark.parametrize("rule", [DEEP, DEEP.reverse])
+def test_the_widest_move_while_the_other_stands(rule: cm.ClearanceRule) -> None:
+    found = cm.widest_move(make_diagram(), "die", rule)
+    moves = is_moving(0, 150)
+    kept = [bm for bm in np.arange(55, 130, 0.05) if die_mm(AT, bm)[moves].max() <= 19]
+    assert found.angle_deg == pytest.approx(max(kept), abs=0.1)
+    assert found.tight is not None
+    (left,) = cm.reserves(found.diagram, rule)
+    assert left.deg == pytest.approx(0, abs=1e-6)
+
+
+def test_the_widest_move_of_a_part_that_has_to_stand() -> None:
+    rule = cm.ClearanceRule(cm.moving("die"), only_while=cm.within("mill", 0.65))
+    found = cm.widest_move(make_diagram(), "die", rule)
+    away = [end for arc in make_mill().where_beyond(0.65) for end in arc]
+    assert found.angle_deg == pytest.approx(min(205 - away[1], 360 + away[0] - 305))
+    assert found.tight is not None
+    assert found.tight.rule == rule
+    mill = cm.widest_move(
+        make_diagram(), "mill", cm.ClearanceRule(cm.moving("die"), cm.standing("mill"))
+    )
+    assert mill.angle_deg == pytest.approx(150)
+
+
+@pytest.mark.parametrize("phase", [0, 0.5, 2])
+def test_what_is_left_for_a_part_that_has_to_stand(phase: float) -> None:
+    machine = make_diagram(make_mill(120), make_die(50))
+    (left,) = cm.reserves(machine, DEEP, phase_deg=phase)
+    deep = AT[die_mm(AT, 50) > 19]
+    early, late = deep.min() - (75 + 60), 360 + (75 - 60) - deep.max()
+    assert left.early_deg == pytest.approx(early - 2 * phase, abs=0.03)
+    assert left.late_deg == pytest.approx(late - 2 * phase, abs=0.03)
+    assert left.other_mm == np.inf
+    reach = (AT - (15 - 2 * phase)) % 360 < 120 + 4 * phase
+    assert left.when_mm == pytest.approx(19 - die_mm(AT, 50)[reach].max(), abs=0.05)
+
+
+def test_a_name_is_named_wherever_the_rule_is_broken() -> None:
+    rule = cm.ClearanceRule(cm.beyond("die", 19), cm.within("mill", 0.65), "die clear of mill")
+    machine = make_diagram(make_mill(), make_die(130))
+    (first, *_) = cm.find_violations(machine, rule)
+    assert str(first).startswith("die clear of mill: the die is ")
+    assert repr(rule).startswith("ClearanceRule(die clear of mill: the die may be beyond")
+    assert str(cm.reserves(machine, rule)[0]).startswith("die clear of mill: ")
+    assert cm.find_clearances(machine, rule)[0].clearance_mm == (
+        cm.find_clearances(machine, RULE)[0].clearance_mm
+    )
+    with pytest.raises(cm.InputError, match="name=3: give a text"):
+        cm.ClearanceRule(rule.when, rule.only_while, 3)  # type: ignore[arg-type]
+
+
+def test_an_acceleration_knows_who_stands_but_not_whether_its_own_part_does() -> None:
+    sharp = cm.least_acceleration(make_diagram(), "die", DEEP, still=[(205, 305)], cells=120)
+    assert (
+        cm.find_violations(
+            sharp.design, cm.ClearanceRule(cm.beyond("die", 19.001), cm.standing("mill"))
+        )
+        == ()
+    )
+    loose = cm.least_acceleration(make_diagram(), "die", RULE, still=[(205, 305)], cells=120)
+    assert sharp.reached > loose.reached
+    own = cm.ClearanceRule(cm.moving("die"), only_while=cm.standing("mill"))
+    with pytest.raises(cm.InputError, match="does not say between which positions the die may be"):
+        cm.least_acceleration(make_diagram(), "die", own, still=[(205, 305)])
+    away = mill_off_mm(AT)[is_moving(0, 150)]
+    assert away.max() == pytest.approx(50, abs=0.01)
+
+
+def test_pictures_and_explorers_take_or_refuse_every_kind() -> None:
+    assert cm.animate(make_diagram(), rules=[DEEP, RULE]).description
+    with pytest.raises(cm.InputError, match="not covered here: give ClearanceRules of beyond and"):
+        cm.plot_clearance(make_diagram(), DEEP)
+    with pytest.raises(cm.InputError, match="not covered here"):
+        cm.explore_overlap(make_diagram(), DEEP, contact_mm=20)
+
+
+def test_names_in_another_case_are_the_same_motions() -> None:
+    loud = cm.ClearanceRule(cm.beyond("DIE", 19), only_while=cm.within("Mill", 0.65))
+    for motion, rule in (("Die", RULE), ("die", loud), ("DIE", loud)):
+        found = cm.widest_move(make_diagram(), motion, rule)
+        assert found.angle_deg == pytest.approx(124.905, abs=1e-3)
+        assert found.motion == "die"
+        best = cm.least_acceleration(make_diagram(), motion, rule, still=[(205, 305)], cells=90)
+        assert best.reached > 0.5
+    wide = make_diagram(make_mill(), make_die(130))
+    assert cm.find_violations(wide, loud) == cm.find_violations(wide, RULE)
+    with pytest.raises(cm.InputError, match="Both halves of the clearance rule are about 'die'"):
+        cm.find_violations(wide, cm.ClearanceRule(cm.beyond("die", 1), cm.within("Die", 2)))

@@ -1,0 +1,148 @@
+"""Two versions of a machine: every change is told, and each number is what each version has."""
+
+import math
+from collections.abc import Iterator
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from cartons import packaging_machine, pusher_rule
+from machines import RULE, die_mm, make_diagram, make_die, make_mill
+from matplotlib import pyplot as plt
+
+import cammotion as cm
+from cammotion.versions import Comparison, Effect
+from cammotion.views.pictures import PictureFigure, describe
+
+mpl.use("agg")
+
+BEFORE = make_diagram()
+AFTER = cm.TimingDiagram([make_mill(), make_die(100, law="modified sine")], 3000)
+LOADS = {"die": cm.FollowerLoad(mass_kg=12), "mill": cm.FollowerLoad(mass_kg=40)}
+
+
+@pytest.fixture(autouse=True)
+def _no_trace() -> Iterator[None]:
+    yield
+    plt.close("all")
+
+
+def effect(found: Comparison, of: str, what: str) -> Effect:
+    return next(each for each in found.effects if (each.of, each.what) == (of, what))
+
+
+def test_what_was_changed_is_told() -> None:
+    assert [str(change) for change in cm.compare(BEFORE, AFTER).changes] == [
+        "machine, rate: 2000 pieces/h → 3000 pieces/h",
+        "die, rise: 150 to 205 deg, 50 mm, cycloidal → 105 to 205 deg, 50 mm, modified sine",
+        "die, return: 305 to 360 deg, 50 mm, cycloidal → 305 to 405 deg, 50 mm, modified sine",
+    ]
+
+
+def test_nothing_changed() -> None:
+    found = cm.compare(BEFORE, make_diagram(make_die(), make_mill()))
+    assert (found.changes, found.effects) == ((), ())
+    assert repr(found) == "Comparison(no changes; largest peak acceleration 4.154 → 4.154 m/s²)"
+
+
+def test_a_turned_list_of_moves_is_the_same_motion() -> None:
+    """The same motion, begun with its return."""
+    die = make_die()
+    turned = cm.motion(
+        "die",
+        *(cm.return_(50, over_deg=55), cm.dwell(150), cm.rise(50, over_deg=55), cm.dwell(100)),
+        start_deg=305,
+        start_mm=50,
+    )
+    assert turned.position_mm(np.arange(360)) == pytest.approx(die.position_mm(np.arange(360)))
+    assert cm.compare(make_diagram(die), make_diagram(turned)).changes == ()
+
+
+def test_motions_that_come_and_go_and_moves_that_are_added() -> None:
+    twice = cm.motion(
+        "die", *[cm.rise(50, over_deg=40), cm.return_(50, over_deg=40), cm.dwell(100)] * 2
+    )
+    stamp = cm.motion("stamp", cm.dwell(360))
+    found = cm.compare(make_diagram(make_mill(), make_die()), make_diagram(twice, stamp))
+    said = [str(change) for change in found.changes]
+    assert said[0] == "mill, motion: 1 move → –"
+    assert "stamp, motion: – → no moves" in said
+    assert sum("die, " in line for line in said) == 4
+    assert "– → 180 to 220 deg, 50 mm, cycloidal" in said[3]
+    gone = effect(found, "mill", "peak acceleration")
+    assert (gone.after, gone.times) == (None, None)
+    assert "1.117 → – m/s²" in str(gone)
+
+
+def test_what_it_cost_is_what_each_has() -> None:
+    shafts = [cm.Camshaft(each, LOADS) for each in (BEFORE, AFTER)]
+    found = cm.compare(shafts[0], shafts[1], RULE)
+    at = np.linspace(0, 360, 36_001)
+    for name, sampled in (("die", 50), ("mill", 100)):
+        peaks = [np.abs(d.acceleration(name, at)).max() for d in (BEFORE, AFTER)]
+        told = effect(found, name, "peak acceleration")
+        assert [told.before, told.after] == pytest.approx(peaks, rel=1e-4)
+        force = effect(found, name, "peak force")
+        mass = LOADS[name].mass_kg
+        assert [force.before, force.after] == pytest.approx([mass * p for p in peaks], rel=1e-4)
+        assert sampled > 0
+    torque = effect(found, "camshaft", "rms torque")
+    rms = [math.sqrt(np.mean(np.asarray(s.torque_N_m(at)) ** 2)) for s in shafts]
+    assert [torque.before, torque.after] == pytest.approx(rms, rel=1e-3)
+    room = effect(found, str(RULE), "clearance")
+    away = (at > 15.04) & (at < 134.9)
+    assert room.before == pytest.approx(19 - die_mm(at)[away].max(), abs=0.01)
+    assert room.after == cm.find_clearances(AFTER, RULE)[0].clearance_mm
+    assert effect(found, str(RULE), "reserve").after == cm.reserves(AFTER, RULE)[0].deg
+    assert repr(found).endswith("m/s²; no rule broken)")
+    html = found._repr_html_()
+    assert "<td>mill</td><td>peak force in N</td><td>44.68</td><td>100.5</td><td>2.25 times" in html
+
+
+def test_a_broken_rule_is_counted() -> None:
+    wide = make_diagram(make_mill(), make_die(130))
+    loose = cm.ClearanceRule(cm.beyond("die", 60), cm.within("mill", 1), name="never")
+    found = cm.compare(BEFORE, wide, [RULE, loose])
+    assert repr(found).endswith("; 1 rule broken)")
+    assert effect(found, "never", "clearance").after > 0  # type: ignore[operator]
+    broken = cm.compare(BEFORE, wide, [RULE, cm.ClearanceRule(RULE.when, RULE.only_while, "again")])
+    assert repr(broken).endswith("; 2 rules broken)")
+
+
+def test_what_cannot_be_compared() -> None:
+    with pytest.raises(cm.InputError, match="One version is a Camshaft and the other a Timing"):
+        cm.compare(BEFORE, cm.Camshaft(AFTER, LOADS))
+    with pytest.raises(cm.InputError, match="no motion 'die'"):
+        cm.compare(BEFORE, make_diagram(make_mill()), RULE)
+    with pytest.raises(cm.InputError, match="compare is given after=3"):
+        cm.compare(BEFORE, 3)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("count", [1, 3, 8, 24])
+def test_the_picture_shows_both(count: int) -> None:
+    before = packaging_machine(count)
+    after = before.at_rate(1.2 * before.rate_per_hour)
+    for motion in before.motions:
+        after = after.with_motion(motion.shifted(7))
+    rules = pusher_rule(before) if count > 4 else ()
+    ax = cm.plot_comparison(cm.compare(before, after, rules))
+    assert len(ax.lines) == 2 * count
+    for n, motion in enumerate(before.motions):
+        if not motion.is_indexing:
+            old, new = ax.lines[2 * n : 2 * n + 2]
+            angles = np.asarray(new.get_xdata(), dtype=float)
+            assert new.get_ydata() == pytest.approx(motion.position_mm(angles - 7), abs=1e-9)
+            assert old.get_ydata() == pytest.approx(
+                motion.position_mm(np.asarray(old.get_xdata(), dtype=float)), abs=1e-9
+            )
+    (bars,) = ax.figure.axes[1:]
+    assert [patch.get_width() for patch in bars.patches] == pytest.approx([144] * count)  # type: ignore[attr-defined]
+    assert isinstance(ax.figure, PictureFigure)
+    assert f"{before.names[0]} before from" in describe(ax.figure)
+
+
+def test_one_that_came_and_nothing_else() -> None:
+    found = cm.compare(make_diagram(make_mill()), make_diagram())
+    ax = cm.plot_comparison(found)
+    assert len(ax.lines) == 3
+    assert len(ax.figure.axes) == 1
