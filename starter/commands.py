@@ -20,7 +20,7 @@ from starter import (
     processes,
     refresh,
 )
-from starter.paths import START
+from starter.paths import NOTEBOOKS, START
 
 
 def main(arguments: list[str]) -> int:
@@ -99,6 +99,9 @@ def make_parser() -> argparse.ArgumentParser:
     added["class"].add_argument("--output", default="class.html", metavar="FILE", help="the page")
     added["class"].add_argument("--anonymous", action="store_true", help="numbers for names")
     added["class"].add_argument("--overwrite", action="store_true", help="write over an old page")
+    added["site"].add_argument(
+        "--folder", default="site", metavar="FOLDER", help="the folder that is written (site)"
+    )
     added["lock"].add_argument("--upgrade", action="store_true", help="take the newest versions")
     return parser
 
@@ -185,6 +188,13 @@ def show_class(options: argparse.Namespace) -> int:
     return maintain.run_module("cammotion.teaching.classroom", files, f"--output={page}", *switches)
 
 
+def write_site(options: argparse.Namespace) -> int:
+    """Write the stored notebooks as a folder of pages; its path is from here."""
+    environment.ensure()
+    folder_of_pages = Path(options.folder).absolute()
+    return maintain.run_module("cammotion.site", str(NOTEBOOKS), str(folder_of_pages))
+
+
 def lock(options: argparse.Namespace) -> int:
     """Write environment.txt anew from pyproject.toml."""
     maintain.lock(options.upgrade)
@@ -202,5 +212,6 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], int], str]] = {
     "refresh": (refresh_notebooks, "execute the workbook's own notebooks and their solutions anew"),
     "fresh": (lay_fresh_copy, "lay a fresh copy of a notebook beside yours"),
     "class": (show_class, "write a page of what your students' progress files hold"),
+    "site": (write_site, "write the notebooks as a folder of web pages, which need no kernel"),
     "lock": (lock, "write environment.txt anew from pyproject.toml (needs uv)"),
 }

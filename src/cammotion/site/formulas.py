@@ -1,0 +1,46 @@
+"""Formulas as MathML, made when a page is built: a browser draws it with no script and no font."""
+
+import re
+from functools import cache
+
+from math_core import LatexError, LatexToMathML
+
+from cammotion.quantities import InputError, shorten
+
+_CONVERTER = LatexToMathML()
+_FORMULA = re.compile(r"\$\$(?P<block>.+?)\$\$|\$(?P<line>[^$]+?)\$", re.DOTALL)
+_DISPLAY = r"\displaystyle"
+
+
+@cache
+def mathml(tex: str, *, block: bool = False) -> str:
+    """Return a formula of LaTeX as MathML, in its line or as a block of its own.
+
+    Raises InputError for a formula that cannot be converted.
+
+    >>> mathml("t_m")
+    '<math><msub><mi>t</mi><mi>m</mi></msub></math>'
+    """
+    try:
+        made: str = _CONVERTER.convert_with_local_state(tex.strip(), displaystyle=block)
+    except LatexError as wrong:
+        raise InputError(f"The formula {shorten(tex)} cannot be made MathML: {wrong}.") from None
+    return f'<div class="formula">{made}</div>' if block else made
+
+
+def shown_formula(latex: str) -> str:
+    r"""Return what SymPy shows of an expression as a formula on a line of its own.
+
+    >>> shown_formula(r"$\displaystyle x$")
+    '<div class="formula"><math display="block"><mi>x</mi></math></div>'
+    """
+    return mathml(latex.strip().strip("$").replace(_DISPLAY, "", 1), block=True)
+
+
+def with_formulas(text: str) -> str:
+    """Return an escaped text with its formulas as MathML.
+
+    >>> with_formulas("With $x$")
+    'With <math><mi>x</mi></math>'
+    """
+    return _FORMULA.sub(lambda m: mathml(m["block"] or m["line"], block=bool(m["block"])), text)
