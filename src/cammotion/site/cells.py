@@ -71,7 +71,7 @@ class Arranger:
         elif called := _call(source, "predict"):
             variable, (key, words) = called
             self._keys[variable] = key
-            self._made.predictions += filter(None, [PREDICTIONS.get(key)])
+            self._made.predictions.extend(filter(None, [PREDICTIONS.get(key)]))
             _show(cell, forms.prediction_form(key, words), alone=True)
         elif called := _call(source, "reveal"):
             self._reveal(cell, called[0])
