@@ -49,9 +49,14 @@ def _script() -> str:
     sources = {
         "figure": live.module(),
         "player": player.MODULE.read_text(encoding="utf-8"),
-        "host": live.model() + _read("judging.js") + _read("host.js"),
+        "host": host_module(),
     }
     return _START.format(sources=as_json({name: _bare(text) for name, text in sources.items()}))
+
+
+def host_module() -> str:
+    """Return the module that gives the others their models, and answers what is filled in."""
+    return live.model() + _read("judging.js") + _read("host.js")
 
 
 def _bare(source: str) -> str:

@@ -8,7 +8,7 @@ Between two neighbours of these it says the same, so it is asked once there.
 import math
 import re
 from bisect import bisect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
@@ -78,28 +78,38 @@ def _constant(value: float) -> Callable[[MillAndDie], Any]:
 
 def _edges(exercise: NumberExercise, right: float, machine: MillAndDie) -> Iterator[float]:
     """Yield every number at which something else may be said, and some more."""
-    slips = sorted(float(slip.answer(machine)) for slip in exercise.slips)
-    carried = [float(slip.answer(machine)) for slip in exercise.carried]
+    slips = sorted(_numbers(exercise.slips, machine))
+    carried = _numbers(exercise.carried, machine)
     ratios = [r * right for r in (*UNIT_RATIOS.get(exercise.unit, {}), *COMMON_RATIOS)]
-    finite = [value for value in slips if math.isfinite(value)]
     yield from (0.0, right, -right)
-    yield from (right * (1 + side * share) for share in _SHARES for side in (-1, 1))
-    yield from ((one + other) / 2 for one, other in pairwise(finite))
+    yield from ((one + other) / 2 for one, other in pairwise(slips))
+    for share in _SHARES:
+        yield from _beside(right, share)
+    for value in slips:
+        yield (value + right) / 2
+        for share in (MOST_OFF, _SAME):
+            yield from _beside(value, share)
     for value in (right, *slips, *carried, *ratios, right / STANDARD_GRAVITY):
-        if math.isfinite(value):
-            yield (value + right) / 2
-            yield from _around(value, exercise.tolerance)
+        yield from _beside(value, exercise.tolerance)
+        most = MOST if value == right else FEWEST + 1
+        for digits in range(FEWEST, most + 1):
+            yield from _rounded(value, digits)
 
 
-def _around(value: float, tolerance: float) -> Iterator[float]:
-    """Yield the ends of what is near to a value, and of what is that value rounded."""
-    for share in (tolerance, MOST_OFF, _SAME):
-        yield from (value * (1 - share), value * (1 + share))
-        yield from (value / (1 - share), value / (1 + share))
-    for digits in range(FEWEST, MOST + 1):
-        unit = 10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits) if value else 1e-12
-        for whole in (math.floor(value / unit), math.ceil(value / unit)):
-            yield from ((whole + side * size) * unit for side in (-1, 1) for size in (_EDGE, 0.5))
+def _numbers(slips: Iterable[Slip], machine: MillAndDie) -> list[float]:
+    return [n for slip in slips if math.isfinite(n := float(slip.answer(machine)))]
+
+
+def _beside(value: float, share: float) -> Iterator[float]:
+    """Yield the ends of what is near to a value, measured by the one or by the other."""
+    yield from (value * (1 - share), value * (1 + share), value / (1 - share), value / (1 + share))
+
+
+def _rounded(value: float, digits: int) -> Iterator[float]:
+    """Yield the ends of what is a value rounded to so many digits."""
+    unit = 10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits) if value else _SAME
+    for whole in {math.floor(value / unit), math.ceil(value / unit)}:
+        yield from ((whole + side * size) * unit for side in (-1, 1) for size in (_EDGE, 0.5))
 
 
 def _between(edges: list[float]) -> Iterator[float]:
