@@ -20,7 +20,9 @@ LAB_ONLY = "lab-only"  # the tag of a cell that makes no sense without a kernel
 _QUESTION = re.compile(r'^cm\.(?:ask|choose)\("([^"]+)"\)$')
 _ANSWER = re.compile(r"^answer_\d+ = None|^cm\.check\(")
 _VARIANT = re.compile(r"\bcm\.variant\(")
-_HOW_IN_LAB = re.compile(r"^Write your answer in place of `None`.*$", re.MULTILINE)
+_HOW_IN_LAB = re.compile(
+    r"^Write your answer in place of `None`.*? you get your(?:s| own)\.", re.MULTILINE
+)
 _HOW_HERE = (
     "Type your answer and press Enter. If it is wrong, you are told what probably went wrong; "
     "below each question are three hints, which end before the answer. Numbers of your own, fresh "
