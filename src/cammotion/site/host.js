@@ -1,21 +1,21 @@
 // What a page does: gives the modules of its figures their models, and answers what is filled in.
 // `load` returns a module by its name. It is the last of three files, which are one module.
 
-const AHEAD = "600px"; // so far before it is seen, a figure begins to live
+const idle = globalThis.requestIdleCallback ?? ((then) => setTimeout(then, 50)); // Safari has none
 
 export function start(load) {
-  const coming = new IntersectionObserver(
-    (seen) => seen.filter(({ isIntersecting }) => isIntersecting).forEach(({ target }) => live(target)),
-    { rootMargin: AHEAD },
-  );
-  const live = (place) => {
-    coming.unobserve(place);
-    bring(place, load);
-  };
-  document.querySelectorAll("[data-module]").forEach((place) => coming.observe(place));
   document.querySelectorAll(".moving").forEach(letStop);
   document.querySelectorAll("pre, .formula, .table").forEach(letScroll);
   fillIn(load);
+  liveAll([...document.querySelectorAll("[data-module]")], load);
+}
+
+/** Let the figures live, one after the other, when the page has nothing else to do. */
+async function liveAll(places, load) {
+  for (const place of places) {
+    await new Promise((then) => idle(then));
+    await bring(place, load);
+  }
 }
 
 /** Let a module draw in its place, with what is stored beside it. */
