@@ -44,7 +44,7 @@ class Pictures:
         width, height = size_of(svg)
         file = f"{IMAGES}/{name}"
         self.shared[file] = svg.encode()
-        lazy = "" if is_first else ' loading="lazy"'
+        lazy = ' fetchpriority="high"' if is_first else ' loading="lazy"'
         image = (
             f'<img class="cm-paper" src="{file}" alt="{escape(words)}" width="{width:.0f}" '
             f'height="{height:.0f}"{lazy}>'
