@@ -1,6 +1,5 @@
 """Formulas as MathML, made when a page is built: a browser draws it with no script and no font."""
 
-import re
 from functools import cache
 
 from math_core import LatexError, LatexToMathML
@@ -8,7 +7,6 @@ from math_core import LatexError, LatexToMathML
 from cammotion.quantities import InputError, shorten
 
 _CONVERTER = LatexToMathML()
-_FORMULA = re.compile(r"\$\$(?P<block>.+?)\$\$|\$(?P<line>[^$]+?)\$", re.DOTALL)
 _DISPLAY = r"\displaystyle"
 
 
@@ -35,12 +33,3 @@ def shown_formula(latex: str) -> str:
     '<div class="formula"><math display="block"><mi>x</mi></math></div>'
     """
     return mathml(latex.strip().strip("$").replace(_DISPLAY, "", 1), block=True)
-
-
-def with_formulas(text: str) -> str:
-    """Return an escaped text with its formulas as MathML.
-
-    >>> with_formulas("With $x$")
-    'With <math><mi>x</mi></math>'
-    """
-    return _FORMULA.sub(lambda m: mathml(m["block"] or m["line"], block=bool(m["block"])), text)
