@@ -82,9 +82,7 @@ def test_the_command_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 def notebook() -> dict[str, object]:
-    def cell(
-        number: int, kind: str, source: str, *outputs: object, tags: tuple[str, ...] = ()
-    ) -> object:
+    def cell(number: int, kind: str, source: str, *outputs: object, tag: str = "") -> object:
         more = {"outputs": [*outputs], "execution_count": 1} if kind == "code" else {}
         head = {"cell_type": kind, "id": f"c{number}", "metadata": {"tags": [tag]}}
         return {**head, "source": source, **more}
