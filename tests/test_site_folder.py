@@ -84,7 +84,7 @@ def test_the_command_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[
 def notebook() -> dict[str, object]:
     def cell(number: int, kind: str, source: str, *outputs: object, tag: str = "") -> object:
         more = {"outputs": [*outputs], "execution_count": 1} if kind == "code" else {}
-        head = {"cell_type": kind, "id": f"c{number}", "metadata": {"tags": [tag]}}
+        head = {"cell_type": kind, "id": f"c{number}", "metadata": {"tags": [tag] if tag else []}}
         return {**head, "source": source, **more}
 
     def shown(data: dict[str, str]) -> object:

@@ -123,7 +123,7 @@ def test_the_class_page_is_made_by_the_environment_from_where_the_user_is(
 
 
 def test_the_pages_are_made_by_the_environment_from_where_the_user_is(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ran: list[tuple[str, ...]] = []
 
@@ -138,7 +138,7 @@ def test_the_pages_are_made_by_the_environment_from_where_the_user_is(
     assert commands.run(["site", "--folder", "x/pages"]) == 3
     assert ran == [
         ("ensure",),
-        ("cammotion.site", str(commands.NOTEBOOKS), str(tmp_path / "site")),
+        ("cammotion.site", str(root / "notebooks"), str(tmp_path / "site")),
         ("ensure",),
-        ("cammotion.site", str(commands.NOTEBOOKS), str(tmp_path / "x" / "pages")),
+        ("cammotion.site", str(root / "notebooks"), str(tmp_path / "x" / "pages")),
     ]
