@@ -2,12 +2,15 @@
 
 import json
 import re
+from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
+from string import ascii_lowercase, ascii_uppercase
 from urllib.parse import unquote, urlsplit
 
 import pytest
 from bs4 import BeautifulSoup, Tag
+from fontTools.ttLib import TTFont
 from site_pages import LESSONS, NOTEBOOKS, PAGES, files, page
 
 from cammotion.site.answers import unpack
@@ -100,6 +103,21 @@ def test_every_formula_is_mathml(lesson: str) -> None:
         for other in tag.select("pre, code, script, svg, math"):
             other.decompose()
         assert not re.search(r"\$|\\[a-zA-Z]{2,}", tag.get_text())
+
+
+def test_the_font_has_every_letter_of_the_formulas() -> None:
+    """A single letter in <mi> is drawn in italics, which has letters of its own; h is Planck's."""
+    font = TTFont(BytesIO(files()["shared/formulas.woff"]))
+    has, italic = {*font.getBestCmap()}, {"h": 0x210E}
+    italic |= {letter: 0x1D434 + n for n, letter in enumerate(ascii_uppercase)}
+    italic |= {letter: 0x1D44E + n for n, letter in enumerate(ascii_lowercase) if letter != "h"}
+    for lesson in LESSONS:
+        for tag in page(lesson).select("mi, mn, mo"):
+            for letter in tag.get_text().strip("\u2061\u2062\u2063"):
+                is_upright = len(tag.get_text()) > 1 or tag.name != "mi"
+                assert (ord(letter) if is_upright else italic.get(letter, ord(letter))) in has, tag
+    assert "MATH" in font
+    assert "STIX" not in str(font["name"].getDebugName(1))  # a name that its licence reserves
 
 
 @pytest.mark.parametrize("name", PAGES)

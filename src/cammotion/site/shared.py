@@ -10,6 +10,7 @@ from cammotion.views.live import page as live
 
 _HERE = files("cammotion.site")
 # Not as modules of their own: a browser reads none from a disk, where each file is a stranger.
+_FONT = ("formulas.woff", "OFL.txt")
 _START = """\
 // Written by `workbook.py site`: the modules of these pages, and what starts them.
 const sources = {sources};
@@ -32,7 +33,11 @@ _CODE = {
 
 def shared_files() -> dict[str, bytes]:
     """Return the files that every page uses, by their names."""
-    return {"shared/page.css": _style().encode(), "shared/page.js": _script().encode()}
+    return {
+        "shared/page.css": _style().encode(),
+        "shared/page.js": _script().encode(),
+        **{f"shared/{name}": (_HERE / "fonts" / name).read_bytes() for name in _FONT},
+    }
 
 
 def _style() -> str:
