@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import pytest
+from firefox import running_firefox
 from lab import require_chromium, running_browser
 from playwright.sync_api import Browser, Page, expect
 from site_pages import PAGES, written
@@ -28,6 +30,7 @@ TOO_WIDE = """() => document.documentElement.scrollWidth > innerWidth
     .map((each) => each.outerHTML.slice(0, 120)).concat("the page itself")"""
 BROKEN = """() => [...document.images].filter((image) => image.complete && !image.naturalWidth)
   .map((image) => image.src)"""
+FOCUS = "(place) => document.querySelector(place).focus()"
 WHITE = "rgb(253, 252, 249)"
 
 
@@ -202,3 +205,18 @@ def test_without_scripts_it_is_still_a_page(browser: Browser) -> None:
     page.locator("[data-reveals] summary").first.click()
     expect(page.locator("[data-reveals] details p").first).to_be_visible()
     context.close()
+
+
+def test_a_page_lives_and_answers_in_firefox(tmp_path: Path) -> None:
+    one = find_exercise("02.1")
+    assert isinstance(one, NumberExercise)
+    with running_firefox(tmp_path) as firefox:
+        firefox.goto((written() / "02_maximum_acceleration.html").as_uri())
+        assert firefox.evaluate(LIVES) == 0
+        firefox.evaluate(FOCUS, "#exercise-02\\.1 input")
+        for key in [*f"{one.solution(NAMELESS):.3f}", "Enter"]:
+            firefox.press(key)
+        said = firefox.evaluate(
+            "(place) => document.querySelector(place).textContent", "#exercise-02\\.1 .said"
+        )
+        assert said == f"Right. {one.right}"
