@@ -1,9 +1,12 @@
 // What a page does: gives the modules of its figures their models, and answers what is filled in.
 // `load` returns a module by its name. It is the last of three files, which are one module.
 
+const WIDE = "(min-width: 84rem)"; // as in the style: the list of sections has a margin there
 const idle = globalThis.requestIdleCallback ?? ((then) => setTimeout(then, 50)); // Safari has none
 
 export function start(load) {
+  const sections = document.querySelector(".sections details");
+  if (sections) sections.open = matchMedia(WIDE).matches;
   document.querySelectorAll(".moving").forEach(letStop);
   document.querySelectorAll("pre, .formula, .table").forEach(letScroll);
   fillIn(load);

@@ -21,7 +21,7 @@ const load = (name) =>
   ));
 load("host").then(({{ start }}) => start(load));
 """
-# Colours of code with a contrast of 4.5 at least on its paper, in both themes: test_site_look
+# Colours of code with a contrast of 4.5 at least on its paper, in both themes
 _CODE = {
     ".k,.kn,.kc,.ow,.nn": ("#8b2160", "#f08bc0"),
     ".s1,.s2,.sa,.si,.se,.sd": ("#27632a", "#8fd694"),
