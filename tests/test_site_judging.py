@@ -98,7 +98,7 @@ def test_a_page_says_the_same_to_a_number() -> None:
     )
     for (number, given, fault), text in zip(asked, said, strict=True):
         head = f"Not yet. {fault}" if fault else f"Right. {exercise(number).right}"
-        assert text == head.replace(f'cm.hint("{number}") gives a hint.', "Hints are below."), given
+        assert text == head.replace(f'cm.hint("{number}") gives a hint.', "hints are below."), given
 
 
 def test_a_choice_has_a_reason_for_each_letter() -> None:

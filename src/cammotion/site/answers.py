@@ -59,7 +59,7 @@ def _of_exercise(exercise: Exercise, machine: MillAndDie) -> dict[str, Any]:
 
 def _in_page(text: str, hint: str) -> str:
     """Return why a number is wrong as a page says it, where hints are not run but unfolded."""
-    return f"Not yet. {text.replace(hint, 'Hints are below.')}" if text else ""
+    return f"Not yet. {text.replace(hint, 'hints are below.')}" if text else ""
 
 
 def _of_prediction(made: Prediction) -> dict[str, Any]:

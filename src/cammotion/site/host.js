@@ -3,6 +3,7 @@
 
 const WIDE = "(min-width: 84rem)"; // as in the style: the list of sections has a margin there
 const idle = globalThis.requestIdleCallback ?? ((then) => setTimeout(then, 50)); // Safari has none
+const HEAD = /^(Right\.|Not yet\.)(.*)$/s;
 
 export function start(load) {
   const sections = document.querySelector(".sections details");
@@ -89,7 +90,10 @@ async function unpack(text) {
 function answerIn(form, table, { format, readings }) {
   const said = form.querySelector(".said");
   const say = (text) => {
-    said.textContent = text;
+    const [, head, rest] = text.match(HEAD) ?? [, "", text],
+      strong = document.createElement("strong");
+    strong.textContent = head;
+    said.replaceChildren(...(head ? [strong, rest] : text ? [text] : []));
     form.dataset.state = text.startsWith("Right.") ? "right" : text ? "wrong" : "";
   };
   const judge = () => {

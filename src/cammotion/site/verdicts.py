@@ -17,9 +17,9 @@ from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import NumberExercise, Slip
 from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
-from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF
+from cammotion.teaching.rounding import FEWEST, MOST
 
-_SHARES = (MOST_OFF, 0.02, 0.08)  # how far off makes a difference to what is said
+_SHARES = (0.02, 0.08)  # how far off makes a difference to what is said
 _EDGE = 1e-4  # of the last digit: so near to a rounded number is that number
 _SAME = 1e-9
 _MEASURED = re.compile(r"(?<=off by )\S+(?= %)")
@@ -87,8 +87,7 @@ def _edges(exercise: NumberExercise, right: float, machine: MillAndDie) -> Itera
         yield from _beside(right, share)
     for value in slips:
         yield (value + right) / 2
-        for share in (MOST_OFF, _SAME):
-            yield from _beside(value, share)
+        yield from _beside(value, _SAME)
     for value in (right, *slips, *carried, *ratios, right / STANDARD_GRAVITY):
         yield from _beside(value, exercise.tolerance)
         most = MOST if value == right else FEWEST + 1
