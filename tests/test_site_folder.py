@@ -1,6 +1,7 @@
 """What is written where: nothing that this command has not made is touched."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -79,6 +80,8 @@ def test_the_command_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert 'data-exercise="01.1"' in made
     assert "It is 92.5." in made
     assert "&lt;b&gt;" in made
+    assert '<a href="01_one.html#here">One</a>, worked' in made
+    assert re.search(r'<span class="together"><math>.*</math>\.</span>', made)
 
 
 def notebook() -> dict[str, object]:
@@ -93,6 +96,7 @@ def notebook() -> dict[str, object]:
     reveal = "<div><details><summary>Show</summary><p>It is 92.5.</p></details></div>"
     cells = [
         cell(1, "markdown", "# 01 · One\n\n**How far?** About $x^2$."),
+        cell(9, "markdown", "[One](01_one.ipynb#here), [worked](solutions/01_solutions.ipynb)"),
         cell(2, "markdown", "for the lab", tag="lab-only"),
         cell(3, "code", 'guess = cm.predict("01.half", "degrees for each way")\nguess'),
         cell(4, "code", 'guess.reveal("It is 92.5.")', shown({"text/html": reveal})),

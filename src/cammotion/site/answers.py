@@ -21,10 +21,10 @@ _DIGITS = 12
 def packed_answers(
     exercises: Iterable[Exercise], predictions: Iterable[Prediction], machine: MillAndDie
 ) -> str:
-    """Return what the exercises and predictions of a page say, as one packed text."""
+    """Return what the exercises and predictions of a page say, packed; "" if it asks nothing."""
     said: dict[str, Any] = {one.number: _of_exercise(one, machine) for one in exercises}
     said |= {made.key: _of_prediction(made) for made in predictions}
-    return pack(as_json({key: value for key, value in said.items() if value}))
+    return pack(as_json({key: value for key, value in said.items() if value})) if said else ""
 
 
 def pack(text: str) -> str:

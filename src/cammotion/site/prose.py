@@ -14,6 +14,8 @@ from cammotion.site.formulas import mathml
 from cammotion.site.pictures import Pictures
 
 _TAG = re.compile(r"<[^>]+>")
+_AROUND = re.compile(r"(\(?<math>(?:(?!</math>).)*</math>[),.;:!?]+)", re.DOTALL)
+_TOGETHER = r'<span class="together">\1</span>'  # a line does not begin with a comma
 NOTEBOOK, PAGE = ".ipynb", ".html"
 
 
@@ -26,7 +28,7 @@ class Prose(IPythonRenderer):
 
     def html(self, markdown: str) -> str:
         """Return Markdown as HTML."""
-        return str(MarkdownWithMath(renderer=self).render(markdown))
+        return _AROUND.sub(_TOGETHER, str(MarkdownWithMath(renderer=self).render(markdown)))
 
     def inline_math(self, body: str) -> str:
         """Return a formula in its line."""
