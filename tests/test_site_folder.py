@@ -103,6 +103,7 @@ def notebook() -> dict[str, object]:
         cell(5, "code", 'cm.ask("01.1")'),
         cell(6, "code", "answer_1 = None  # a number"),
         cell(7, "code", 'cm.check("01.1", answer_1)'),
+        cell(10, "code", "%matplotlib inline"),
         cell(8, "code", "'<b>'", shown({"text/plain": "<b>"})),
     ]
     return {"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}

@@ -97,7 +97,11 @@ def _show(cell: NotebookNode, html: str, *, alone: bool = False) -> None:
 
 def _call(source: str, method: str) -> tuple[str, list[str]] | None:
     """Return who makes or has a method's call on the top level of a cell, and its plain texts."""
-    for line in ast.parse(source).body:
+    try:
+        lines = ast.parse(source).body
+    except SyntaxError:  # a command of IPython, or a mistake on purpose
+        return None
+    for line in lines:
         call = getattr(line, "value", None)
         if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute):
             continue
