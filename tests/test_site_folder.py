@@ -12,7 +12,9 @@ from cammotion.site import folder
 from cammotion.site.formulas import mathml
 from cammotion.site.lessons import find_lessons
 from cammotion.site.pictures import Pictures, at_rest, embedded_svg
+from starter import commands
 
+ROOT = Path(__file__).parents[1]
 FILES = {"index.html": b"new", "shared/page.css": b"x"}
 
 
@@ -68,7 +70,7 @@ def test_the_command_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[
     """A notebook of anybody's becomes a page, with an exercise, a prediction and its reveal."""
     books = tmp_path / "books"
     (books / "images").mkdir(parents=True)
-    drawing = Path(__file__).parents[1] / "notebooks" / "images" / "motion.svg"
+    drawing = ROOT / "notebooks" / "images" / "motion.svg"
     (books / "images" / "motion.svg").write_text(drawing.read_text("utf-8"), "utf-8")
     (books / "01_one.ipynb").write_text(json.dumps(notebook()), "utf-8")
     assert command.main([str(books), str(tmp_path / "site")]) == 0
@@ -135,3 +137,13 @@ def test_a_drawing_at_rest_has_no_animation_left() -> None:
     moving = '<g><animate dur="9s" values="1;2"/><animateMotion><mpath/></animateMotion><path/></g>'
     assert at_rest(moving) == "<g><animateMotion><mpath/></animateMotion><path/></g>"
     assert embedded_svg("<p>none</p>") == ""
+
+
+def test_the_workflow_publishes_what_the_command_writes() -> None:
+    """It could not be tried on its host; what it calls is there, and what it says stands in it."""
+    text = (ROOT / ".github" / "workflows" / "pages.yml").read_text("utf-8")
+    (called,) = re.findall(r"run: python3 workbook\.py (.+)", text)
+    options = commands.parse(called.split())
+    assert options.command == "site"
+    assert f"path: {options.folder}\n" in text
+    assert "could not be tried" in text
