@@ -31,7 +31,7 @@ THEMES = ("JupyterLab Dark", "JupyterLab Light")
 
 def measure_accessibility() -> list[Finding]:
     """Run every lesson in JupyterLab and look at its outputs with axe-core (asks npm for it)."""
-    axe = _fetch_axe()
+    axe = fetch_axe()
     lessons = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
     with running_browser() as browser:
         return [
@@ -40,7 +40,8 @@ def measure_accessibility() -> list[Finding]:
         ]
 
 
-def _fetch_axe() -> str:
+def fetch_axe() -> str:
+    """Return the source of axe-core."""
     npm = shutil.which("npm")
     if npm is None:
         sys.exit("axe-core comes from npm, which is not on the PATH: install Node.js.")

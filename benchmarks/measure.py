@@ -22,6 +22,7 @@ from live import measure_live
 from many import measure_many
 from overlap import measure_overlap
 from package import measure_import, measure_lesson, measure_setup, measure_test
+from pages import measure_site, measure_site_accessibility
 from questions import measure_again
 from round_trip import measure_round_trips
 from whole_machine import measure_whole_machine
@@ -50,6 +51,8 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "residuals": measure_residuals,
     "response": measure_response,
     "shown": measure_shown,
+    "site": measure_site,
+    "site-accessibility": measure_site_accessibility,
     "test": measure_test,
     "whole-machine": measure_whole_machine,
 }

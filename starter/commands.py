@@ -20,7 +20,7 @@ from starter import (
     processes,
     refresh,
 )
-from starter.paths import START
+from starter.paths import NOTEBOOKS, START
 
 
 def main(arguments: list[str]) -> int:
@@ -104,6 +104,9 @@ def make_parser() -> argparse.ArgumentParser:
         "--seconds", type=float, default=20.0, metavar="S", help="for the bound, at most (20)"
     )
     added["report"].add_argument("--dxf", action="store_true", help="a disc cam of each mechanism")
+    added["site"].add_argument(
+        "--folder", default="site", metavar="FOLDER", help="the folder that is written (site)"
+    )
     added["lock"].add_argument("--upgrade", action="store_true", help="take the newest versions")
     return parser
 
@@ -203,6 +206,13 @@ def report_machine(options: argparse.Namespace) -> int:
     return maintain.run_module("cammotion.report", machine, *more)
 
 
+def write_site(options: argparse.Namespace) -> int:
+    """Write the stored notebooks as a folder of pages; its path is from here."""
+    environment.ensure()
+    folder_of_pages = Path(options.folder).absolute()
+    return maintain.run_module("cammotion.site", str(NOTEBOOKS), str(folder_of_pages))
+
+
 def lock(options: argparse.Namespace) -> int:
     """Write environment.txt anew from pyproject.toml."""
     maintain.lock(options.upgrade)
@@ -225,5 +235,6 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], int], str]] = {
         "write the report of a machine: ends with 0 if its rules are kept, 3 if one is broken, "
         "2 if the table cannot be read",
     ),
+    "site": (write_site, "write the notebooks as a folder of web pages, which need no kernel"),
     "lock": (lock, "write environment.txt anew from pyproject.toml (needs uv)"),
 }

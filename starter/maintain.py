@@ -52,6 +52,6 @@ def lock(upgrade: bool) -> None:
         *(["--upgrade"] if upgrade else []),
         "-",
     ]
-    if subprocess.run(command, cwd=ROOT, input="-e .[lab,test]\n", text=True).returncode != 0:
+    if subprocess.run(command, cwd=ROOT, input="-e .[lab,site,test]\n", text=True).returncode != 0:
         raise WorkbookError("environment.txt was not written: uv's lines above say why.")
     print("environment.txt is up to date with pyproject.toml.")

@@ -23,11 +23,11 @@ process.stdout.write(JSON.stringify(answer, bare));
 """
 
 
-def run(body: str, given: Any = None) -> Any:
+def run(body: str, given: Any = None, more: str = "") -> Any:
     """Return what the body of a JavaScript function returns; `given` is known to it by that name.
 
-    All that the front-end module has is known to it too. A number that JSON does not have comes
-    back as a text that `float` reads.
+    All that the front-end module has is known to it too, and what `more` defines. A number that
+    JSON does not have comes back as a text that `float` reads.
     """
     node = shutil.which("node")
     if node is None:
@@ -35,7 +35,7 @@ def run(body: str, given: Any = None) -> Any:
         if os.environ.get("REQUIRE_BROWSER") == "1":
             pytest.fail(reason)
         pytest.skip(reason)
-    script = page.module() + _RUNNER % (json.dumps(given), body)
+    script = page.module() + more + _RUNNER % (json.dumps(given), body)
     done = subprocess.run(
         [node, "--input-type=module", "-"],
         input=script,

@@ -52,7 +52,7 @@ def declared() -> dict[str, set[str]]:
 
 
 ROOMS = declared()
-VIEWS = {"views", "teaching"}
+VIEWS = {"views", "teaching", "site"}
 
 
 def imports(path: Path) -> set[str]:

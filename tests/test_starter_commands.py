@@ -140,3 +140,25 @@ def test_the_class_page_is_made_by_the_environment_from_where_the_user_is(
         ("ensure",),
         (*made, f"--output={tmp_path / 'x' / 'y.html'}", "--anonymous", "--overwrite"),
     ]
+
+
+def test_the_pages_are_made_by_the_environment_from_where_the_user_is(
+    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ran: list[tuple[str, ...]] = []
+
+    def run_module(*words: str) -> int:
+        ran.append(words)
+        return 3
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(environment, "ensure", lambda: ran.append(("ensure",)))
+    monkeypatch.setattr(maintain, "run_module", run_module)
+    assert commands.run(["site"]) == 3
+    assert commands.run(["site", "--folder", "x/pages"]) == 3
+    assert ran == [
+        ("ensure",),
+        ("cammotion.site", str(root / "notebooks"), str(tmp_path / "site")),
+        ("ensure",),
+        ("cammotion.site", str(root / "notebooks"), str(tmp_path / "x" / "pages")),
+    ]

@@ -13,7 +13,6 @@ def _rule(within: str, *elements: str, style: str) -> str:
 
 
 # Black and white change places, hues stay: what was white is JupyterLab's #111 then.
-RULE = _rule("", *_ON_PAPER, style="filter:invert(.933) hue-rotate(180deg)") + _rule(
-    ".cm-paper ", ".cm-paper", style="filter:none"
-)
+TURNED = "filter:invert(.933) hue-rotate(180deg)"
+RULE = _rule("", *_ON_PAPER, style=TURNED) + _rule(".cm-paper ", ".cm-paper", style="filter:none")
 STYLE = f"<style>{RULE}</style>"

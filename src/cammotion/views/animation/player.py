@@ -15,6 +15,9 @@ SHOWN_ANGLE = Quantity("cam angle", "deg", example=180, high=DEG_PER_TURN, low_i
 SHORTEST_S, LONGEST_S = 1.0, 40.0  # how long a turn may last on the screen
 _SPEEDS = [step * 10.0**decade for decade in range(-6, 4) for step in (1, 2, 5)]
 
+MODULE = Path(__file__).with_name("player.js")
+LOOK = Path(__file__).with_name("player.css").read_text(encoding="utf-8")
+
 
 class Player(anywidget.AnyWidget):
     """Shows an SVG with a clock and drives the clock; made by `Animation.player`.
@@ -23,8 +26,8 @@ class Player(anywidget.AnyWidget):
     the player is paused or scrubbed.
     """
 
-    _esm = Path(__file__).with_name("player.js")
-    _css = Path(__file__).with_name("player.css").read_text(encoding="utf-8") + paper.RULE
+    _esm = MODULE
+    _css = LOOK + paper.RULE
     svg = traitlets.Unicode().tag(sync=True)
     turn_s = traitlets.Float().tag(sync=True)
     cycle_s = traitlets.Float().tag(sync=True)
@@ -34,10 +37,7 @@ class Player(anywidget.AnyWidget):
 
     def __init__(self, svg: str, *, turn_s: float, cycle_s: float, reader: dict[str, Any]) -> None:
         self._reader = reader
-        speeds = speeds_for(cycle_s)
-        wanted = math.log(cycle_s / turn_s)
-        speed = min(speeds, key=lambda speed: abs(math.log(speed) - wanted))
-        super().__init__(svg=svg, turn_s=turn_s, cycle_s=cycle_s, speeds=speeds, speed=speed)
+        super().__init__(svg=svg, **clock_of(turn_s, cycle_s))
 
     @traitlets.validate("angle_deg")
     def _check_angle(self, proposal: Any) -> float:
@@ -48,6 +48,18 @@ class Player(anywidget.AnyWidget):
         bundle = super()._repr_mimebundle_(**kwargs)
         data, metadata = bundle or ({}, {})
         return data | self._reader, metadata
+
+
+def clock_of(turn_s: float, cycle_s: float) -> dict[str, Any]:
+    """Return what a player knows beside its SVG: how long a turn takes, there and in the machine.
+
+    >>> clock_of(9, 1.8)["speed"]
+    0.2
+    """
+    speeds = speeds_for(cycle_s)
+    wanted = math.log(cycle_s / turn_s)
+    speed = min(speeds, key=lambda speed: abs(math.log(speed) - wanted))
+    return {"turn_s": turn_s, "cycle_s": cycle_s, "speeds": speeds, "speed": speed}
 
 
 def speeds_for(cycle_s: float) -> list[float]:

@@ -38,19 +38,9 @@ const unpacked = new Blob([Uint8Array.from(atob("{packed}"), (letter) => letter.
   .stream().pipeThrough(new DecompressionStream("gzip"));
 const source = await new Response(unpacked).text();
 const address = URL.createObjectURL(new Blob([source], {{ type: "text/javascript" }}));
-const {{ default: figure, style }} = await import(address);
+const {{ default: figure, style, modelOf }} = await import(address);
 document.head.append(Object.assign(document.createElement("style"), {{ textContent: style }}));
-const data = JSON.parse(document.getElementById("figure").textContent), listeners = {{}};
-const model = {{
-  get: (key) => data[key],
-  set(key, value) {{
-    data[key] = value;
-    for (const listen of listeners[`change:${{key}}`] ?? []) listen();
-  }},
-  save_changes() {{}},
-  on(key, listen) {{ (listeners[key] ??= []).push(listen); }},
-  off() {{}},
-}};
+const model = modelOf(JSON.parse(document.getElementById("figure").textContent));
 const place = document.getElementById("place");
 place.textContent = "";
 figure.render({{ model, el: place }});
@@ -60,14 +50,18 @@ figure.render({{ model, el: place }});
 @cache
 def module() -> str:
     """Return the front-end module: what computes, what draws, what listens."""
-    parts = (_FOLDER / name for name in ("formulas.js", "controls.js", "panel.js", "figure.js"))
-    return "".join(part.read_text(encoding="utf-8") for part in parts)
+    return "".join(map(_read, ("formulas.js", "controls.js", "panel.js", "figure.js")))
+
+
+def model() -> str:
+    """Return what gives a module its model where there is no kernel."""
+    return _read("model.js")
 
 
 @cache
 def style() -> str:
     """Return the figure's style sheet."""
-    return (_FOLDER / "figure.css").read_text(encoding="utf-8")
+    return _read("figure.css")
 
 
 def write_page(data: dict[str, Any], text: str) -> str:
@@ -76,7 +70,7 @@ def write_page(data: dict[str, Any], text: str) -> str:
     `text` is what a reader without JavaScript sees.
     """
     stored = as_text(data).replace("<", "\\u003c")
-    whole = f"{module()}export const style = {json.dumps(style())};\n"
+    whole = f"{module()}{model()}export const style = {json.dumps(style())};\n"
     packed = base64.b64encode(gzip.compress(whole.encode(), mtime=0)).decode("ascii")
     return _PAGE.format(
         title=escape(data["description"]["title"]),
@@ -89,3 +83,7 @@ def write_page(data: dict[str, Any], text: str) -> str:
 def as_text(data: dict[str, Any]) -> str:
     """Return what a figure stores as one line of JSON."""
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+
+
+def _read(name: str) -> str:
+    return (_FOLDER / name).read_text(encoding="utf-8")

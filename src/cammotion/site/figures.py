@@ -1,0 +1,46 @@
+"""What lives in a page: the modules of live figures and of animations, and what each is given."""
+
+import json
+import re
+from typing import Any
+
+from cammotion.views.animation.player import clock_of
+
+_TURN = re.compile(r'\bdur="([\d.]+)s"')
+_CYCLE = re.compile(r"([\d.]+) s a turn")
+
+
+def live_figure(stored: str, still: str) -> str:
+    """Return a live figure: its picture, in whose place the module draws from what is stored."""
+    return _living("figure", still, stored)
+
+
+def animation(svg: str) -> str:
+    """Return an animation: the drawing, which moves by itself, and what its player is given."""
+    turn, cycle = _TURN.search(svg), _CYCLE.search(svg)
+    if not turn or not cycle:
+        return f'<div class="drawing cm-paper">{_bare(svg)}</div>'
+    state = clock_of(float(turn[1]), float(cycle[1])) | {"angle_deg": 0}
+    return _living("player", _bare(svg), as_json(state))
+
+
+def _living(module: str, shown: str, state: str) -> str:
+    return (
+        f'<figure class="living"><div data-module="{module}">{shown}</div>'
+        f'<script type="application/json">{in_script(state)}</script></figure>'
+    )
+
+
+def in_script(data: str) -> str:
+    """Return JSON as it may stand in a script element."""
+    return data.replace("<", "\\u003c")
+
+
+def _bare(svg: str) -> str:
+    """Return an SVG without what stands before its root, as a page takes it."""
+    return svg[svg.index("<svg") :]
+
+
+def as_json(data: Any) -> str:
+    """Return data as one line of JSON."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))

@@ -1,0 +1,73 @@
+"""The files that all pages share: one style sheet, and one script with every module in it."""
+
+import re
+from importlib.resources import files
+
+from cammotion.site.figures import as_json
+from cammotion.views import paper
+from cammotion.views.animation import player
+from cammotion.views.live import page as live
+
+_HERE = files("cammotion.site")
+# Not as modules of their own: a browser reads none from a disk, where each file is a stranger.
+_FONT = ("formulas.woff", "OFL.txt")
+_START = """\
+// Written by `workbook.py site`: the modules of these pages, and what starts them.
+const sources = {sources};
+const loaded = {{}};
+const load = (name) =>
+  (loaded[name] ??= import(
+    URL.createObjectURL(new Blob([sources[name]], {{ type: "text/javascript" }}))
+  ));
+load("host").then(({{ start }}) => start(load));
+"""
+# Colours of code with a contrast of 4.5 at least on its paper, in both themes
+_CODE = {
+    ".k,.kn,.kc,.ow,.nn": ("#8b2160", "#f08bc0"),
+    ".s1,.s2,.sa,.si,.se,.sd": ("#27632a", "#8fd694"),
+    ".mi,.mf,.mb": ("#8a4600", "#f2b36b"),
+    ".c1,.cm": ("#5b6069", "#a3a9b5"),
+    ".nb,.nf,.fm,.nd": ("#1f4f9c", "#8ab4f8"),
+}
+
+
+def shared_files() -> dict[str, bytes]:
+    """Return the files that every page uses, by their names."""
+    return {
+        "shared/page.css": _style().encode(),
+        "shared/page.js": _script().encode(),
+        **{f"shared/{name}": (_HERE / "fonts" / name).read_bytes() for name in _FONT},
+    }
+
+
+def _style() -> str:
+    code = "".join(
+        f".code :is({names}){{color:light-dark({light},{dark})}}\n"
+        for names, (light, dark) in _CODE.items()
+    )
+    dark = "@media screen and (prefers-color-scheme:dark)"
+    turned = f"{dark}{{.cm-paper{{{paper.TURNED}}}.cm-paper .cm-paper{{filter:none}}}}\n"
+    return "".join([_read("page.css"), code, turned, live.style(), player.LOOK])
+
+
+def _script() -> str:
+    sources = {
+        "figure": live.module(),
+        "player": player.MODULE.read_text(encoding="utf-8"),
+        "host": host_module(),
+    }
+    return _START.format(sources=as_json({name: _bare(text) for name, text in sources.items()}))
+
+
+def host_module() -> str:
+    """Return the module that gives the others their models, and answers what is filled in."""
+    return live.model() + _read("judging.js") + _read("host.js")
+
+
+def _bare(source: str) -> str:
+    """Return a script without the blanks at the beginnings of its lines."""
+    return re.sub(r"^[ \t]+", "", source, flags=re.MULTILINE)
+
+
+def _read(name: str) -> str:
+    return (_HERE / name).read_text(encoding="utf-8")

@@ -1,0 +1,118 @@
+"""What an exercise says to any number, tabled when a page is built, so that no page judges.
+
+What `find_fault` says changes only at few numbers: where an answer is near enough to the right one
+or to a slip, where it is rounded to one of them, where it is as near to the one as to the other.
+Between two neighbours of these it says the same, so it is asked once there.
+"""
+
+import math
+import re
+from bisect import bisect
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+from cammotion.machine.kinematics import STANDARD_GRAVITY
+from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.exercise import NumberExercise, Slip
+from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
+from cammotion.teaching.rounding import FEWEST, MOST
+
+_SHARES = (0.02, 0.08)  # how far off makes a difference to what is said
+_EDGE = 1e-4  # of the last digit: so near to a rounded number is that number
+_SAME = 1e-9
+_MEASURED = re.compile(r"(?<=off by )\S+(?= %)")
+_MARK = "…"
+
+
+@dataclass(frozen=True)
+class Verdicts:
+    """What is said below, between and above `edges`, by its place in `said`; "" is right.
+
+    Where … stands in it, a page puts how many percent an answer is off `right`.
+    """
+
+    right: float
+    edges: tuple[float, ...]
+    places: tuple[int, ...]
+    said: tuple[str, ...]
+
+    def of(self, given: float) -> str:
+        """Return what is said to a number."""
+        return self.said[self.places[bisect(self.edges, given)]]
+
+
+def table_of(exercise: NumberExercise, machine: MillAndDie) -> Verdicts:
+    """Return what an exercise says to every number, asked about a machine."""
+    frozen, right = _frozen(exercise, machine), exercise.solution(machine)
+    edges = sorted({*_edges(frozen, right, machine)})
+    texts = [_text(frozen, place, machine) for place in _between(edges)]
+    said = [*dict.fromkeys(texts)]
+    kept = [n for n, (one, next_) in enumerate(pairwise(texts)) if one != next_]
+    places = [said.index(texts[n]) for n in (*kept, len(texts) - 1)]
+    return Verdicts(right, tuple(edges[n] for n in kept), tuple(places), tuple(said))
+
+
+def _text(exercise: NumberExercise, given: float, machine: MillAndDie) -> str:
+    return _MEASURED.sub(_MARK, exercise.find_fault(given, machine))
+
+
+def _frozen(exercise: NumberExercise, machine: MillAndDie) -> NumberExercise:
+    """Return the exercise with all that it computes computed once."""
+
+    def frozen(slip: Slip) -> Slip:
+        return Slip(_constant(float(slip.answer(machine))), slip.reason)
+
+    return replace(
+        exercise,
+        answer=_constant(exercise.solution(machine)),
+        slips=tuple(map(frozen, exercise.slips)),
+        carried=tuple(map(frozen, exercise.carried)),
+    )
+
+
+def _constant(value: float) -> Callable[[MillAndDie], Any]:
+    return lambda _: value
+
+
+def _edges(exercise: NumberExercise, right: float, machine: MillAndDie) -> Iterator[float]:
+    """Yield every number at which something else may be said, and some more."""
+    slips = sorted(_numbers(exercise.slips, machine))
+    carried = _numbers(exercise.carried, machine)
+    ratios = [r * right for r in (*UNIT_RATIOS.get(exercise.unit, {}), *COMMON_RATIOS)]
+    yield from (0.0, right, -right)
+    yield from ((one + other) / 2 for one, other in pairwise(slips))
+    for share in _SHARES:
+        yield from _beside(right, share)
+    for value in slips:
+        yield (value + right) / 2
+        yield from _beside(value, _SAME)
+    for value in (right, *slips, *carried, *ratios, right / STANDARD_GRAVITY):
+        yield from _beside(value, exercise.tolerance)
+        most = MOST if value == right else FEWEST + 1
+        for digits in range(FEWEST, most + 1):
+            yield from _rounded(value, digits)
+
+
+def _numbers(slips: Iterable[Slip], machine: MillAndDie) -> list[float]:
+    return [n for slip in slips if math.isfinite(n := float(slip.answer(machine)))]
+
+
+def _beside(value: float, share: float) -> Iterator[float]:
+    """Yield the ends of what is near to a value, measured by the one or by the other."""
+    yield from (value * (1 - share), value * (1 + share), value / (1 - share), value / (1 + share))
+
+
+def _rounded(value: float, digits: int) -> Iterator[float]:
+    """Yield the ends of what is a value rounded to so many digits."""
+    unit = 10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits) if value else _SAME
+    for whole in {math.floor(value / unit), math.ceil(value / unit)}:
+        yield from ((whole + side * size) * unit for side in (-1, 1) for size in (_EDGE, 0.5))
+
+
+def _between(edges: list[float]) -> Iterator[float]:
+    """Yield a number below, between and above the edges."""
+    yield 2 * edges[0] - 1
+    yield from ((low + high) / 2 for low, high in pairwise(edges))
+    yield 2 * edges[-1] + 1

@@ -1,0 +1,222 @@
+"""The site in a real Chromium, opened from the disk: it lives, it answers, and it asks nobody."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+from firefox import running_firefox
+from lab import require_chromium, running_browser
+from playwright.sync_api import Browser, Page, expect
+from site_pages import PAGES, written
+
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
+from cammotion.teaching.lessons import PREDICTIONS, find_exercise
+from cammotion.teaching.variants import NAMELESS
+
+PHONE, DESK = (390, 844), (1366, 768)
+LIVES = """async () => {
+  const wait = () => new Promise((resolve) => setTimeout(resolve, 25));
+  for (const place of document.querySelectorAll("[data-module]")) {
+    place.scrollIntoView(); // what is lazy is loaded
+    for (let i = 0; i < 200 && !("lives" in place.dataset); i++) await wait();
+  }
+  return [...document.querySelectorAll("[data-module]:not([data-lives])")].length;
+}"""
+TOO_WIDE = """() => document.documentElement.scrollWidth > innerWidth
+  && [...document.querySelectorAll("body *")].filter((each) =>
+    each.getBoundingClientRect().right > innerWidth + 1
+    && !each.closest(".table, .formula, pre, .living, .skip, math, svg"))
+    .map((each) => each.outerHTML.slice(0, 120)).concat("the page itself")"""
+BROKEN = """() => [...document.images].filter((image) => image.complete && !image.naturalWidth)
+  .map((image) => image.src)"""
+FOCUS = "(place) => document.querySelector(place).focus()"
+WHITE = "rgb(253, 252, 249)"
+
+
+@dataclass
+class Reader:
+    """Somebody with one page of the site; what goes wrong there is collected."""
+
+    page: Page
+    complaints: list[str] = field(default_factory=list)
+
+    def note(self, text: str, matters: bool = True) -> None:
+        """Keep what went wrong."""
+        if matters:
+            self.complaints.append(text)
+
+    def open(self, name: str) -> Page:
+        """Open a page from the disk."""
+        self.complaints.clear()
+        self.page.goto((written() / f"{name}.html").as_uri())
+        return self.page
+
+
+def reader_in(browser: Browser, size: tuple[int, int], scheme: str, motion: str) -> Reader:
+    context = browser.new_context(
+        viewport={"width": size[0], "height": size[1]},
+        color_scheme="dark" if scheme == "dark" else "light",
+        reduced_motion="reduce" if motion == "reduce" else "no-preference",
+    )
+    reader = Reader(context.new_page())
+    own = (written().as_uri(), "data:", "blob:")
+    reader.page.on("console", lambda said: reader.note(said.text, said.type == "error"))
+    reader.page.on("pageerror", lambda error: reader.note(str(error)))
+    reader.page.on("request", lambda asked: reader.note(asked.url, not asked.url.startswith(own)))
+    return reader
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    require_chromium()
+    with running_browser() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def reader(browser: Browser) -> Reader:
+    return reader_in(browser, DESK, "light", "move")
+
+
+@pytest.fixture(scope="module")
+def phone(browser: Browser) -> Reader:
+    return reader_in(browser, PHONE, "dark", "move")
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_lives_on_a_desk_and_complains_of_nothing(reader: Reader, name: str) -> None:
+    page = reader.open(name)
+    assert page.evaluate(LIVES) == 0
+    assert page.evaluate(BROKEN) == []
+    assert page.evaluate(TOO_WIDE) is False
+    assert reader.complaints == []
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_fits_a_telephone_in_the_dark(phone: Reader, name: str) -> None:
+    page = phone.open(name)
+    assert page.evaluate(LIVES) == 0
+    assert page.evaluate(TOO_WIDE) is False
+    assert phone.complaints == []
+    assert page.evaluate("() => getComputedStyle(document.documentElement).backgroundColor") != (
+        WHITE
+    )
+
+
+def test_a_live_figure_follows_the_keyboard(reader: Reader) -> None:
+    page = reader.open("02_maximum_acceleration")
+    figure = page.locator("#cell-explore-figure")
+    slider = figure.get_by_role("slider", name="angle Bm, deg")
+    slider.focus()
+    before = figure.locator(".cm-column path.cm-own").first.get_attribute("d")
+    for _ in range(5):
+        page.keyboard.press("ArrowRight")
+    expect(figure.get_by_role("textbox", name="angle Bm, deg")).to_have_value("60")
+    assert figure.locator(".cm-column path.cm-own").first.get_attribute("d") != before
+    expect(figure.get_by_text("a_max = 3.491 m/s²")).to_be_visible()
+
+
+def test_an_animation_plays_and_pauses(reader: Reader) -> None:
+    page = reader.open("04_machine_in_motion")
+    player = page.locator("[data-module=player]").first
+    player.scroll_into_view_if_needed()
+    angle = player.locator(".cm-angle")
+    first = angle.inner_text()
+    expect(angle).not_to_have_text(first)
+    player.get_by_role("button", name="Pause").press("Enter")
+    expect(player.get_by_role("button", name="Play")).to_be_visible()
+    stands = angle.inner_text()
+    page.wait_for_timeout(200)
+    assert angle.inner_text() == stands
+    player.get_by_role("slider").press("ArrowRight")
+    expect(angle).not_to_have_text(stands)
+
+
+def test_a_drawing_that_moves_can_be_stopped(browser: Browser, reader: Reader) -> None:
+    page = reader.open("00_start_here")
+    image = page.locator(".moving img").first
+    page.get_by_role("button", name="Stop the motion").first.press("Enter")
+    expect(image).to_have_attribute("src", "images/cam-still.svg")
+    page.get_by_role("button", name="Let it move").first.press("Enter")
+    expect(image).to_have_attribute("src", "images/cam.svg")
+    calm = reader_in(browser, DESK, "light", "reduce")
+    page = calm.open("00_start_here")
+    expect(page.get_by_role("button", name="Let it move").first).to_be_visible()
+    current = page.locator(".moving img").first.evaluate("(image) => image.currentSrc")
+    assert current.endswith("cam-still.svg")
+    page.context.close()
+
+
+def test_numbers_are_answered_with_their_reasons(reader: Reader) -> None:
+    one = find_exercise("03.4")
+    assert isinstance(one, NumberExercise)
+    page = reader.open("03_overlap")
+    form = page.locator("#exercise-03\\.4")
+    field, said = form.get_by_role("textbox"), form.locator(".said")
+    slip = one.slips[0]
+    for typed, text in {
+        f"{one.solution(NAMELESS):.4f}": f"Right. {one.right}",
+        f"{float(slip.answer(NAMELESS)):.4f}": f"Not yet. {slip.reason}",
+        f"{1.03 * one.solution(NAMELESS):.6f}": "off by 3 %",
+        "1": "hints are below.",
+        "12 deg": "is no number",
+        "1,234": "may be 1.234 or 1234",
+    }.items():
+        field.fill(typed)
+        field.press("Enter")
+        expect(said).to_contain_text(text)
+    field.fill("")
+    form.get_by_role("button", name="Check").click()
+    expect(said).to_be_empty()
+    assert reader.complaints == []
+
+
+def test_choices_are_answered_with_their_reasons(reader: Reader) -> None:
+    one = find_exercise("03.6")
+    assert isinstance(one, ChoiceExercise)
+    form = reader.open("03_overlap").locator("#exercise-03\\.6")
+    wrong = next(iter(one.reasons))
+    form.locator(f"input[value={wrong}]").check()
+    expect(form.locator(".said")).to_have_text(f"Not yet. {one.reasons[wrong]}")
+    form.locator(f"input[value={one.answer}]").check()
+    expect(form.locator(".said")).to_have_text(f"Right. {one.right}")
+
+
+def test_a_prediction_opens_its_answer(reader: Reader) -> None:
+    page = reader.open("02_maximum_acceleration")
+    reveal = page.locator("[data-reveals='02.peak']")
+    expect(reveal.locator("details")).not_to_have_attribute("open", "")
+    field = page.locator("[data-predicts='02.peak']").get_by_role("textbox")
+    field.fill("about 2.077")
+    field.press("Enter")
+    expect(reveal.locator("details")).to_have_attribute("open", "")
+    far = PREDICTIONS["02.peak"].how_far("about 2.077")
+    expect(reveal.locator(".said")).to_have_text(f"You predicted about 2.077: {far}.")
+    assert far == "100 % too much"
+
+
+def test_without_scripts_it_is_still_a_page(browser: Browser) -> None:
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto((written() / "04_machine_in_motion.html").as_uri())
+    expect(page.locator("[data-module=player] > svg").first).to_be_visible()
+    expect(page.locator("[data-module=figure] > img").first).to_be_visible()
+    page.locator("[data-reveals] summary").first.click()
+    expect(page.locator("[data-reveals] details p").first).to_be_visible()
+    context.close()
+
+
+def test_a_page_lives_and_answers_in_firefox(tmp_path: Path) -> None:
+    one = find_exercise("02.1")
+    assert isinstance(one, NumberExercise)
+    with running_firefox(tmp_path) as firefox:
+        firefox.goto((written() / "02_maximum_acceleration.html").as_uri())
+        assert firefox.evaluate(LIVES) == 0
+        firefox.evaluate(FOCUS, "#exercise-02\\.1 input")
+        for key in [*f"{one.solution(NAMELESS):.3f}", "Enter"]:
+            firefox.press(key)
+        said = firefox.evaluate(
+            "(place) => document.querySelector(place).textContent", "#exercise-02\\.1 .said"
+        )
+        assert said == f"Right. {one.right}"

@@ -1,0 +1,149 @@
+"""What is written where: nothing that this command has not made is touched."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from cammotion.quantities import InputError
+from cammotion.site import __main__ as command
+from cammotion.site import folder
+from cammotion.site.formulas import mathml
+from cammotion.site.lessons import find_lessons
+from cammotion.site.pictures import Pictures, at_rest, embedded_svg
+from starter import commands
+
+ROOT = Path(__file__).parents[1]
+FILES = {"index.html": b"new", "shared/page.css": b"x"}
+
+
+def test_a_folder_is_written_and_written_anew(tmp_path: Path) -> None:
+    target = tmp_path / "site"
+    folder.write(target, {"old.html": b"old"})
+    folder.write(target, FILES)
+    assert (target / "index.html").read_bytes() == b"new"
+    assert (target / "shared" / "page.css").read_bytes() == b"x"
+    assert not (target / "old.html").exists()
+    assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
+def test_an_empty_folder_is_taken(tmp_path: Path) -> None:
+    (tmp_path / "site").mkdir()
+    folder.write(tmp_path / "site", FILES)
+    assert (tmp_path / "site" / folder.MARKER).is_file()
+
+
+@pytest.mark.parametrize("kind", ["folder", "file", "link", "link to nowhere"])
+def test_what_others_have_made_is_left_as_it_is(tmp_path: Path, kind: str) -> None:
+    target, thesis = tmp_path / "site", tmp_path / "mine" / "thesis.txt"
+    thesis.parent.mkdir()
+    thesis.write_text("mine")
+    if kind == "folder":
+        thesis.parent.rename(target)
+        thesis = target / "thesis.txt"
+    elif kind == "file":
+        target.write_text("mine")
+    else:
+        target.symlink_to(thesis.parent if kind == "link" else tmp_path / "nowhere")
+    with pytest.raises(InputError, match=r"site is there already, .* --folder"):
+        folder.write(target, FILES)
+    assert thesis.read_text() == "mine"
+    assert not list(tmp_path.rglob("index.html"))
+
+
+def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="The folder site cannot be written"):
+        folder.write(tmp_path / "not there" / "site", FILES)
+
+
+def test_the_command_says_what_is_wrong(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
+    assert "There are no notebooks in the folder" in capsys.readouterr().err
+    (tmp_path / "00_broken.ipynb").write_text("{")
+    assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
+    assert "00_broken.ipynb is no notebook" in capsys.readouterr().err
+    assert not (tmp_path / "site").exists()
+
+
+def test_the_command_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A notebook of anybody's becomes a page, with an exercise, a prediction and its reveal."""
+    books = tmp_path / "books"
+    (books / "images").mkdir(parents=True)
+    drawing = ROOT / "notebooks" / "images" / "motion.svg"
+    (books / "images" / "motion.svg").write_text(drawing.read_text("utf-8"), "utf-8")
+    (books / "01_one.ipynb").write_text(json.dumps(notebook()), "utf-8")
+    assert command.main([str(books), str(tmp_path / "site")]) == 0
+    assert "2 pages" in capsys.readouterr().out
+    made = (tmp_path / "site" / "01_one.html").read_text("utf-8")
+    assert "for the lab" not in made
+    assert 'data-predicts="01.half"' in made
+    assert 'data-reveals="01.half"' in made
+    assert 'data-exercise="01.1"' in made
+    assert "It is 92.5." in made
+    assert "&lt;b&gt;" in made
+    assert '<a href="01_one.html#here">One</a>, worked' in made
+    assert re.search(r'<span class="together"><math>.*</math>\.</span>', made)
+
+
+def notebook() -> dict[str, object]:
+    def cell(number: int, kind: str, source: str, *outputs: object, tag: str = "") -> object:
+        more = {"outputs": [*outputs], "execution_count": 1} if kind == "code" else {}
+        head = {"cell_type": kind, "id": f"c{number}", "metadata": {"tags": [tag] if tag else []}}
+        return {**head, "source": source, **more}
+
+    def shown(data: dict[str, str]) -> object:
+        return {"output_type": "display_data", "metadata": {}, "data": data}
+
+    reveal = "<div><details><summary>Show</summary><p>It is 92.5.</p></details></div>"
+    cells = [
+        cell(1, "markdown", "# 01 · One\n\n**How far?** About $x^2$."),
+        cell(9, "markdown", "[One](01_one.ipynb#here), [worked](solutions/01_solutions.ipynb)"),
+        cell(2, "markdown", "for the lab", tag="lab-only"),
+        cell(3, "code", 'guess = cm.predict("01.half", "degrees for each way")\nguess'),
+        cell(4, "code", 'guess.reveal("It is 92.5.")', shown({"text/html": reveal})),
+        cell(5, "code", 'cm.ask("01.1")'),
+        cell(6, "code", "answer_1 = None  # a number"),
+        cell(7, "code", 'cm.check("01.1", answer_1)'),
+        cell(10, "code", "%matplotlib inline"),
+        cell(8, "code", "'<b>'", shown({"text/plain": "<b>"})),
+    ]
+    return {"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def test_a_reveal_without_its_prediction_is_told(tmp_path: Path) -> None:
+    book = notebook()
+    del book["cells"][2]  # type: ignore[attr-defined]
+    (tmp_path / "01_one.ipynb").write_text(json.dumps(book), "utf-8")
+    (tmp_path / "images").mkdir()
+    assert len(find_lessons(tmp_path)) == 1
+    assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
+
+
+def test_a_formula_that_cannot_be_converted_is_named() -> None:
+    with pytest.raises(InputError, match=r"\\frac\{1\}.* cannot be made MathML"):
+        mathml(r"\frac{1}")
+    assert mathml("y''^2").count("<mo>") == 1
+
+
+def test_a_picture_that_is_not_there_is_named(tmp_path: Path) -> None:
+    pictures = Pictures("01", tmp_path)
+    for name in ("gone.svg", "../secret.txt"):
+        with pytest.raises(InputError, match="which is not there"):
+            pictures.drawing(name, "words")
+
+
+def test_a_drawing_at_rest_has_no_animation_left() -> None:
+    moving = '<g><animate dur="9s" values="1;2"/><animateMotion><mpath/></animateMotion><path/></g>'
+    assert at_rest(moving) == "<g><animateMotion><mpath/></animateMotion><path/></g>"
+    assert embedded_svg("<p>none</p>") == ""
+
+
+def test_the_workflow_publishes_what_the_command_writes() -> None:
+    """It could not be tried on its host; what it calls is there, and what it says stands in it."""
+    text = (ROOT / ".github" / "workflows" / "pages.yml").read_text("utf-8")
+    (called,) = re.findall(r"run: python3 workbook\.py (.+)", text)
+    options = commands.parse(called.split())
+    assert options.command == "site"
+    assert f"path: {options.folder}\n" in text
+    assert "could not be tried" in text

@@ -1,0 +1,146 @@
+"""What a page says to answers and predictions, against what the notebooks say, in Node too."""
+
+import json
+import math
+import random
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import node
+import pytest
+
+from cammotion.site.answers import packed_answers, unpack
+from cammotion.site.figures import as_json
+from cammotion.site.shared import host_module
+from cammotion.site.verdicts import Verdicts, table_of
+from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
+from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
+from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.variants import NAMELESS, drawn
+
+NUMBERS = sorted(n for n, one in EXERCISES.items() if isinstance(one, NumberExercise))
+OFFS = (0, 1e-4, 0.0035, 0.0045, 0.0125, 0.019, 0.07)
+TYPED = [
+    *("92.5", "about 92,5", "1/4", "1/4 of tm", "25 %", "25%", "0.25", "−3", "-3.2", "1e3", "0"),
+    *("50 or 60", "few", "", "1/0", "v2", "2.5.3", "3,000", "x^2", "1e999", "2e12", "a 7 b"),
+    *("½", "10 percent", "100", "0.0001", ".5", "5.", "+4", "4 m/s2", "4 m/s²", "µ5", "5µ"),
+]
+
+
+def exercise(number: str) -> NumberExercise:
+    found = find_exercise(number)
+    assert isinstance(found, NumberExercise)
+    return found
+
+
+@cache
+def table(number: str) -> Verdicts:
+    return table_of(exercise(number), NAMELESS)
+
+
+def given_to(one: NumberExercise, machine: Any) -> Iterator[float]:
+    """Yield what somebody may type: about the right number and every slip, rounded, and at random.
+
+    Nobody's number lies on an edge to the last bit: those that do are moved off it.
+    """
+    dice = random.Random(one.number)  # noqa: S311 - the same numbers each time
+    ways = [float(slip.answer(machine)) for slip in (*one.slips, *one.carried[:4])]
+    for value in filter(math.isfinite, (one.solution(machine), *ways)):
+        for off in OFFS:
+            near = value * (1 + dice.choice((-1, 1)) * off)
+            yield from (float(f"{near:.{digits}g}") for digits in (2, 3, 9))
+    yield from (dice.choice((-1, 1)) * 10 ** dice.uniform(-4, 7) for _ in range(20))
+
+
+def is_off_the_edges(given: float, edges: tuple[float, ...]) -> bool:
+    return all(abs(given - edge) > 1e-9 * abs(given) for edge in edges)
+
+
+def told(one: NumberExercise, given: float, machine: Any) -> str:
+    """Return what the notebook says, with the sign in place of a percentage."""
+    fault = one.find_fault(given, machine)
+    head, found, rest = fault.partition("off by ")
+    return f"{head}{found}…{rest[rest.index(' %') :]}" if found and " %" in rest else fault
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_the_table_says_what_the_exercise_says(number: str) -> None:
+    one, said = exercise(number), table(number)
+    given = [g for g in given_to(one, NAMELESS) if is_off_the_edges(g, said.edges)]
+    assert len(given) > 100
+    wrong = {g: said.of(g) for g in given if said.of(g) != told(one, g, NAMELESS)}
+    assert not wrong
+    assert said.of(one.solution(NAMELESS)) == ""
+
+
+def test_it_does_so_for_another_machine() -> None:
+    machine = next(drawn("another", "Another"))
+    one = exercise("03.4")
+    said = table_of(one, machine)
+    given = [g for g in given_to(one, machine) if is_off_the_edges(g, said.edges)]
+    assert all(said.of(g) == told(one, g, machine) for g in given)
+
+
+def test_a_page_says_the_same_to_a_number() -> None:
+    """The page's script reads the packed table as Python does, and fills in how far off it is."""
+    asked = [
+        (number, given, exercise(number).find_fault(given, NAMELESS))
+        for number in NUMBERS[::5]
+        for given in [*given_to(exercise(number), NAMELESS)][::7]
+        if is_off_the_edges(given, table(number).edges)
+    ]
+    tables = json.loads(unpack(packed_answers(map(exercise, NUMBERS[::5]), [], NAMELESS)))
+    said = run(
+        "return given.asked.map(([number, value]) => "
+        "verdict(given.tables[number], value, format));",
+        {"tables": tables, "asked": asked},
+    )
+    for (number, given, fault), text in zip(asked, said, strict=True):
+        head = f"Not yet. {fault}" if fault else f"Right. {exercise(number).right}"
+        assert text == head.replace(f'cm.hint("{number}") gives a hint.', "hints are below."), given
+
+
+def test_a_choice_has_a_reason_for_each_letter() -> None:
+    choices = [one for one in EXERCISES.values() if isinstance(one, ChoiceExercise)]
+    said = unpack(packed_answers(choices, [], NAMELESS))
+    for one in choices:
+        assert f"Right. {one.right}" in said
+        assert all(f"Not yet. {reason}" in said for reason in one.reasons.values())
+
+
+def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
+    made = [each for each in PREDICTIONS.values() if not isinstance(each.true, str)]
+    typed = [
+        [*TYPED, *(f"{float(each.true) * times:.4g}" for times in (0.2, 0.7, 0.985, 1.01, 1.4, 3))]
+        for each in made
+    ]
+    said = run(
+        "return given.map(([made, typed]) => typed.map((text) => howFar(made, text, format)));",
+        [
+            [{"asked": each.asked, "true": [each.true, *each.also]}, texts]
+            for each, texts in zip(made, typed, strict=True)
+        ],
+    )
+    for each, texts, answers in zip(made, typed, said, strict=True):
+        assert answers == [each.how_far(text) for text in texts], each.key
+
+
+def test_predictions_in_percent_are_read_as_such() -> None:
+    made = Prediction("00.test", "percent", 30)
+    said = run("return howFar(given, '25 %', format);", {"asked": "percent", "true": [30]})
+    assert said == made.how_far("25 %") == "17 % too little"
+
+
+def run(body: str, given: Any) -> Any:
+    """Run JavaScript with all that a page's host knows."""
+    return node.run(body, given, host_module())
+
+
+def test_what_is_packed_is_one_line_that_cannot_be_read() -> None:
+    one = exercise("03.4")
+    packed = packed_answers([one], PREDICTIONS.values(), NAMELESS)
+    assert packed.isascii()
+    assert "\n" not in packed
+    assert f"{one.solution(NAMELESS):.3f}"[:5] not in packed
+    assert as_json(unpack(packed)).count("Not yet.") > 5
