@@ -75,6 +75,12 @@ def test_each_curve_has_its_angles_at_its_corners() -> None:
     assert places == [0, 0, 150, 150, 205, 305]
     written = texts(figure)
     assert [text for text in written if text in {"0", "150", "205", "305"}].count("150") == 2
+    heights_of = {text.get_text(): text.get_position()[1] for text in figure.axes[0].texts}
+    assert heights_of["205"] == heights_of["305"] > y.max()  # over what is high, under what is low
+    assert any(
+        text.get_text() == "150" and text.get_position()[1] < y.min()
+        for text in figure.axes[0].texts
+    )
     grid = [line for line in figure.axes[0].lines if np.ptp(np.asarray(line.get_xdata())) == 0]
     lines = {round(float(np.asarray(line.get_xdata())[0]), 6) for line in grid}
     assert {round(left + n * (right - left) / 36, 6) for n in range(37)} <= lines

@@ -191,3 +191,31 @@ def test_what_knows_no_distance_says_so() -> None:
         cm.least_acceleration(PAIR, "a", KEPT, still=[(220, 350)])
     with pytest.raises(cm.InputError, match="plot_clearance is given rule="):
         cm.plot_clearance(PAIR, KEPT)  # type: ignore[arg-type]
+
+
+def narrow(name: str, at: float, mm: float) -> cm.Motion:
+    """Return a part that is 40 mm higher for a moment, or 40 mm lower for mm = 40."""
+    parts = [cm.rise(40, over_deg=0.02), cm.return_(40, over_deg=0.02), cm.dwell(359.96)]
+    if mm:
+        parts[:2] = parts[1::-1]
+    return cm.motion(name, *parts, start_deg=at - 0.02, start_mm=mm)
+
+
+def test_moments_that_errors_bring_together_are_seen() -> None:
+    """A dip of the part and a peak of the lower one, 2 deg apart, with 2.5 deg between them."""
+    machine = make_diagram(narrow("a", 100.07, 40), narrow("b", 102.07, 0))
+    rule = cm.DistanceRule("a", above="b", at_least_mm=-10)
+    (left,) = cm.reserves(machine, rule, phase_deg={"a": 2.5})
+    assert left.when_mm == pytest.approx(-40 + 10)
+    (right,) = cm.reserves(machine, rule, phase_deg={"a": 1.5})
+    assert right.when_mm == pytest.approx(10)
+
+
+def test_a_moment_just_within_reach_is_met_where_it_comes_into_reach() -> None:
+    falling = part("a", -60, 90, low_mm=60)  # on its way down from 30 to 120 deg
+    machine = make_diagram(falling, narrow("b", 57.13, 0))
+    (left,) = cm.reserves(
+        machine, cm.DistanceRule("a", above="b", at_least_mm=0), phase_deg={"b": 10}
+    )
+    lowest = heights_at(np.array([67.13]), -60, 90, low_mm=60)[0]
+    assert left.when_mm == pytest.approx(lowest - 40, abs=1e-3)

@@ -130,6 +130,9 @@ def test_the_picture_shows_both(count: int) -> None:
     for n, motion in enumerate(before.motions):
         if not motion.is_indexing:
             old, new = ax.lines[2 * n : 2 * n + 2]
+            assert old.get_label() == f"{motion.name} before"
+            assert new.get_label() == f"{motion.name} after"
+            assert new.get_linestyle() == "-" != old.get_linestyle()
             angles = np.asarray(new.get_xdata(), dtype=float)
             assert new.get_ydata() == pytest.approx(motion.position_mm(angles - 7), abs=1e-9)
             assert old.get_ydata() == pytest.approx(
