@@ -86,6 +86,9 @@ def check(path: Path) -> list[str]:
             found = float(np.abs(pushed).max())
             if abs(found - told) > NEAR_SHARE * told + 1e-3:
                 wrong.append(f"peak of {name}, {whose}: {told:g} is told, {found:g} is found")
+            listed = max(abs(each[column + 2]) for each in table[1:])
+            if abs(listed - told) > NEAR_SHARE * told + 1e-3:
+                wrong.append(f"table of {name}, {whose}: {told:g} is told, {listed:g} is listed")
             places[name, whose] = offsets(spline(fine), line)
     for line in sheets["rules"][1:]:
         for whose, told in (("today", line[6]), ("design", line[7])):

@@ -75,6 +75,9 @@ def test_the_notebooks_ask_for_the_predictions_of_the_lessons_in_their_words() -
         ("10.jump", max(f.gap_mm for f in cm.follower_flights(cm.EXAMPLE.die, SPRING, 2500))),
         ("11.play", 360 * 0.05 / (math.pi * 40)),
         ("11.errors", len({"E7", "E8", "f6", "f9", "H8", "K6", "p6", "R10"})),
+        ("12.rate", 2000 * math.sqrt(PEAK / cm.peak_acceleration(100, 150, 2000))),
+        ("12.next", cm.peak_acceleration(120, 45, 2000, law="modified sine")),
+        ("12.bound", 4 * 0.090 / (60 / 360 * 1.8) ** 2),
     ],
 )
 def test_what_is_true(key: str, value: float) -> None:
@@ -107,6 +110,9 @@ def test_what_is_true(key: str, value: float) -> None:
         ("11.play", "0.143 degrees of cam angle."),
         ("11.press", "40 H7/p6: interference, 1 to 42 µm."),
         ("11.errors", "8 lines: E7 over 315 to 400 mm"),
+        ("12.rate", "at 3857 pieces/h the mill meets the acceleration"),
+        ("12.next", "13.10 m/s², that of the gripper."),
+        ("12.bound", "4.00 m/s²; motions with 4.00 m/s² were built."),
     ],
 )
 def test_what_is_true_stands_folded_in_the_notebook(key: str, printed: str) -> None:
