@@ -268,7 +268,7 @@ def test_progress_is_told_and_an_interrupt_keeps_the_best() -> None:
     ("changed", "words"),
     [
         ({"still": {}}, "No part is free"),
-        ({"still": [(205, 305)]}, "by the names of the parts"),
+        ({"still": [(205, 305)]}, "give a dictionary"),
         ({"still": {"wheel": [DOWN_DEG]}}, "no motion 'wheel'"),
         ({"still": {"die": [(100, 305)]}}, "the die moves"),
         ({"travel_mm": {"mill": (0, 50)}}, "leave out its travel"),

@@ -148,7 +148,7 @@ def test_an_evolution_finds_nothing_better() -> None:
         ({"laws": ["no law"]}, "no motion law 'no law'"),
         ({"laws": {"wheel": ["cubic"]}}, "no free part 'wheel'"),
         ({"laws": [cm.CONSTANT_VELOCITY]}, "does not rest at both its ends"),
-        ({"starts_deg": [(0, 1)]}, "by the names of the parts"),
+        ({"starts_deg": [(0, 1)]}, "give a dictionary"),
         ({"starts_deg": {"wheel": [None]}}, "no free part 'wheel'"),
         ({"starts_deg": {"mill": [(2, 1)]}}, "the smaller one first"),
         ({"starts_deg": {"mill": [None, None]}}, "it has 1 moves"),

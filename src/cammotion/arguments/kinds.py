@@ -216,7 +216,7 @@ def _values(item: _Item) -> _Reader:
 
 
 def _several(values: Any) -> tuple[Any, ...]:
-    if isinstance(values, str | bytes):
+    if isinstance(values, str | bytes | Mapping):
         raise TypeError
     return tuple(values)
 

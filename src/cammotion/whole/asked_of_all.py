@@ -2,16 +2,18 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from cammotion.arguments.by_name import by_name
 from cammotion.limits.corridors import check_stands, even_nodes, still_arcs, travel_ends
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
+from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.rules.checks import as_rules
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.whole.parts import Part
@@ -19,6 +21,7 @@ from cammotion.whole.sides import Side
 
 _WEIGHT = Quantity("weight", "", example=1, low_included=True)
 _LIMIT = Quantity("limit of a peak", "m/s²", example=1)
+FREE = "free part"
 _AT_A_STOP_MM = 1e-6
 _ABOVE = 1e-6  # of a limit, that may be rounding
 
@@ -114,16 +117,17 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
 ) -> Task:
     """Return what is asked of the parts; raises InputError for what makes no sense."""
     given = as_rules(diagram, rules)
-    arcs = _by_name(diagram, "still arcs", still, "{'die': [(205, 305)]}")
+    arcs = by_name("still arcs", still, diagram.names, as_given, "{'die': [(205, 305)]}")
     if not arcs:
         raise InputError(
             "No part is free: give still arcs of at least one, for example "
             "still={'die': [(205, 305)]}."
         )
     names = tuple(arcs)
-    travels = _by_name(diagram, "travels", travel_mm, "{'die': (0, 50)}", names)
-    weight = _by_name(diagram, "weights", weights, "{'die': 12}", names)
-    limits = _by_name(diagram, "limits", at_most, "{'mill': 1.1}", names)
+    free = partial(by_name, names=names, of=FREE)
+    travels = free("travels", travel_mm, read=as_given, example="{'die': (0, 50)}")
+    weight = free("weights", weights, read=_WEIGHT.number, example="{'die': 12}")
+    limits = free("limits", at_most, read=_LIMIT.number, example="{'mill': 1.1}")
     task = Task(diagram, (), ())
     parts = []
     for name in names:
@@ -134,8 +138,8 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
             raise InputError(
                 f"The {name} is an indexing motion, which goes on for ever: leave out its travel."
             )
-        cap = task.in_degrees(_LIMIT.number(limits[name])) if name in limits else np.inf
-        share = _WEIGHT.number(weight.get(name, 1.0))
+        cap = task.in_degrees(limits[name]) if name in limits else np.inf
+        share = weight.get(name, 1.0)
         if share == 0 and name not in limits:
             raise InputError(
                 f"The {name} has the weight 0 and no limit, so that its peak may be anything: give "
@@ -163,17 +167,6 @@ def _of_interest(rules: Iterable[ClearanceRule], names: Iterable[str]) -> tuple[
     return tuple(rule for rule in rules if {rule.when.motion, rule.only_while.motion} & own)
 
 
-def _by_name(
-    diagram: TimingDiagram, what: str, given: Any, example: str, free: Sequence[str] | None = None
-) -> dict[str, Any]:
-    """Return what is given for parts by their names."""
-    if given is None:
-        return {}
-    if not isinstance(given, Mapping):
-        raise InputError(
-            f"The {what} are {shorten(given)}: give them by the names of the parts, for example "
-            f"{example}."
-        )
-    for name in given:
-        diagram[name] if free is None else one_of("free part", name, free)
-    return dict(given)
+def as_given(value: Any) -> Any:
+    """Return what is given, for a reader of its own."""
+    return value

@@ -1,13 +1,14 @@
 """What is asked of the moves of parts, laws and ranges, read from what a user gives."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+from cammotion.arguments.by_name import by_name
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.motions import Motion
-from cammotion.quantities import InputError, one_of, shorten
-from cammotion.whole.asked_of_all import Task
+from cammotion.quantities import InputError, shorten
+from cammotion.whole.asked_of_all import FREE, Task, as_given
 
 _REST = 1e-9  # of the mean velocity: a law that is slower at its ends rests there
 
@@ -17,13 +18,13 @@ Ranges = Sequence[tuple[float, float] | None]
 
 def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
     """Return for each part and each of its moves the laws to choose from."""
-    names = [part.motion.name for part in task.parts]
-    by_name = given if isinstance(given, Mapping) else dict.fromkeys(names, given)
-    for name in by_name:
-        one_of("free part", name, names)
+    names = list(task.weights)
+    chosen = by_name(
+        "laws", given, names, as_given, "{'mill': ['cycloidal']}", of=FREE, one_for_all=True
+    )
     found = []
     for part in task.parts:
-        listed = by_name.get(part.motion.name)
+        listed = chosen.get(part.motion.name)
         if listed is not None and (isinstance(listed, str) or not isinstance(listed, Iterable)):
             raise InputError(
                 f"The laws for the {part.motion.name} are {shorten(listed)}: give a list, for "
@@ -44,15 +45,10 @@ def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
 
 def read_ranges(task: Task, what: str, given: Any) -> dict[str, list[tuple[float, float] | None]]:
     """Return for each part the range of each of its moves, or None."""
-    names = [part.motion.name for part in task.parts]
-    listed = {} if given is None else given
-    if not isinstance(listed, Mapping):
-        raise InputError(
-            f"The ranges of each {what} are {shorten(given)}: give them by the names of the parts, "
-            "for example {'mill': [(150, 160)]}."
-        )
-    for name in listed:
-        one_of("free part", name, names)
+    example = "{'mill': [(150, 160)]}"
+    listed = by_name(
+        f"ranges of each {what}", given, list(task.weights), as_given, example, of=FREE
+    )
     return {
         part.motion.name: _ranges_of(part.motion, what, listed.get(part.motion.name))
         for part in task.parts
