@@ -16,6 +16,7 @@ from site_pages import LESSONS, NOTEBOOKS, PAGES, files, page
 from cammotion.site.answers import unpack
 from cammotion.site.cells import LAB_ONLY
 from cammotion.site.lessons import find_lessons
+from cammotion.teaching.design_exercise import DesignExercise
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.lessons import EXERCISES, find_exercise
@@ -23,6 +24,7 @@ from cammotion.teaching.variants import NAMELESS
 from cammotion.views.live.figure import MIME
 
 MOST_BYTES, MOST_SHARED, MOST_IN_ALL = 500_000, 200_000, 5_000_000
+NEED_PYTHON = (DesignExercise, ExpressionExercise)
 FORMULA = re.compile(r"\$\$.+?\$\$|\$[^$\n]+?\$", re.DOTALL)
 CODE = re.compile(r"^(`{3,}).*?^\1|`[^`\n]+`", re.MULTILINE | re.DOTALL)
 ADDRESSES = ("src", "href", "srcset", "data-still", "poster", "action")
@@ -153,16 +155,14 @@ def test_every_exercise_is_there_and_can_be_answered(lesson: str) -> None:
         elif isinstance(one, ChoiceExercise):
             assert [str(i["value"]) for i in form.select("input[type=radio]")] == [*one.options]
         else:
-            assert isinstance(one, ExpressionExercise)
+            assert isinstance(one, NEED_PYTHON)
             assert "needs Python" in form.get_text()
         assert len(form.select(".hints details:not([open])")) == len(one.hints)
     stored = page(lesson).select_one("#answers")
     if numbers:
         assert stored
         answered = json.loads(unpack(json.loads(str(stored.string))))
-        assert {n for n in numbers if not isinstance(find_exercise(n), ExpressionExercise)} <= {
-            *answered
-        }
+        assert {n for n in numbers if not isinstance(find_exercise(n), NEED_PYTHON)} <= {*answered}
 
 
 @pytest.mark.parametrize("lesson", LESSONS)

@@ -77,7 +77,7 @@ async function fillIn(load) {
     .forEach((form) => answerIn(form, answers[form.dataset.exercise], { format, readings }));
   document
     .querySelectorAll("[data-predicts]")
-    .forEach((form) => predictIn(form, answers[form.dataset.predicts], format));
+    .forEach((form) => predictIn(form, answers[form.dataset.predicts], { format, readings }));
   document.documentElement.dataset.ready = "";
 }
 
@@ -112,14 +112,14 @@ function answerIn(form, table, { format, readings }) {
     form.addEventListener("change", ({ target }) => say(table.letters[target.value]));
 }
 
-function predictIn(form, made, format) {
+function predictIn(form, made, tools) {
   const key = CSS.escape(form.dataset.predicts);
   const reveals = document.querySelectorAll(`[data-reveals="${key}"]`);
   const tell = (event) => {
     event.preventDefault();
     const typed = form.querySelector("input").value.trim();
     if (!typed) return;
-    const far = made ? howFar(made, typed, format) : "";
+    const far = made ? howFar(made, typed, tools) : "";
     form.querySelector(".said").textContent = "Kept. The answer opens further down.";
     for (const reveal of reveals) {
       reveal.querySelector(".said").textContent =

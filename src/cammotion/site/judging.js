@@ -2,7 +2,7 @@
 // decides it by the same steps: `verdicts.py` and `teaching/prediction.py`.
 
 const NUMBER =
-  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?))?(?<percent>\s*%)?/giu;
+  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?))?(?![.,]?\d|\s*\/\s*\d)(?<percent>\s*%)?/giu;
 const LARGEST = 1e12,
   CLOSE = 0.02,
   IN_TIMES = 2;
@@ -14,22 +14,25 @@ export function verdict({ off, edges, places, said }, given, format) {
   return text.replace("off by …", () => `off by ${format(100 * Math.abs(given / off - 1), ".2g")}`);
 }
 
-/** The number that a typed prediction is, null if it is none or more than one. */
-export function numberIn(text, asked) {
+/** The numbers that a typed prediction may be: one, none, or two that make sense. */
+export function numbersIn({ asked, high }, text, readings) {
   const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
-  if (found.length !== 1) return null;
-  const read = (digits) => Number(digits.replace(",", ".").replace("−", "-"));
+  if (found.length !== 1) return [];
   const [{ value, over, percent }] = found;
-  if (over !== undefined && read(over) === 0) return null;
-  const whole = read(value) / (over === undefined ? 1 : read(over));
-  const number = percent && !asked.includes("percent") ? whole / 100 : whole;
-  return Number.isFinite(number) && Math.abs(number) <= LARGEST ? number : null;
+  const parts = percent && !asked.includes("percent") ? 100 : 1;
+  const numbers = readings(value)
+    .flatMap((a) => readings(over ?? "1").map((b) => (b === 0 ? NaN : a / b / parts)))
+    .filter((number) => Math.abs(number) <= LARGEST);
+  const sensible = numbers.filter((number) => Math.abs(number) <= high);
+  return sensible.length ? sensible : numbers;
 }
 
 /** How far off a typed prediction is, "" where that is not one number beside another. */
-export function howFar({ asked, true: right }, text, format) {
-  const number = numberIn(text, asked);
-  if (number === null) return "";
+export function howFar(made, text, { format, readings }) {
+  const numbers = numbersIn(made, text, readings);
+  if (numbers.length !== 1) return "";
+  const [number] = numbers,
+    right = made.true;
   if (number <= 0) return "too little";
   if (right.some((value) => Math.abs(number / value - 1) <= CLOSE)) return "as good as right";
   const ratio = number / right[0],
