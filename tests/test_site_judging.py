@@ -116,7 +116,8 @@ def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
         for each in made
     ]
     said = run(
-        "return given.map(([made, typed]) => typed.map((text) => howFar(made, text, { format, readings })));",
+        "return given.map(([made, typed]) => "
+        "typed.map((text) => howFar(made, text, { format, readings })));",
         [
             [{"asked": each.asked, "true": [each.true, *each.also], "high": each.high}, texts]
             for each, texts in zip(made, typed, strict=True)
