@@ -180,6 +180,29 @@ def test_a_part_may_begin_some_turns_later(turns: int) -> None:
     assert found.reached == pytest.approx(optimise(diagram, RULE, still=STILL).reached)
 
 
+def test_without_moves_there_is_nothing_to_place() -> None:
+    table = cm.motion("table", cm.dwell(360))
+    diagram = cm.TimingDiagram([table, make_diagram()["mill"]], 2000)
+    rule = cm.ClearanceRule(cm.beyond("table", 5), only_while=cm.within("mill", 0.65))
+    found = optimise(diagram, rule, still={"table": [(0, 360)]})
+    assert found.reached == 0
+    assert found.design == diagram
+
+
+def test_rules_of_steep_moves_are_kept_to_the_last_digit() -> None:
+    """A slide that is 4 mm on at each deg, held by the one beside it: rounding would show."""
+    moves = cm.rise(120, over_deg=40), cm.dwell(60), cm.return_(120, over_deg=40)
+    gripper = cm.motion("gripper", *moves, cm.dwell(220), start_deg=150)
+    moves = cm.rise(30, over_deg=35), cm.dwell(115), cm.return_(30, over_deg=35)
+    ejector = cm.motion("ejector", *moves, cm.dwell(175), start_deg=110)
+    rule = cm.ClearanceRule(cm.beyond("gripper", 80), only_while=cm.beyond("ejector", 25))
+    diagram = cm.TimingDiagram([gripper, ejector], 2000)
+    still = {"gripper": [(190, 250)], "ejector": [(200, 240)]}
+    found = optimise(diagram, rule, still=still)
+    assert cm.find_violations(found.design, rule) == ()
+    assert found.reached < diagram.peak_acceleration("gripper")
+
+
 def test_the_answer_is_what_it_is_called() -> None:
     found = optimise(make_diagram(), [RULE], still=STILL)
     assert isinstance(found, Optimised)

@@ -20,7 +20,7 @@ T = TypeVar("T", bound=Callable[..., Any])
 _Reader = Callable[[Any], Any]  # returns what it takes a value for; raises TypeError if it can't
 _Item = Callable[[Any, object], Any]  # the same for a value at a place
 
-_ANY = (Any, float, int, np.ndarray, object, Callable)  # a number is its Quantity's to refuse
+_ANY = (Any, float, int, np.ndarray, object)  # a number is its Quantity's to refuse
 _EXAMPLE = ", for example "
 _HOW = {
     "Axes": "the axes of a picture, for example plt.subplots()[1]",
@@ -28,6 +28,7 @@ _HOW = {
     "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
     "Condition": "a condition, made with beyond('die', 19) or within('mill', 0.65)",
     "Any": "anything",
+    "Callable": "a function",
     "Rule": "a ClearanceRule or a DistanceRule, for example "
     "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
     "DiscCam": "a RollerCam or a FlatFacedCam",
@@ -132,6 +133,8 @@ def _reader(hint: Any) -> _Reader | None:
     if origin is Mapping:
         return _values(_item(inside[1]))
     kind = origin or hint
+    if kind is Callable:
+        return _callable
     is_any = kind in _ANY or not isinstance(kind, type) or getattr(kind, "_is_protocol", False)
     return None if is_any else _instance(bool | np.bool_ if hint is bool else kind)
 
@@ -170,6 +173,12 @@ def _instance(kind: Any) -> _Reader:
         return value
 
     return read
+
+
+def _callable(value: Any) -> Any:
+    if not callable(value):
+        raise TypeError
+    return value
 
 
 def _any_of(readers: Sequence[_Reader | None]) -> _Reader | None:

@@ -112,15 +112,23 @@ class Rows:
         return Mixed(*search(program, seconds=seconds))
 
     def _scaled(self) -> tuple[Any, Floats, Floats]:
-        """Return the rows as a matrix with their ends, the largest factor of each being 1."""
+        """Return the rows as a matrix with their ends, the largest factor of each being 1.
+
+        Unknowns that are fixed are taken out: their factors would make a row coarser.
+        """
         from scipy import sparse
 
         rows, columns, factors = self._entries
         shape = len(self._rows), len(self.low)
         matrix = sparse.csr_matrix((factors, (rows, columns)), shape=shape)
         matrix.eliminate_zeros()
-        low, high = np.array(self._rows).reshape(-1, 2).T
-        size = np.maximum(abs(matrix).max(axis=1).toarray().ravel(), 1e-12)
+        least, most = np.array(self.low), np.array(self.high)
+        fixed = least == most
+        known = matrix @ np.where(fixed, least, 0.0)
+        matrix = matrix @ sparse.diags(np.where(fixed, 0.0, 1.0))
+        low, high = np.array(self._rows).reshape(-1, 2).T - known
+        size = abs(matrix).max(axis=1).toarray().ravel()
+        size[size == 0] = 1.0
         return (sparse.diags(1 / size) @ matrix).tocsr(), low / size, high / size
 
 

@@ -20,7 +20,7 @@ from cammotion.whole.crossings import End, Span
 from cammotion.whole.mixed import Rows
 
 _NARROWEST_DEG = 1e-3
-_APART_DEG = 2e-6  # so far arcs are kept apart, for what the solver rounds
+_APART_DEG = 4e-6  # so far arcs are kept apart, for what the solver rounds
 _MORE_TURNS = 4  # than its start is one part ahead of another
 _HELD = 1e-8  # of what is held
 _SAME = 1e-6  # what differs by less of it, is one
@@ -107,7 +107,7 @@ class _Program:
 
     def _add(self, mover: Mover) -> None:
         rows = self.rows
-        starts = rows.unknowns(*np.array(mover.starts).T)
+        starts = rows.unknowns(*np.array(mover.starts).reshape(-1, 2).T)
         widths = []
         for laws, costs, narrowest, (low, high) in zip(
             mover.laws, mover.costs, mover.narrowest, mover.angles, strict=True

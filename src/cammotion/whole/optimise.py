@@ -34,7 +34,7 @@ from cammotion.whole.move_program import Apart, Mover, Placed, place
 from cammotion.whole.parts import Part
 
 _SECONDS = Quantity("time", "s", example=20)
-_ROUNDING_DEG = 1e-5  # so near to where a part has to stand a move ends there
+_ROUNDING_DEG = 1e-6  # so near to where a part has to stand a move ends there
 _SHARE = 1e-5  # of a peak, that may be rounding
 _DIGITS = 4
 
