@@ -41,13 +41,22 @@ def die_with(jerk_limit: float, cells: int = 90) -> LeastAcceleration:
 
 
 @cache
-def pair_at(mill_deg: float, cells: int = 90) -> tuple[LeastAcceleration, LeastAcceleration]:
-    given = EXAMPLE.diagram.with_motion(cm.with_angle(EXAMPLE.mill, mill_deg))
-    die = cm.least_acceleration(
-        given, "die", EXAMPLE.rule, still=WORK, travel_mm=(0, 50), cells=cells
+def least_with(name: str, limit: float, gap: float = 0.03) -> cm.LeastPeak:
+    """Return the least peak of the other one where one of mill and die has a limit."""
+    return cm.least_peak(
+        EXAMPLE.diagram,
+        EXAMPLE.rule,
+        still={"mill": WORK, "die": WORK},
+        travel_mm={"die": (0, 50)},
+        weights={name: 0},
+        at_most={name: limit},
+        gap=gap,
     )
-    mill = cm.least_acceleration(die.design, "mill", EXAMPLE.rule, still=WORK, cells=cells)
-    return mill, die
+
+
+def peaks_of(found: cm.LeastPeak) -> tuple[float, float]:
+    assert found.design
+    return found.design.peak_acceleration("mill"), found.design.peak_acceleration("die")
 
 
 def is_shaded(ax: Axes, x: float, y: float) -> bool:
@@ -88,22 +97,26 @@ def test_names_of_neighbours_do_not_cover_each_other() -> None:
 
 
 def test_no_pair_of_motions_lies_in_the_grey_of_a_front() -> None:
-    ax = cm.plot_front([pair_at(angle) for angle in (160, 130, 145)])
-    for angle in (134, 140, 152, 158):
-        mill, die = pair_at(angle, 180)
-        assert not is_shaded(ax, mill.reached, die.reached)
-    for angle in (130, 145):
-        mill, die = pair_at(angle)
-        assert is_shaded(ax, mill.bound - 1e-3, die.bound - 1e-3)
+    ax = cm.plot_front([least_with("mill", 0.7), least_with("die", 0.45), least_with("mill", 0.5)])
+    for limit in (0.47, 0.55, 0.6, 0.65):
+        assert not is_shaded(ax, *peaks_of(least_with("mill", limit)))
+    for angle in (150, 163.267, 180):  # cycloids
+        given = EXAMPLE.diagram.with_motion(cm.with_angle(EXAMPLE.mill, angle))
+        die = cm.widest_move(given, "die", EXAMPLE.rule)
+        assert not is_shaded(ax, given.peak_acceleration("mill"), die.peak_acceleration)
+    for limit in (0.5, 0.7):
+        assert is_shaded(ax, limit - 1e-3, least_with("mill", limit).bound - 1e-3)
+    assert is_shaded(ax, least_with("die", 0.45).bound - 1e-3, 0.449)
+    assert not is_shaded(ax, least_with("die", 0.45).bound + 1e-3, 0.449)
 
 
 def test_a_front_shows_designs_beside_what_was_reached() -> None:
-    pairs = [pair_at(160), pair_at(130)]
+    found = [least_with("mill", 0.7), least_with("mill", 0.5)]
     curve = [(1.0, 0.9), (1.2, 0.8)]
-    ax = cm.plot_front(pairs, {"cycloids": curve}, {"balanced": (0.943, 0.943)}, ends=(0.2, 1.6))
+    ax = cm.plot_front(found, {"cycloids": curve}, {"balanced": (0.943, 0.943)}, ends=(0.2, 1.6))
     assert ax.get_xlim() == (0.2, 1.6)
     assert ax.get_xlabel() == "peak acceleration of the mill in m/s²"
-    assert [*ax.lines[0].get_xdata()] == [mill.reached for mill, _ in pairs]  # type: ignore[misc]
+    assert np.array_equal(ax.lines[0].get_xydata(), sorted(map(peaks_of, found)))
     assert np.array_equal(ax.lines[1].get_xydata(), curve)
     assert "balanced" in [text.get_text() for text in ax.texts]
 
@@ -113,8 +126,11 @@ def test_a_single_result_is_no_curve() -> None:
         cm.plot_jerk_price([die_with(8.0), die_with(8.0)])
     with pytest.raises(cm.InputError, match="two different jerk limits"):
         cm.plot_jerk_price([die_with(8.0), die_with(np.inf)])
-    with pytest.raises(cm.InputError, match="at least two pairs"):
-        cm.plot_front([pair_at(130)])
+    with pytest.raises(cm.InputError, match="at least two results"):
+        cm.plot_front([least_with("mill", 0.5)])
+    alone = cm.least_peak(EXAMPLE.diagram, EXAMPLE.rule, still={"die": WORK}, gap=0.1)
+    with pytest.raises(cm.InputError, match="of two mechanisms"):
+        cm.plot_front([alone, alone])
 
 
 DETOUR: Any = {"still": (205, 305), "corners": ((70, 31), (190, 31))}

@@ -24,6 +24,7 @@ from cammotion.views.broken import BROKEN
 from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
+from cammotion.whole.least_peak import LeastPeak
 
 BEST, NAMED = COLOURS[:2]
 OUT_OF_REACH = "#e4e4e4"
@@ -90,7 +91,7 @@ def plot_jerk_price(
 
 @checked
 def plot_front(
-    found: Iterable[tuple[LeastAcceleration, LeastAcceleration]],
+    found: Iterable[LeastPeak],
     designs: Mapping[str, Iterable[Pair]] | None = None,
     points: Mapping[str, Pair] | None = None,
     *,
@@ -99,27 +100,29 @@ def plot_front(
 ) -> Axes:
     """Draw what two mechanisms can have at best, the peak of one against the other's.
 
-    `found` are pairs of results of `least_acceleration`, for one mechanism and for the other, over
-    what they share between them; at least two pairs. The more the one has, the less is left for
-    the other. So between two pairs each has at least its peak where it has more: grey is what is
-    proved, in steps. The blue line joins the pairs that were reached. `designs` are dashed orange
-    curves of (one peak, other peak) in m/s2, by name, `points` single ones; `ends` are the ends of
-    both axes in m/s2. Returns the Axes; raises InputError for fewer than two pairs.
+    `found` are results of `least_peak` for the same two mechanisms, at least two, with other
+    limits or weights. Of each this is proved: in no motions of both are both peaks below its bound
+    and its limit, which are a corner of what is drawn in grey. The blue line joins the pairs that
+    were reached. `designs` are dashed orange curves of (one peak, other peak) in m/s2, by name,
+    `points` single ones; `ends` are the ends of both axes in m/s2. Returns the Axes; raises
+    InputError for fewer than two results, and for such as are not of two mechanisms.
 
     >>> import cammotion as cm
-    >>> found = []
-    >>> for angle in (140, 160):
-    ...     given = cm.EXAMPLE.diagram.with_motion(cm.with_angle(cm.EXAMPLE.mill, angle))
-    ...     asked = {"rules": cm.EXAMPLE.rule, "still": [(205, 305)], "cells": 90}
-    ...     die = cm.least_acceleration(given, "die", **asked)
-    ...     found.append((cm.least_acceleration(die.design, "mill", **asked), die))
+    >>> asked = {
+    ...     "rules": cm.EXAMPLE.rule, "still": {"mill": [(205, 305)], "die": [(205, 305)]},
+    ...     "weights": {"mill": 0}, "gap": 0.1, "seconds": 9}
+    >>> found = [
+    ...     cm.least_peak(cm.EXAMPLE.diagram, at_most={"mill": limit}, **asked)
+    ...     for limit in (0.5, 0.6)]
     >>> plot_front(found, points={"notebook 03": (1.117, 0.806)}).get_ylabel()
     'peak acceleration of the die in m/s²'
     """
-    pairs = sorted(found, key=lambda pair: pair[0].bound)
-    if len(pairs) < 2:  # noqa: PLR2004 - a curve has two ends
+    results = [*found]
+    names = {each.parts for each in results}
+    if len(results) < 2 or len(names) > 1 or len(results[0].parts) != 2:  # noqa: PLR2004
         raise InputError(
-            "A front is a curve: give at least two pairs of results of least_acceleration."
+            "A front is a curve of two mechanisms: give at least two results of least_peak for "
+            "the same two, for example with other limits at_most={'mill': 0.6}."
         )
     low, high = (_END.number(end) for end in ends)
     if low >= high:
@@ -127,11 +130,15 @@ def plot_front(
             f"The ends of the axes are {low:g} and {high:g} m/s2: give the lower one first, for "
             "example (0.3, 1.5)."
         )
-    one, other = map(_called, pairs[0])
+    one, other = (_label(results[0].diagram, name) for name in results[0].parts)
     ax = _square(ax, (6, 5.6), f"peak acceleration of the {one} in m/s²", other)
-    sides, heights = (np.array([pair[n].bound for pair in pairs]) for n in (0, 1))
+    sides, heights = _columns(sorted(tuple(_corner(each)) for each in results))
+    heights = np.maximum.accumulate(heights[::-1])[::-1]  # of all corners to the right
     _shade(ax, np.append(0.0, sides), np.append(heights[0], heights))
-    ax.plot(*_columns([(a.reached, b.reached) for a, b in pairs]), color=BEST, linewidth=2)
+    reached = sorted(
+        tuple(map(each.design.peak_acceleration, each.parts)) for each in results if each.design
+    )
+    ax.plot(*_columns(reached), color=BEST, linewidth=2)
     ax.lines[-1].set_label("the best that was found, any law")
     for name, label in _labelled(designs or {}):
         ax.plot(*_columns((designs or {})[name]), "--", color=NAMED, linewidth=2)
@@ -278,6 +285,14 @@ def _shade(ax: Axes, x: Floats, bound: Floats) -> None:
     ax.annotate("proved: no motion here", (0.12, 0.03), xycoords="axes fraction", color=_DARK)
 
 
+def _corner(found: LeastPeak) -> list[float]:
+    """Return two peaks in m/s2 that no motions of both parts are below: a limit, or the bound."""
+    return [
+        found.bound / weight if weight else found.at_most[name]
+        for name, weight in found.weights.items()
+    ]
+
+
 def _columns(points: Iterable[Sequence[float]]) -> Floats:
     return np.array([*points], dtype=np.float64).reshape(-1, 2).T
 
@@ -305,8 +320,11 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
 
 def _called(found: LeastAcceleration) -> str:
     """Return what the motion of a result is called in a picture."""
-    names = found.design.names
-    return dict(zip(names, labels(names), strict=True))[found.motion.name]
+    return _label(found.design, found.motion.name)
+
+
+def _label(diagram: TimingDiagram, name: str) -> str:
+    return dict(zip(diagram.names, labels(diagram.names), strict=True))[name]
 
 
 def _labelled(given: Iterable[str]) -> list[tuple[str, str]]:

@@ -40,6 +40,11 @@ class Task:
         return {part.motion.name: part.weight for part in self.parts}
 
     @property
+    def limits(self) -> dict[str, float]:
+        """The limit of a part's peak in m/s2, by the names of the parts that have one."""
+        return {p.motion.name: self.in_metres(p.cap) for p in self.parts if np.isfinite(p.cap)}
+
+    @property
     def conditions(self) -> str:
         """Of which motions the bound is true."""
         said = []

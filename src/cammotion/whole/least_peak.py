@@ -7,7 +7,7 @@ From above motions are built and checked. How the search goes on, says `whole.jo
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from time import monotonic
 from typing import Any
 
@@ -34,7 +34,7 @@ class LeastPeak:
     `bound` is what no motions of the `parts` can be below: in m/s2, times the weights if there are
     any, in `unit`. `design` is the diagram with the best motions that were found, None if none
     were; its largest weighted peak is `reached`. `conditions` say in words of which motions this
-    is true.
+    is true, `at_most` are the limits in m/s2 among them.
     """
 
     diagram: TimingDiagram
@@ -43,6 +43,7 @@ class LeastPeak:
     weights: Mapping[str, float]
     unit: str = "m/s²"
     conditions: str = ""
+    at_most: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def parts(self) -> tuple[str, ...]:
@@ -131,7 +132,7 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
 
     def told() -> LeastPeak:
         bound, design = search.best
-        return LeastPeak(diagram, bound, design, task.weights, unit, task.conditions)
+        return LeastPeak(diagram, bound, design, task.weights, unit, task.conditions, task.limits)
 
     try:
         for _ in search.rounds(end):
