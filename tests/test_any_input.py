@@ -53,6 +53,7 @@ def test_a_result_or_a_sentence(
         for parameter in call.arguments
         if parameter != "self"
         for value in ODD
+        if not (parameter == "progress" and callable(value))  # its own errors are the user's
     ]
     end = time.perf_counter() + SECONDS
     found = []

@@ -110,6 +110,8 @@ FAULTS: dict[str, Patch] = {
     "widest": (cm, "widest_move", narrower),
     "each_way": (cm, "widest_move", narrower),
     "reserves": (cm, "reserves", nearer),
+    "distances": (cm, "reserves", nearer),
+    "standings": (cm, "find_violations", lambda right: lambda *given: right(*given)[1:]),
     "reserved": (cm, "widest_move", narrower),
     "tables": (cm, "read_segments", lambda right: lambda path: restarted(right(path))),
     "values": (MotionLaw, "__call__", scaled(1 + 1e-6)),

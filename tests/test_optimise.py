@@ -184,7 +184,7 @@ def test_without_moves_there_is_nothing_to_place() -> None:
     table = cm.motion("table", cm.dwell(360))
     diagram = cm.TimingDiagram([table, make_diagram()["mill"]], 2000)
     rule = cm.ClearanceRule(cm.beyond("table", 5), only_while=cm.within("mill", 0.65))
-    found = optimise(diagram, rule, still={"table": [(0, 360)]})
+    found = optimise(diagram, rule, still={"table": [(0, 300)]})
     assert found.reached == 0
     assert found.design == diagram
 

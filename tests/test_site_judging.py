@@ -119,7 +119,15 @@ def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
         "return given.map(([made, typed]) => "
         "typed.map((text) => howFar(made, text, { format, readings })));",
         [
-            [{"asked": each.asked, "true": [each.true, *each.also], "high": each.high}, texts]
+            [
+                {
+                    "asked": each.asked,
+                    "true": [each.true, *each.also],
+                    "low": each.low,
+                    "high": each.high,
+                },
+                texts,
+            ]
             for each, texts in zip(made, typed, strict=True)
         ],
     )
@@ -131,7 +139,7 @@ def test_predictions_in_percent_are_read_as_such() -> None:
     made = Prediction("00.test", "percent", 30)
     said = run(
         "return howFar(given, '25 %', { format, readings });",
-        {"asked": "percent", "true": [30], "high": 999},
+        {"asked": "percent", "true": [30], "low": 0, "high": 999},
     )
     assert said == made.how_far("25 %") == "17 % too little"
 

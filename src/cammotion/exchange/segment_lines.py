@@ -130,7 +130,7 @@ class Record:
                 numbers[field] = self.number(column)
         with faults.at(self.where):
             law = laws.find(self.cells["law"], self.in_full)
-            if not self.cells["law"] and len(numbers) == len(NUMBERS):
+            if law is None and not self.cells["law"] and len(numbers) == len(NUMBERS):
                 self._check_stands(numbers)
             if len(numbers) == len(NUMBERS):
                 self.segment = Segment(**numbers, law=law)

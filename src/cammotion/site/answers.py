@@ -65,7 +65,8 @@ def _in_page(text: str, hint: str) -> str:
 def _of_prediction(made: Prediction) -> dict[str, Any]:
     if isinstance(made.true, str):
         return {}
-    return {"asked": made.asked, "true": [made.true, *made.also], "high": made.high}
+    ends = {"low": made.low, "high": made.high}
+    return {"asked": made.asked, "true": [made.true, *made.also], **ends}
 
 
 def _short(number: float) -> float:

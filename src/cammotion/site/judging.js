@@ -15,7 +15,7 @@ export function verdict({ off, edges, places, said }, given, format) {
 }
 
 /** The numbers that a typed prediction may be: one, none, or two that make sense. */
-export function numbersIn({ asked, high }, text, readings) {
+export function numbersIn({ asked, low, high }, text, readings) {
   const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
   if (found.length !== 1) return [];
   const [{ value, over, percent }] = found;
@@ -23,7 +23,7 @@ export function numbersIn({ asked, high }, text, readings) {
   const numbers = readings(value)
     .flatMap((a) => readings(over ?? "1").map((b) => (b === 0 ? NaN : a / b / parts)))
     .filter((number) => Math.abs(number) <= LARGEST);
-  const sensible = numbers.filter((number) => Math.abs(number) <= high);
+  const sensible = numbers.filter((number) => low <= Math.abs(number) && Math.abs(number) <= high);
   return sensible.length ? sensible : numbers;
 }
 

@@ -26,8 +26,8 @@ class Prediction:
     `true` is a number in the unit that `asked` names, or a text where no single number is asked
     for. What is as right as `true` is in `also`, and `why` one guesses otherwise is a word for the
     reveal: it stands here and not in the notebook's cell, where it would be read too soon. All of
-    them are about the machine of the lessons, with the same numbers for everybody. No sensible
-    prediction is larger than `high`: this tells what a comma before three digits means.
+    them are about the machine of the lessons, with the same numbers for everybody. Sensible
+    predictions lie from `low` to `high`: this tells what a comma before three digits means.
     """
 
     key: str
@@ -35,6 +35,7 @@ class Prediction:
     true: float | str
     why: str = ""
     also: tuple[float, ...] = ()
+    low: float = 0.0
     high: float = _SENSIBLE
 
     def numbers(self, text: str) -> tuple[float, ...]:
@@ -46,7 +47,7 @@ class Prediction:
         (2.4, 2400.0)
         """
         found = numbers_in(text, self.asked)
-        return tuple(number for number in found if abs(number) <= self.high) or found
+        return tuple(number for number in found if self.low <= abs(number) <= self.high) or found
 
     def unclear(self, text: str) -> str:
         """Say what a typed prediction may be, "" unless that is more than one number.

@@ -269,6 +269,8 @@ PREDICTIONS = (
         3857,
         "One looks at the die, which could go on to 4540. But a machine is as fast as its slowest "
         "part, and after the overlap that is the mill.",
+        low=10,
+        high=99_999,
     ),
     Prediction(
         "12.next",
