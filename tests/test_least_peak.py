@@ -233,6 +233,19 @@ def test_a_move_shorter_than_a_cell_is_seen() -> None:
     assert found.bound <= alone <= found.reached * (1 + 1e-9)
 
 
+def test_a_tiny_pitch_beside_a_hard_driven_part_is_left_out() -> None:
+    """Pushed as hard as the slide, the turret could get past thousands of stops."""
+    turret = cm.indexing_motion("turret", cm.rise(0.05, over_deg=300), cm.dwell(60), stops=8)
+    slide = cm.motion(
+        "slide", cm.rise(42, over_deg=9), cm.dwell(200), cm.return_(42, over_deg=9), cm.dwell(142)
+    )
+    diagram = cm.TimingDiagram([turret, slide], 5000)
+    rule = cm.ClearanceRule(cm.beyond("slide", 50), only_while=cm.within("turret", 0.01))
+    still = {"turret": [(300, 360)], "slide": [(9, 209)]}
+    found = least_peak(diagram, rule, still=still, gap=0.02, seconds=5)
+    assert 0 <= found.bound <= found.reached
+
+
 def test_a_part_reaches_no_farther_than_it_is_pushed() -> None:
     """Full push and full brake to the middle of the free arc and back, in closed form."""
     part = Part(make_die(), (DOWN_DEG,), (-math.inf, math.inf), 1.0, math.inf)

@@ -59,6 +59,8 @@ def outline(  # noqa: PLR0913 - the last is given by name
     """
     closed = np.append(angle_deg, angle_deg[0] + DEG_PER_TURN)
     room = choices(parts, sides, angle_deg, peak)
+    if room.too_many:
+        return Outline(closed, 0.0)
     if room.refused or any(
         np.any(low > high + _ROUNDING_MM) for low, high in zip(room.low, room.high, strict=True)
     ):

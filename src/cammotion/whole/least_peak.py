@@ -109,7 +109,8 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     The bound is true of every motion, not of a grid alone: only what every motion keeps is asked
     (see `whole.joint_bound`). It does not rest on a solver's word: it is computed anew from the
     multipliers of each linear program that it is made of, and lowered by a hundred-thousandth for
-    what a check forgives. Parts are rigid, and follow their motions exactly. The motions that are
+    what a check forgives. A part that could get to more than 50 stops, so small is its pitch, adds
+    nothing to it. Parts are rigid, and follow their motions exactly. The motions that are
     built are checked by `find_violations` and by their curves. Raises WrongAnswerError if they
     fail. Raises InputError for what is out of range, for an arc over which a part does not stand,
     and where no motions keep all of this.

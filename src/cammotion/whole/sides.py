@@ -21,6 +21,7 @@ from cammotion.whole.parts import Interval, Part, intervals
 
 _SLACK_DEG = 3e-8
 _ROUNDING_MM = 1e-6  # the solver's
+_MOST_STOPS = 50
 
 
 class Option(NamedTuple):
@@ -78,13 +79,15 @@ class Choices:
     """The options of each rule at each node, and the room of each part after what is settled.
 
     Where a rule has but one option its part has to take it: `low` and `high` know of it. `refused`
-    is the rule that has none at some node, and the node.
+    is the rule that has none at some node, and the node. With `too_many` stops that a part could
+    get to nothing is chosen.
     """
 
     options: list[list[tuple[Option, ...]]]
     low: list[Floats]
     high: list[Floats]
     refused: tuple[int, int] | None = None
+    too_many: bool = False
 
 
 def sides_of(
@@ -110,6 +113,11 @@ def choices(
     """Return what each rule leaves to choose at each node if no weighted peak is above `peak`."""
     reaches = [part.reach(angle_deg, part.most(peak)) for part in parts]
     room = Choices([], [low for low, _ in reaches], [high for _, high in reaches])
+    if any(
+        part.motion.is_indexing and np.any(high - low > _MOST_STOPS * abs(part.motion.pitch_mm))
+        for part, (low, high) in zip(parts, reaches, strict=True)
+    ):
+        return replace(room, too_many=True)
     for _ in range(2):  # what one rule settles, leaves another one less
         room = replace(room, options=[])
         for number, both in enumerate(sides):
