@@ -125,7 +125,10 @@ def _reader(hint: Any) -> _Reader | None:
     """Return what reads a value of a kind, None for a kind that anything may be."""
     origin, inside = typing.get_origin(hint), typing.get_args(hint)
     if origin in (types.UnionType, typing.Union):
-        return _any_of([_reader(one) for one in inside])
+        by_keys_first = sorted(
+            inside, key=lambda one: getattr(one, "__origin__", None) is not Mapping
+        )
+        return _any_of([_reader(one) for one in by_keys_first])
     if origin is tuple and inside[1:] != (...,):
         return _row([_item(one) for one in inside])
     if origin in (tuple, list, Sequence, Iterable):
@@ -189,6 +192,8 @@ def _any_of(readers: Sequence[_Reader | None]) -> _Reader | None:
                 return typing.cast(_Reader, reader)(value)
             except _InsideError as wrong:
                 refusal = wrong
+                if isinstance(value, Mapping):  # its keys are no list
+                    break
             except TypeError:
                 continue
         raise refusal
@@ -225,7 +230,7 @@ def _values(item: _Item) -> _Reader:
 
 
 def _several(values: Any) -> tuple[Any, ...]:
-    if isinstance(values, str | bytes | Mapping):
+    if isinstance(values, str | bytes):
         raise TypeError
     return tuple(values)
 
