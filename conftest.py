@@ -33,6 +33,13 @@ def pytest_itemcollected(item: pytest.Item) -> None:
         item.compare_outputs = compare_stored
 
 
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Let an example ask about the machine without a name, whoever was asked before."""
+    session = sys.modules.get("cammotion.teaching.session")
+    if session and isinstance(item, pytest.DoctestItem):
+        session.variant("")
+
+
 def pytest_runtest_teardown() -> None:
     """Close the pictures of each test: Matplotlib warns of more than twenty, whoever drew them."""
     if pyplot := sys.modules.get("matplotlib.pyplot"):

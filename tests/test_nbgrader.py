@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 
 import cammotion as cm
+from cammotion.teaching.design_exercise import DesignExercise
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.lessons import EXERCISES
@@ -138,6 +139,15 @@ def read(path: Path) -> Notebook:
     return content
 
 
+DESIGN = (
+    "(lambda lessons, variants: lessons.EXERCISES['{number}'].solution("
+    "variants.machine_for('{who}')))("
+    "__import__('cammotion.teaching.lessons', fromlist=['x']), "
+    "__import__('cammotion.teaching.variants', fromlist=['x']))"
+)
+"""A design that is right, as code in a single line."""
+
+
 def write(notebook: Notebook, path: Path) -> None:
     path.parent.mkdir(parents=True)
     path.write_text(json.dumps(notebook), "utf-8")
@@ -159,6 +169,8 @@ def solution(number: str, machine: MillAndDie) -> str:
     exercise = EXERCISES[number]
     if isinstance(exercise, ExpressionExercise):
         return f"lambda {', '.join(exercise.variables)}: {exercise.solution(machine)}"
+    if isinstance(exercise, DesignExercise):
+        return DESIGN.format(number=number, who=machine.who)
     return repr(exercise.solution(machine))
 
 

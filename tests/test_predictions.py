@@ -112,7 +112,7 @@ def test_what_is_true(key: str, value: float) -> None:
         ("11.errors", "8 lines: E7 over 315 to 400 mm"),
         ("12.rate", "at 3857 pieces/h the mill meets the acceleration"),
         ("12.next", "13.10 m/s², that of the gripper."),
-        ("12.bound", "4.00 m/s²; motions with 4.00 m/s² were built."),
+        ("12.bound", "4.00 m/s²; motions with 4.00 m/s² were found."),
     ],
 )
 def test_what_is_true_stands_folded_in_the_notebook(key: str, printed: str) -> None:

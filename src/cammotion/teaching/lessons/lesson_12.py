@@ -236,14 +236,15 @@ EXERCISES = (
     ChoiceExercise(
         number="12.5",
         question=lambda _: (
-            "Of a machine of eight mechanisms it is proved that no motions of its parts have a "
-            "largest peak below 4.0 m/s². The design has 6.3 m/s². What follows?"
+            "Of another machine of eight mechanisms only this is proved: no motions of its parts "
+            "have a largest peak below 5.0 m/s². The design has 7.1 m/s². What follows from that "
+            "alone?"
         ),
         options={
-            "a": "There is a design with 4.0 m/s², it only has to be found.",
-            "b": "Another law, or other angles, may bring it down, but never below 4.0 m/s², "
+            "a": "There is a design with 5.0 m/s², it only has to be found.",
+            "b": "Another law, or other angles, may bring it down, but never below 5.0 m/s², "
             "unless rules, strokes or still arcs are changed.",
-            "c": "Each of the eight mechanisms can be brought to 4.0 m/s².",
+            "c": "Each of the eight mechanisms can be brought to 5.0 m/s².",
             "d": "The machine cannot run faster than it does now.",
         },
         answer="b",
