@@ -1,6 +1,7 @@
 """A machine in a file: what is typed is read, what is written comes back, xlsx and CSV alike."""
 
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -209,3 +210,19 @@ def test_a_machine_says_what_is_broken() -> None:
     assert "1 rule, 1 broken" in repr(machine)
     assert len(machine.violations) == 2
     assert machine.hardest == "mill"
+
+
+def test_a_named_rule_comes_back_with_its_name(tmp_path: Path) -> None:
+    rule = replace(RULE, name="die clear of mill")
+    machine = cm.Machine("press", cm.EXAMPLE.diagram, [rule])
+    back = cm.read_machine(cm.write_machine(machine, tmp_path / "press.csv"))
+    assert back.rules == (rule,)
+
+
+def test_a_rule_in_another_case_is_one_of_the_machine() -> None:
+    """As `widest_move` takes it; else a widened move would break it without a word."""
+    shouted = cm.ClearanceRule(cm.beyond("Die", 19), only_while=cm.within("MILL", 0.65))
+    machines = [cm.Machine("press", cm.EXAMPLE.diagram, [rule]) for rule in (shouted, RULE)]
+    assert machines[0].rules == (RULE,)
+    found, known = map(cm.improvements, machines)
+    assert [one.after for one in found] == [one.after for one in known]

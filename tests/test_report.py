@@ -17,6 +17,7 @@ from report_checker import check
 import cammotion as cm
 from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
+from cammotion.report.live import live_figure
 
 DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
 STILL = {"mill": [(205, 305)], "die": [(205, 305)]}
@@ -216,7 +217,7 @@ def test_a_report_takes_seconds(tmp_path: Path) -> None:
 
 def test_what_is_no_machine_is_refused(tmp_path: Path) -> None:
     for wrong in (None, cm.EXAMPLE.diagram, "press.csv"):
-        with pytest.raises(cm.InputError, match=r"^The machine is .*: give a Machine"):
+        with pytest.raises(cm.InputError, match=r" is given machine=.*: give a Machine"):
             cm.write_report(wrong, tmp_path)  # type: ignore[arg-type]
     with pytest.raises(cm.InputError, match=r"^The time for the bound is 0 s"):
         cm.write_report(PRESS, tmp_path, seconds=0)
@@ -253,3 +254,12 @@ ODD_MACHINES = [
 def test_an_odd_machine_has_a_report(tmp_path: Path, machine: cm.Machine) -> None:
     text = cm.write_report(machine, tmp_path, seconds=1).page.read_text("utf-8")
     assert "nan" not in BeautifulSoup(text, "html.parser").main.get_text()  # type: ignore[union-attr]
+
+
+def test_the_figure_is_of_a_move_from_rest_to_rest() -> None:
+    """Only such a one has a bound: a law that does not rest has no peak that could be drawn."""
+    law = cm.LAWS["cycloidal"].part(0, 0.5)
+    moves = cm.rise(50, over_deg=60, law=law), cm.dwell(100), cm.return_(50, over_deg=60, law=law)
+    jumping = cm.TimingDiagram([cm.motion("die", *moves, cm.dwell(140))], 2000)
+    assert not live_figure(cm.Machine("press", jumping))
+    assert "none from rest to rest is below" in live_figure(cm.Machine("a", cm.EXAMPLE.diagram))

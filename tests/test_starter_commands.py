@@ -98,38 +98,37 @@ def test_fresh_runs_machines_and_nothing_else(monkeypatch: pytest.MonkeyPatch) -
     assert "--fresh" in commands.COMMANDS["test"][1]
 
 
-def test_a_report_is_written_into_the_folder_of_copies_and_its_exit_code_is_passed_on(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def modules_run(monkeypatch: pytest.MonkeyPatch, here: Path, code: int) -> list[tuple[str, ...]]:
+    """Run commands from a folder, and keep what they would run; each of it ends with a code."""
     ran: list[tuple[str, ...]] = []
 
     def run_module(*words: str) -> int:
         ran.append(words)
-        return 2
+        return code
 
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(environment, "ensure", lambda: None)
+    monkeypatch.chdir(here)
+    monkeypatch.setattr(environment, "ensure", lambda: ran.append(("ensure",)))
     monkeypatch.setattr(maintain, "run_module", run_module)
+    return ran
+
+
+def test_a_report_is_written_into_the_folder_of_copies_and_its_exit_code_is_passed_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ran = modules_run(monkeypatch, tmp_path, 2)
     work = tmp_path / "copies"
     asked = ["report", "machine.csv", "--work", str(work)]
     assert commands.run(asked) == 2
     assert commands.run([*asked, "--seconds", "60", "--dxf"]) == 2
     made = ("cammotion.report", str(tmp_path / "machine.csv"), f"--folder={work}")
-    assert ran == [(*made, "--seconds=20.0"), (*made, "--seconds=60.0", "--dxf")]
+    ensured = ("ensure",)
+    assert ran == [ensured, (*made, "--seconds=20.0"), ensured, (*made, "--seconds=60.0", "--dxf")]
 
 
 def test_the_class_page_is_made_by_the_environment_from_where_the_user_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    ran: list[tuple[str, ...]] = []
-
-    def run_module(*words: str) -> int:
-        ran.append(words)
-        return 3
-
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(environment, "ensure", lambda: ran.append(("ensure",)))
-    monkeypatch.setattr(maintain, "run_module", run_module)
+    ran = modules_run(monkeypatch, tmp_path, 3)
     assert commands.run(["class", "7b"]) == 3
     assert commands.run(["class", "7b", "--output", "x/y.html", "--anonymous", "--overwrite"]) == 3
     folder = str(tmp_path / "7b")
@@ -145,15 +144,7 @@ def test_the_class_page_is_made_by_the_environment_from_where_the_user_is(
 def test_the_pages_are_made_by_the_environment_from_where_the_user_is(
     root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    ran: list[tuple[str, ...]] = []
-
-    def run_module(*words: str) -> int:
-        ran.append(words)
-        return 3
-
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(environment, "ensure", lambda: ran.append(("ensure",)))
-    monkeypatch.setattr(maintain, "run_module", run_module)
+    ran = modules_run(monkeypatch, tmp_path, 3)
     assert commands.run(["site"]) == 3
     assert commands.run(["site", "--folder", "x/pages"]) == 3
     assert ran == [

@@ -1,9 +1,15 @@
 """Files that are read and written for the learner: nothing that is there already is lost."""
 
+import re
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from cammotion.quantities import InputError, shorten
+
+_NO_NAME = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f\ud800-\udfff]')  # in no name of a file
+_DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
+_LONGEST = 60  # characters of a file's name
 
 
 def write_new(path: str | Path, text: str | bytes, *, overwrite: bool = False) -> Path:
@@ -115,3 +121,17 @@ def as_path(path: Any) -> Path:
 
 def _name(path: Path) -> str:
     return shorten(path.name, of=str)
+
+
+def stems(names: Iterable[str]) -> Iterator[str]:
+    """Yield for each name one that every system takes for a file, each another one."""
+    taken: set[str] = set()
+    for name in names:
+        stem = _NO_NAME.sub("_", name)[:_LONGEST].strip(". ") or "_"
+        stem = f"_{stem}" if _DEVICE.fullmatch(stem) else stem
+        number, free = 1, stem
+        while free.casefold() in taken:
+            number += 1
+            free = f"{stem} {number}"
+        taken.add(free.casefold())
+        yield free

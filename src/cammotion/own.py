@@ -47,7 +47,7 @@ class Machine:
                 f"The name of the machine is {shorten(self.name)}: give one like 'press'."
             )
         if self.rules:
-            as_rules(self.diagram, self.rules)
+            object.__setattr__(self, "rules", as_rules(self.diagram, self.rules))
         found: dict[str, tuple[Arc, ...]] = {}
         for name, given in self.still.items():
             motion, anything = self.diagram[name], given

@@ -12,8 +12,9 @@ from cammotion.advice.changes import (
     gentle_laws,
     improvement,
 )
+from cammotion.arguments import checked
 from cammotion.own import Machine
-from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.quantities import InputError, Quantity
 from cammotion.shown import as_table
 from cammotion.whole.optimise import optimise
 
@@ -73,6 +74,7 @@ class Improvements(Sequence[Improvement]):
         return f"<p>{self.hardest}</p>{as_table(_HEADING, [one.row for one in self.changes])}"
 
 
+@checked
 def improvements(machine: Machine, *, seconds: float | None = None) -> Improvements:
     """Return what to change first in a machine, with the gain of each change before it is made.
 
@@ -101,8 +103,6 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     >>> print(f"{found[0].rate_per_hour:.0f} pieces/h with the largest peak of today")
     3857 pieces/h with the largest peak of today
     """
-    if not isinstance(machine, Machine):
-        raise InputError(f"The machine is {shorten(machine)}: give a Machine, or read_machine's.")
     found = [one for name in machine.diagram.names for one in changes_of(machine, name, _laws())]
     limit = None if seconds is None else _SECONDS.number(seconds)
     if limit is not None and machine.free:

@@ -37,6 +37,7 @@ _HOW = {
     "Indexer": "an Indexer, for example Indexer(38.5, stops=8, time_s=0.75)",
     "int": "a whole number",
     "LeastAcceleration": "what least_acceleration returned",
+    "Machine": "a Machine, for example what read_machine returned",
     "Mapping": "a dictionary",
     "Motion": "a motion, made with motion or indexing_motion, or diagram['die'] of a diagram",
     "MotionLaw": "a motion law, for example LAWS['cycloidal']",

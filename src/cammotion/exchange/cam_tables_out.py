@@ -1,14 +1,12 @@
 """Cam tables for a PLC or a cam programmer: the position over the cam angle, a file a mechanism."""
 
 import math
-import re
-from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
 
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS
-from cammotion.files import as_path, is_folder, write_new
+from cammotion.files import as_path, is_folder, stems, write_new
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
 from cammotion.machine.motions import Motion
@@ -24,9 +22,6 @@ _WHOLE = 1e-9  # by such a share a step may miss a whole part of the turn
 _INT = 32_767  # points that CODESYS counts in an INT
 _ORDERS = {1: "velocity", 2: "acceleration", 3: "jerk"}
 _UNITS = {"deg": "mm/deg", "s": "mm/s"}
-_NO_NAME = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f\ud800-\udfff]')  # in no name of a file
-_DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
-_LONGEST = 60  # characters of a file's name
 
 
 def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
@@ -179,7 +174,7 @@ def _write(
             "mechanism gets a file of its own in it."
         )
     paths = {
-        name: place / f"{stem}{ending}" for name, stem in zip(texts, _stems(texts), strict=True)
+        name: place / f"{stem}{ending}" for name, stem in zip(texts, stems(texts), strict=True)
     }
     there = [path.name for path in paths.values() if path.exists()]
     if there and overwrite is not True:
@@ -188,17 +183,3 @@ def _write(
             "folder, or add overwrite=True."
         )
     return {name: write_new(path, texts[name], overwrite=overwrite) for name, path in paths.items()}
-
-
-def _stems(names: Iterable[str]) -> Iterator[str]:
-    """Yield for each mechanism the name of a file that every system takes, each another one."""
-    taken: set[str] = set()
-    for name in names:
-        stem = _NO_NAME.sub("_", name)[:_LONGEST].strip(". ") or "_"
-        stem = f"_{stem}" if _DEVICE.fullmatch(stem) else stem
-        number, free = 1, stem
-        while free.casefold() in taken:
-            number += 1
-            free = f"{stem} {number}"
-        taken.add(free.casefold())
-        yield free

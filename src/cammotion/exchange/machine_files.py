@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from cammotion.arguments import checked
 from cammotion.exchange.cells import rows_as_text
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.rule_text import arcs_as_text, rule_as_text
@@ -64,6 +65,7 @@ def machine_from_text(table: str, name: str = "my machine") -> Machine:
     return read_table(from_text(name.strip(), table.strip("\r\n")))
 
 
+@checked
 def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False) -> Path:
     """Write a machine into one table that `read_machine` reads back; return its path.
 
@@ -80,8 +82,6 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
     ...     read_machine(path) == machine
     True
     """
-    if not isinstance(machine, Machine):
-        raise InputError(f"The machine is {shorten(machine)}: give a Machine, or read_machine's.")
     rows = machine_rows(machine)
     text = rows_as_text(rows)
     try:

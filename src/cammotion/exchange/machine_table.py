@@ -24,12 +24,10 @@ from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
+from cammotion.machine.segments import Segment, with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError, shorten
 from cammotion.rules.clearance import ClearanceRule
-
-_ROUNDING = 1e-9  # deg
 
 
 def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
@@ -105,12 +103,12 @@ def _records(source: Source, faults: Faults) -> list[Record]:
 def _motion(name: str, records: list[Record], stops: Any) -> Motion:
     segments = [record.segment for record in records if record.segment]
     try:
-        return Motion(name, tuple(_with_dwells(segments)), stops)
+        return Motion(name, tuple(_filled(segments)), stops)
     except InputError as wrong:
         raise InputError(f"{records[0].where} and further: {wrong}") from None
 
 
-def _with_dwells(segments: list[Segment]) -> list[Segment]:
+def _filled(segments: list[Segment]) -> list[Segment]:
     """Return the segments with dwells between them if the table lists moves alone.
 
     Where it lists some dwell, a gap is a slip: Motion says so.
@@ -119,13 +117,7 @@ def _with_dwells(segments: list[Segment]) -> list[Segment]:
         return segments
     first = segments[0]
     ends = [*(after.from_deg for _, after in pairwise(segments)), first.from_deg + DEG_PER_TURN]
-    found = []
-    for segment, end in zip(segments, ends, strict=True):
-        found.append(segment)
-        if end - segment.to_deg > _ROUNDING:
-            at = segment.to_mm
-            found.append(Segment(from_deg=segment.to_deg, to_deg=end, from_mm=at, to_mm=at))
-    return found
+    return [*with_dwells(segments, ends)]
 
 
 def _rules(records: list[Record], names: list[str], faults: Faults) -> list[ClearanceRule]:
@@ -137,9 +129,9 @@ def _rules(records: list[Record], names: list[str], faults: Faults) -> list[Clea
         with faults.at(f"{record.where}, '{RULE}'"):
             rule = rule_from_text(record.cells[RULE], names, record.decimal)
             for where, other in found:
-                if rule == other:
+                if (rule.when, rule.only_while) == (other.when, other.only_while):
                     raise InputError(f"the rule stands in {where} already: leave out one of them.")
-                if rule == ClearanceRule(other.when, other.only_while.opposite):
+                if (rule.when, rule.only_while) == (other.when, other.only_while.opposite):
                     raise InputError(
                         f"with the rule in {where} it forbids that the {rule.when.motion} is ever "
                         f"{rule.when}: mend one of them."

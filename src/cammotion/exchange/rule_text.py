@@ -26,16 +26,23 @@ _AND = re.compile(r"\s+and\s+|\s*;\s*", re.IGNORECASE)
 def rule_from_text(text: str, names: Iterable[str], decimal: str = ".") -> ClearanceRule:
     """Return the rule that a sentence says about motions of these `names`.
 
-    "the", "may be" and "is" may be left out. Raises InputError for anything else.
+    "the", "may be" and "is" may be left out; a name of the rule stands before it, with a colon.
+    Raises InputError for anything else.
 
     >>> str(rule_from_text("die beyond 19 only while mill within 0.65", ["mill", "die"]))
     'the die may be beyond 19 mm only while the mill is within 0.65 mm'
+    >>> rule_from_text("clear: die beyond 19 only while mill within 0.65", ["mill", "die"]).name
+    'clear'
     """
-    halves, known = _ONLY.split(text.strip()), [*names]
+    known = [*names]
+    name, colon, said = text.strip().partition(": ")
+    if not colon or any(": " in motion for motion in known):
+        name, said = "", text.strip()
+    halves = _ONLY.split(said)
     if len(halves) != 2:  # noqa: PLR2004 - what may be, and while what is
         raise InputError(f"The rule is {shorten(text)}: write it as '{EXAMPLE}'.")
     when, only_while = (_condition(half, text, known, decimal) for half in halves)
-    return ClearanceRule(when, only_while)
+    return ClearanceRule(when, only_while, name)
 
 
 def _condition(half: str, text: str, names: list[str], decimal: str) -> Condition:
@@ -89,8 +96,9 @@ def rule_as_text(rule: ClearanceRule) -> str:
     """
     when, only = rule.when, rule.only_while
     sides = ["beyond" if half.is_beyond else "within" for half in (when, only)]
+    name = f"{rule.name}: " if rule.name else ""
     return (
-        f"the {when.motion} may be {sides[0]} {_plain(when.limit_mm)} mm only while "
+        f"{name}the {when.motion} may be {sides[0]} {_plain(when.limit_mm)} mm only while "
         f"the {only.motion} is {sides[1]} {_plain(only.limit_mm)} mm"
     )
 

@@ -9,7 +9,7 @@ from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
+from cammotion.machine.segments import with_dwells
 from cammotion.quantities import InputError
 from cammotion.rules.conditions import after
 from cammotion.rules.rule import Rule
@@ -129,12 +129,3 @@ class Frame:
         """Return the angle of the first move with which both, sharing the room, peak alike."""
         roots = [self._peak([1.0, 1e9]) ** 0.5, self._peak([1e9, 1.0]) ** 0.5]
         return self.room * (roots[0] / sum(roots) if any(roots) else 0.5)
-
-
-def with_dwells(moves: Iterable[Segment], ends: Iterable[float]) -> Iterator[Segment]:
-    """Yield the moves, each with the dwell that follows it until the next one begins."""
-    for move, end in zip(moves, ends, strict=True):
-        yield move
-        if end - move.to_deg > ROUNDING_DEG:
-            height = move.to_mm
-            yield Segment(from_deg=move.to_deg, to_deg=end, from_mm=height, to_mm=height)

@@ -10,7 +10,8 @@ peak asks less than is asked of a motion, and no motion has a smaller peak than 
 above: the acceleration is a constant over each cell, or with a limit to the jerk a straight line.
 That is a motion, which can be built, so the best of all has no larger peak. In between lies the
 least peak of all; the finer the grid, the nearer the two come. The number from below is computed
-anew from the multipliers that the solver gives, so that it does not rest on the solver's word.
+anew from the multipliers that the solver gives, so that it does not rest on the solver's word;
+only that no motion at all goes by some stops is left to that.
 
 Both ask of an indexing motion that it is near to a stop, or away from its stops, while another one
 is where it may meet it. Which stop that is, is a whole number for each such arc, found by both
@@ -102,8 +103,8 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     The answer is checked before it is returned, by the curves of its diagram: the rules, the still
     arcs, the travel, the jerk, and the order of `bound` and `reached`. Raises WrongAnswerError if
     it fails. Raises InputError for what is out of range, for an arc over which the motion does not
-    stand, where it is proved that no motion keeps all of this, and where none was found on a grid
-    of so many cells.
+    stand, where the solver says that no motion keeps all of this, and where none was found on a
+    grid of so many cells.
 
     >>> import cammotion as cm
     >>> least_acceleration(

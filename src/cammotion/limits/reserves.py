@@ -5,12 +5,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
-from typing import Any
 
 from cammotion.arguments import checked
 from cammotion.arguments.by_name import by_name
 from cammotion.laws.piece import bisect
-from cammotion.limits.spread import with_errors
+from cammotion.limits.spread import SpreadDistance, with_errors
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -120,7 +119,7 @@ def _reserve(diagram: TimingDiagram, rule: Rule, errors: _Errors) -> Reserve:
         times = math.inf
         if not errors.are_none or own < -_ROUNDING_MM:
             times = _first(lambda times: _room(diagram, errors.worst(rule, times)))
-        return Reserve(rule, *_ways(diagram, worst), own, own, times)
+        return Reserve(rule, *_either_way(diagram, worst), own, own, times)
 
     def bears(times: float) -> bool:
         return not errors.worst(rule, times).violated_arcs(diagram)
@@ -129,7 +128,7 @@ def _reserve(diagram: TimingDiagram, rule: Rule, errors: _Errors) -> Reserve:
     if times and not errors.are_none and not bears(_MOST):
         times = bisect(bears, 0.0, _MOST)
     other = _room(diagram, errors.worst(rule.reverse))
-    return Reserve(rule, *_gaps(diagram, worst), own, other, times)
+    return Reserve(rule, *_either_way(diagram, worst), own, other, times)
 
 
 def _room(diagram: TimingDiagram, rule: Rule) -> float:
@@ -138,11 +137,18 @@ def _room(diagram: TimingDiagram, rule: Rule) -> float:
     return math.inf if found is None else found.mm
 
 
-def _gaps(diagram: TimingDiagram, rule: Any) -> tuple[float, float]:
-    """Return how far the arcs of `when` can come earlier, and later, until they meet the others."""
+def _either_way(diagram: TimingDiagram, rule: Rule) -> tuple[float, float]:
+    """Return the reserve early and late in deg; below 0 the longest arc over which it is broken."""
     if broken := rule.violated_arcs(diagram):
         longest = max(end - start for start, end in broken)
         return -longest, -longest
+    if isinstance(rule, SpreadDistance):
+        return _ways(diagram, rule)
+    return _gaps(diagram, rule) if isinstance(rule, ClearanceRule) else (math.inf, math.inf)
+
+
+def _gaps(diagram: TimingDiagram, rule: ClearanceRule) -> tuple[float, float]:
+    """Return how far the arcs of `when` can come earlier, and later, until they meet the others."""
     open_arcs = rule.only_while.opposite.arcs(diagram)
     pairs = list(product(rule.when.arcs(diagram), open_arcs))
     early = [_ahead(start - end) for (start, _), (_, end) in pairs]
@@ -150,11 +156,8 @@ def _gaps(diagram: TimingDiagram, rule: Any) -> tuple[float, float]:
     return min(early, default=math.inf), min(late, default=math.inf)
 
 
-def _ways(diagram: TimingDiagram, rule: Any) -> tuple[float, float]:
+def _ways(diagram: TimingDiagram, rule: SpreadDistance) -> tuple[float, float]:
     """Return how far a part can come earlier, and later, until its distance is too small."""
-    if broken := rule.violated_arcs(diagram):
-        longest = max(end - start for start, end in broken)
-        return -longest, -longest
 
     def wider(field: str, way: float) -> float:
         return _room(diagram, replace(rule, **{field: getattr(rule, field) + way}))

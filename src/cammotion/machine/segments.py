@@ -1,6 +1,7 @@
 """Segments: the rises, returns and dwells of which a motion is made."""
 
 import math
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -8,6 +9,7 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
+from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.kinematics import FULL_TURN_DEG
 from cammotion.quantities import InputError, Quantity
 
@@ -105,3 +107,12 @@ class Segment:
             return Curve([Series((self.from_mm,), (), self.from_deg, self.to_deg)])
         law = as_law(self.law)
         return law.curve.placed(self.from_deg, self.angle_deg, self.from_mm, self.change_mm)
+
+
+def with_dwells(moves: Iterable[Segment], ends: Iterable[float]) -> Iterator[Segment]:
+    """Yield the moves, each with the dwell that follows it until the next one begins."""
+    for move, end in zip(moves, ends, strict=True):
+        yield move
+        if end - move.to_deg > ROUNDING_DEG:
+            height = move.to_mm
+            yield Segment(from_deg=move.to_deg, to_deg=end, from_mm=height, to_mm=height)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cached_property
 
 from cammotion.advice.ranking import Improvements, improvements
 from cammotion.limits.reserves import Reserve, reserves
@@ -36,7 +37,7 @@ class Findings:
         """The diagram to be built: the best one that was found, or else that of today."""
         return self.best.design if self.best else self.machine.diagram
 
-    @property
+    @cached_property
     def improved(self) -> Machine:
         """The machine with that diagram."""
         return self.machine.with_diagram(self.design)
@@ -70,7 +71,7 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
     def told(found: LeastPeak) -> None:
         share = _BALANCED + (_PROVED - _BALANCED) * (1 - min(found.gap, 1.0))
         reached = f"{found.reached:.4g}" if found.design else "none"
-        progress(share, f"built {reached}, none below {found.bound:.4g} m/s² (Ctrl-C: enough)")
+        progress(share, f"found {reached}, none below {found.bound:.4g} m/s² (Ctrl-C: enough)")
 
     with suppress(KeyboardInterrupt):
         try:

@@ -28,12 +28,12 @@ def live_figure(machine: Machine) -> str:
     low = _NARROWEST * move.angle_deg
     high = min(_WIDEST * move.angle_deg, float(DEG_PER_TURN))
     rate = machine.diagram.rate_per_hour
-    least = 4 / law.Ca
+    least = 4 * way / (B / DEG_PER_TURN * 3600 / N) ** 2  # such a law rests at both its ends
     figure = explore(
         Panel(
             lines=[
                 Line(y=peak, name=law.name, colour=0),
-                Line(y=least * peak, name="no motion is below", colour=1),
+                Line(y=least, name="none from rest to rest is below", colour=1),
             ],
             points=[Point(x=at, y=peak.subs(B, at), colour=0)],
             y="peak acceleration in m/s²",

@@ -3,12 +3,18 @@
 import math
 
 from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    MM_PER_M,
+    indexing_time,
+    peak_acceleration,
+    peak_velocity,
+)
 from cammotion.machine.segments import Segment
 
 _SAME = 1e-6
-_MM_PER_M = 1000
 
 
 def of_peak(diagram: TimingDiagram, name: str) -> str:
@@ -26,7 +32,7 @@ def of_peak(diagram: TimingDiagram, name: str) -> str:
             "between all its moves, so that no factor of a law gives it."
         )
     law, time_s = as_law(hardest.law), _time_s(diagram, hardest)
-    way = abs(hardest.change_mm) / _MM_PER_M
+    way = abs(hardest.change_mm) / MM_PER_M
     return (
         f"The {hardest.kind} from {hardest.from_deg % DEG_PER_TURN:g} deg by the law {law.name}: "
         f"a = C_a · h / t² = {law.Ca:.4f} · {way:g} m / ({time_s:.5g} s)² = {alone:.4f} m/s², "
@@ -42,10 +48,10 @@ def of_velocity(diagram: TimingDiagram, name: str) -> str:
         return f"The {name} stands all the turn."
     fastest = max(
         motion.moves,
-        key=lambda move: as_law(move.law).Cv * abs(move.change_mm) / _time_s(diagram, move),
+        key=lambda move: peak_velocity(*_asked(diagram, move)),
     )
     law, time_s = as_law(fastest.law), _time_s(diagram, fastest)
-    way = abs(fastest.change_mm) / _MM_PER_M
+    way = abs(fastest.change_mm) / MM_PER_M
     return (
         f"The {fastest.kind} from {fastest.from_deg % DEG_PER_TURN:g} deg: v = C_v · h / t = "
         f"{law.Cv:.4f} · {way:g} m / {time_s:.5g} s = {law.Cv * way / time_s:.4f} m/s."
@@ -64,9 +70,13 @@ def of_rate(rate_per_hour: float, today: float, then: float) -> str:
 
 
 def _peak(diagram: TimingDiagram, move: Segment) -> float:
-    law = as_law(move.law)
-    return law.Ca * abs(move.change_mm) / _MM_PER_M / _time_s(diagram, move) ** 2
+    return float(peak_acceleration(*_asked(diagram, move)))
+
+
+def _asked(diagram: TimingDiagram, move: Segment) -> tuple[float, float, float, MotionLaw]:
+    """Return stroke, angle, rate and law of a move, as the kinematics ask for them."""
+    return abs(move.change_mm), move.angle_deg, diagram.rate_per_hour, as_law(move.law)
 
 
 def _time_s(diagram: TimingDiagram, move: Segment) -> float:
-    return move.angle_deg / DEG_PER_TURN * diagram.cycle_time_s
+    return float(indexing_time(move.angle_deg, diagram.rate_per_hour))

@@ -94,13 +94,14 @@ def _rules(found: Findings) -> str:
         return paragraph("The table has no rules.")
     reserve = {one.rule: one for one in found.left}
     rows: list[tuple[bool, Sequence[Cell]]] = []
-    for now, then in zip(machine.clearances, found.improved.clearances, strict=True):
-        left = reserve[now.rule]
+    both = zip(machine.rules, machine.clearances, found.improved.clearances, strict=True)
+    for rule, now, then in both:
+        left = reserve[rule]
         whence = f"{left}. The reserve is the smaller one of early and late; see reserves()."
-        cells: list[Cell] = [str(now.rule), _clearance(machine, now)]
+        cells: list[Cell] = [str(rule), _clearance(machine, rule, now)]
         cells.append(Opened(short(left.deg), whence))
         if found.best:
-            cells.append(_clearance(found.improved, then))
+            cells.append(_clearance(found.improved, rule, then))
         rows.append((now.clearance_mm < 0, cells))
     heading = ["rule", "clearance, mm", "reserve, deg"]
     broken = "".join(paragraph(f"Broken: {one}.", "broken") for one in machine.violations)
@@ -114,9 +115,8 @@ def _rules(found: Findings) -> str:
     return broken + table("What each rule leaves; below 0 it is broken", heading, rows)
 
 
-def _clearance(machine: Machine, one: Clearance) -> Opened | str:
-    rule = one.rule
-    if one.angle_deg is None or not isinstance(rule, ClearanceRule):
+def _clearance(machine: Machine, rule: ClearanceRule, one: Clearance) -> Opened | str:
+    if one.angle_deg is None:
         return "never in the way"
     at = one.angle_deg % DEG_PER_TURN
     when, other = (
@@ -220,11 +220,12 @@ def _sentences(found: Findings) -> Iterator[str]:
     )
     if found.best:
         yield (
-            f"The design is the best of all starts and angles with these laws, to within "
-            f"{found.best.bound:.6g} m/s² of a proved limit for such moves."
+            "The design is the best of all starts and angles with these laws, as far as the solver "
+            "HiGHS can be trusted; its rules and peaks were checked by their curves."
         )
     if found.least:
         yield (
-            "The bound holds for any motions of the parts: a mixed-integer program that asks less "
-            "than any motion is asked was solved by HiGHS. All parts are rigid in it."
+            "The bound holds for any motions of the parts: a mixed-integer program asks less than "
+            "any motion is asked, and each linear program that it is made of is bounded by its "
+            "multipliers, whatever a solver says of it. All parts are rigid in it."
         )

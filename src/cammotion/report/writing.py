@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 
+from cammotion.arguments import checked
 from cammotion.exchange.cam_files import write_cam
 from cammotion.exchange.cam_tables_out import write_cam_tables
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
-from cammotion.files import as_path, is_folder, write_new, write_new_bytes
+from cammotion.files import as_path, is_folder, stems, write_new, write_new_bytes
 from cammotion.hardware.followers import TranslatingRoller
 from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
@@ -26,7 +27,6 @@ PAGE, BOOK, TABLES, CODESYS, DXF = "report.html", "tables.xlsx", "cam tables", "
 ROLLER_MM, PRESSURE_DEG, MARGIN = 10.0, 30.0, 1.02
 
 _SECONDS = Quantity("time for the bound", "s", example=20)
-_NO_NAME = '<>:"/\\|?*'
 _WRITING = 0.85
 _MOST = 1000
 
@@ -44,6 +44,7 @@ class Report:
         return f"The report is in {self.folder}: open {self.page.name} in a browser."
 
 
+@checked
 def write_report(
     machine: Machine,
     folder: str | Path,
@@ -71,16 +72,8 @@ def write_report(
     ...     report.page.relative_to(folder).as_posix(), report.is_kept
     ('report-press/report.html', True)
     """
-    if not isinstance(machine, Machine):
-        raise InputError(f"The machine is {shorten(machine)}: give a Machine, or read_machine's.")
     limit, place = _SECONDS.number(seconds), as_path(folder)
     tell = _silent if progress is None else progress
-    if not callable(tell):
-        raise InputError(
-            f"The progress is {shorten(progress)}: give a function of a share and a text."
-        )
-    if not isinstance(dxf, bool):
-        raise InputError(f"The dxf is {shorten(dxf)}: give True or False.")
     if not is_folder(place) or not os.access(place, os.W_OK | os.X_OK):
         raise InputError(
             f"The folder {shorten(place.name or str(place))} is not there, or you may not write in "
@@ -93,7 +86,7 @@ def write_report(
         files += _write_cams(found, part) if dxf else []
         write_new_bytes(part / BOOK, sheets_as_xlsx(sheets_of(found)))
         write_new(part / PAGE, write_page(found, date.today(), files))
-        target = _move(part, place, f"report-{_stem(machine.name)}")
+        target = _move(part, place, f"report-{next(stems([machine.name]))}")
     tell(1.0, "done")
     return Report(target, target / PAGE, not machine.violations)
 
@@ -120,7 +113,7 @@ def _write_cams(found: Findings, part: Path) -> list[str]:
     for number, motion in enumerate(found.design.motions, 1):
         if motion.is_indexing or not motion.moves:
             continue
-        file = f"{number} {_stem(motion.name)}.dxf"
+        file = f"{number} {next(stems([motion.name]))}.dxf"
         try:
             least = smallest_prime_radius(motion, roller, pressure_angle_deg=PRESSURE_DEG)
             radius = max(MARGIN * least, 2 * ROLLER_MM)
@@ -150,9 +143,3 @@ def _move(part: Path, place: Path, name: str) -> Path:
             with contextlib.suppress(OSError):  # another report has just taken it
                 return part.rename(target)
     raise InputError(f"There are {_MOST} folders {name} already: delete some.")
-
-
-def _stem(name: str) -> str:
-    """Return a name as every system takes it for a file."""
-    plain = "".join("_" if c in _NO_NAME or not c.isprintable() else c for c in name)
-    return plain[:40].strip(". ") or "machine"

@@ -117,14 +117,26 @@ class DesignExercise(Exercise):
         return _largest(design) / bound_of(machine)
 
 
+@lru_cache(maxsize=200)
 def balanced(machine: MillAndDie, *laws: str) -> TimingDiagram:
     """Return the best diagram of mill and die by given laws; without any, by those they have."""
-    return _balanced(machine, laws)
+    still = _still(machine)
+    return optimise(machine.diagram, clearance_rule(machine), still=still, laws=laws or None).design
 
 
+@lru_cache(maxsize=200)
 def bound_of(machine: MillAndDie) -> float:
-    """Return what no motions of mill and die can be below, in m/s2, within a tenth."""
-    return _bound(machine)
+    """Return what no motions of mill and die can be below, in m/s2, within a tenth.
+
+    The die stays within its stroke, and both stand while it works.
+    """
+    travel = {"die": (0.0, machine.stroke_mm)}
+    still = _still(machine)
+    rule = clearance_rule(machine)
+    found = least_peak(
+        machine.diagram, rule, still=still, travel_mm=travel, gap=_GAP, seconds=_SECONDS
+    )
+    return found.bound
 
 
 def clearance_rule(machine: MillAndDie) -> ClearanceRule:
@@ -140,25 +152,8 @@ def said_of(design: TimingDiagram, machine: MillAndDie) -> str:
     return (
         f"It reaches {reached:.4g} m/s². No motions of these parts can have less than "
         f"{np.floor(bound * 1000) / 1000:.3f} m/s², so that it is at most "
-        f"{100 * (reached / bound - 1):.0f} % above the best there could be."
+        f"{math.ceil(100 * (reached / bound - 1))} % above the best there could be."
     )
-
-
-@lru_cache(maxsize=200)
-def _balanced(machine: MillAndDie, laws: tuple[str, ...]) -> TimingDiagram:
-    still = _still(machine)
-    return optimise(machine.diagram, clearance_rule(machine), still=still, laws=laws or None).design
-
-
-@lru_cache(maxsize=200)
-def _bound(machine: MillAndDie) -> float:
-    travel = {"die": (0.0, machine.stroke_mm)}
-    still = _still(machine)
-    rule = clearance_rule(machine)
-    found = least_peak(
-        machine.diagram, rule, still=still, travel_mm=travel, gap=_GAP, seconds=_SECONDS
-    )
-    return found.bound
 
 
 def _still(machine: MillAndDie) -> dict[str, list[tuple[float, float]]]:

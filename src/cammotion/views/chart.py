@@ -19,7 +19,7 @@ from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import arc_mm
 from cammotion.quantities import InputError, one_of, shorten
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
-from cammotion.rules.rule import Rule
+from cammotion.rules.rule import Clearance, Rule, Violation
 from cammotion.views.chart_lanes import (
     MM_PER_POINT,
     Paper,
@@ -125,23 +125,25 @@ def draw_chart(
         rows = [names.index(name) for name in found.rule.motions]
         draw_violation(paper, rows, (found.start_deg, found.end_deg))
     split = _WIDTH - _MARGIN - _TITLE
-    _write_rules(paper, diagram, rules, (_MARGIN, split))
+    _write_rules(paper, find_clearances(diagram, rules), violations, (_MARGIN, split))
     _write_title(paper, diagram, heading, (split, _WIDTH - _MARGIN))
     return ax.get_figure(root=True) or Figure()
 
 
 def _write_rules(
-    paper: Paper, diagram: TimingDiagram, rules: Sequence[Rule], ends: tuple[float, float]
+    paper: Paper,
+    left: Iterable[Clearance],
+    violations: Iterable[Violation],
+    ends: tuple[float, float],
 ) -> None:
     """Write what each rule has left, those that are broken first."""
     start, end = ends
     _frame(paper, (start, _MARGIN), (end, _MARGIN + _BLOCK))
-    left = sorted(find_clearances(diagram, rules), key=lambda found: found.clearance_mm)
-    broken = {found.rule for found in (find_violations(diagram, rules) if rules else ())}
+    broken = {found.rule for found in violations}
     lines = [
         f"{f'BROKEN by {-mm:.3g} mm' if found.rule in broken else f'kept, {mm:.3g} mm left'}: "
         f"{found.rule}"
-        for found in sorted(left, key=lambda found: found.rule not in broken)
+        for found in sorted(left, key=lambda one: (one.rule not in broken, one.clearance_mm))
         for mm in [round(found.clearance_mm, 9) + 0.0]
     ]
     if len(lines) > _MOST_RULES:

@@ -17,12 +17,11 @@ from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.frame import with_dwells
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
+from cammotion.machine.segments import Segment, with_dwells
 from cammotion.quantities import InputError, Quantity, WrongAnswerError
 from cammotion.rules.checks import find_violations
 from cammotion.rules.clearance import ClearanceRule
