@@ -35,10 +35,9 @@ OTHERS: dict[str, Any] = {
 
 
 def questions(machine: Machine) -> None:
-    """Ask everything twice with fresh numbers, of a learner of this seed and number."""
+    """Ask an exercise twice with fresh numbers: machine after machine, one after the other."""
     who = f"{machine.seed} {machine.number}"
-    for exercise in ASKED:
-        rounds(exercise, machine_for(who), 2)
+    rounds(ASKED[machine.number % len(ASKED)], machine_for(who), 2)
 
 
 def rounds(exercise: Exercise, own: MillAndDie, count: int) -> None:
