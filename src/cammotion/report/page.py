@@ -38,7 +38,7 @@ def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
         ("How it was computed", _method(found)),
     )
     body = "".join(
-        part if isinstance(part, str) else f"<h2>{escape(part[0])}</h2>\n{part[1]}"
+        part if isinstance(part, str) else f"<section>\n<h2>{escape(part[0])}</h2>\n{part[1]}</section>\n"
         for part in sections
         if isinstance(part, str) or part[1]
     )
