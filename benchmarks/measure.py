@@ -25,6 +25,8 @@ from package import measure_import, measure_lesson, measure_setup, measure_test
 from pages import measure_site, measure_site_accessibility
 from questions import measure_again
 from round_trip import measure_round_trips
+from starting import measure_install, measure_start
+from where import describe
 from whole_machine import measure_whole_machine
 
 MEASURES: dict[str, Callable[[], list[Finding]]] = {
@@ -36,6 +38,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "cams-rival": measure_rival_cams,
     "exercises": measure_exercises,
     "import": measure_import,
+    "install": measure_install,
     "law": measure_laws,
     "law-rival": measure_rival,
     "factors": measure_factors,
@@ -53,6 +56,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "shown": measure_shown,
     "site": measure_site,
     "site-accessibility": measure_site_accessibility,
+    "start": measure_start,
     "test": measure_test,
     "whole-machine": measure_whole_machine,
 }
@@ -91,6 +95,7 @@ def print_row(finding: Finding) -> None:
 def main() -> int:
     """Take the measures and print the table, row by row as they come."""
     options = parse_arguments()
+    print(describe(), end="\n\n")
     print(ROW.format("measure", "value", "limit", "verdict"), flush=True)
     all_ok = True
     for name in options.names:
