@@ -73,6 +73,6 @@ def solve(name: str, cells: int) -> LeastAcceleration:
         rule,
         still=[(205, 305)],
         travel_mm=travel,
-        jerk_limit=jerk,
+        jerk_m_per_s3=jerk,
         cells=cells,
     )

@@ -48,11 +48,12 @@ ODD: list[Any] = [
 
 @dataclass(frozen=True, eq=False)
 class Recorded:
-    """A call that a docstring makes."""
+    """A call that a docstring makes, and what came of it, if it came to an end."""
 
     name: str
     function: Callable[..., Any]
     arguments: dict[str, Any]
+    made: list[Any]
 
     def with_value(self, parameter: str, value: Any) -> Any:
         """Make the call with one argument exchanged."""
@@ -98,14 +99,18 @@ def callables(name: str, thing: Any) -> Iterator[tuple[str, Callable[..., Any]]]
 def recorded() -> list[Recorded]:
     """Run the examples of all docstrings, and return what public names they call, and with what."""
     known, calls = public(), []
+    under_way: dict[FrameType, Recorded] = {}
 
-    def note(frame: FrameType, event: str, _: Any) -> None:
+    def note(frame: FrameType, event: str, result: Any) -> None:
         if event == "call" and frame.f_code in known and is_example(caller(frame)):
             label, function = known[frame.f_code]
             given = {name: frame.f_locals[name] for name in inspect.signature(function).parameters}
             if function.__name__ == "__init__":  # a new object each time, not one that is changed
                 label, function = label.removesuffix(".__init__"), type(given.pop("self"))
-            calls.append(Recorded(label, function, given))
+            calls.append(Recorded(label, function, given, []))
+            under_way[frame] = calls[-1]
+        elif event == "return" and (call := under_way.pop(frame, None)):
+            call.made.append(frame.f_locals["self"] if isinstance(call.function, type) else result)
 
     finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner(verbose=False)
     for module in pkgutil.walk_packages(cm.__path__, "cammotion."):

@@ -74,12 +74,14 @@ def torque(m: MillAndDie, factor: float | None = None) -> float:
     return inertia(m) * push(m, factor) + m.table.friction_N_m
 
 
-def shaft(m: MillAndDie, factor: float | None = None, shaft_rad_s: float | None = None) -> float:
+def shaft(
+    m: MillAndDie, factor: float | None = None, shaft_rad_per_s: float | None = None
+) -> float:
     """Return the largest torque of the camshaft: power by speed."""
     step = 2 * math.pi / m.table.stops
     cq = CQ[m.table.law] if factor is None else factor
     power = inertia(m) * step**2 / m.table.time_s**3 * cq
-    return power / (shaft_rad_s or math.radians(m.table.angle_deg) / m.table.time_s)
+    return power / (shaft_rad_per_s or math.radians(m.table.angle_deg) / m.table.time_s)
 
 
 def another(m: MillAndDie, law: str) -> float:
@@ -199,17 +201,17 @@ SLIPS = [
     ),
     KnownSlip("08.3", "the mean ratio", lambda m: shaft(m, CA[m.table.law]), "evenly|fast"),
     KnownSlip("08.3", "on the table", lambda m: inertia(m) * push(m), "on the table"),
-    KnownSlip("08.3", "the power", lambda m: shaft(m, shaft_rad_s=1), "power, in W"),
+    KnownSlip("08.3", "the power", lambda m: shaft(m, shaft_rad_per_s=1), "power, in W"),
     KnownSlip(
         "08.3",
         "in degrees",
-        lambda m: shaft(m, shaft_rad_s=m.table.angle_deg / m.table.time_s),
+        lambda m: shaft(m, shaft_rad_per_s=m.table.angle_deg / m.table.time_s),
         "degrees",
     ),
     KnownSlip(
         "08.3",
         "a whole turn",
-        lambda m: shaft(m, shaft_rad_s=2 * math.pi / m.table.time_s),
+        lambda m: shaft(m, shaft_rad_per_s=2 * math.pi / m.table.time_s),
         "whole turn",
     ),
     KnownSlip("08.3", "velocity factor", lambda m: shaft(m, CV[m.table.law]), "Cv"),

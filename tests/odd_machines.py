@@ -108,7 +108,7 @@ def _solved() -> list[MotionLaw]:
     found = []
     for jerk in (np.inf, 100.0, 60.0):
         least = cm.least_acceleration(
-            machine.diagram, "die", machine.rule, still=[(205, 305)], jerk_limit=jerk, cells=180
+            machine.diagram, "die", machine.rule, still=[(205, 305)], jerk_m_per_s3=jerk, cells=180
         )
         found += [cm.as_law(move.law) for move in least.motion.moves]
     return found

@@ -135,7 +135,7 @@ def test_help_shows_usual_functions_in_a_line() -> None:
         "(angle_deg: ArrayLike, rate_per_hour: ArrayLike) -> Any"
     )
     assert str(inspect.signature(cm.TimingDiagram.position_mm)) == (
-        "(self, name: str, angle_deg: ArrayLike | None = None, *, "
+        "(self, motion: str | Motion, angle_deg: ArrayLike | None = None, *, "
         "time_s: ArrayLike | None = None) -> Any"
     )
     lengths = sorted(len(str(inspect.signature(function))) for function in CALLS.values())

@@ -49,7 +49,7 @@ def test_the_explorer_draws_the_cam_of_the_package(
 
 @pytest.mark.parametrize(("prime", "roller"), [(10, 10), (700, 40), (60, 2)])
 def test_the_controls_reach_what_is_given(prime: float, roller: float) -> None:
-    figure = cm.explore_cam(cm.EXAMPLE.die, roller_mm=roller, prime_mm=prime)
+    figure = cm.explore_cam(cm.EXAMPLE.die, roller_radius_mm=roller, prime_radius_mm=prime)
     assert (figure.values[PRIME], figure.values[ROLLER]) == (prime, roller)
 
 
@@ -66,7 +66,7 @@ def test_a_bad_cam_is_refused_in_words() -> None:
     with pytest.raises(cm.InputError, match="moves on from stop to stop"):
         cm.explore_cam(cm.EXAMPLE.mill)
     with pytest.raises(cm.InputError, match="radius of the roller is 0 mm"):
-        cm.explore_cam(cm.EXAMPLE.die, roller_mm=0)
+        cm.explore_cam(cm.EXAMPLE.die, roller_radius_mm=0)
 
 
 CAMS: dict[str, Callable[[], cm.RollerCam | cm.FlatFacedCam]] = {

@@ -76,7 +76,7 @@ def test_a_motion_with_a_limited_jerk_is_lifted_as_wanted(tmp_path: Path) -> Non
     """The motion with the least peak that keeps the rule, from the linear program."""
     example = cm.EXAMPLE
     best = cm.least_acceleration(
-        example.diagram, "die", example.rule, still=[(205, 305)], jerk_limit=15, cells=120
+        example.diagram, "die", example.rule, still=[(205, 305)], jerk_m_per_s3=15, cells=120
     )
     cam = cm.RollerCam(best.motion, ROLLER, cm.smallest_prime_radius(best.motion, ROLLER))
     outline = outline_of(cam, tmp_path)
@@ -178,7 +178,7 @@ def is_good(cam: cm.RollerCam, steepest_deg: float, radius_mm: float) -> bool:
     way = 1j * np.exp(1j * np.radians(at[1:-1]))
     steep = np.abs(np.degrees(np.angle(way / (-1j * tangent))))
     bulges = radius > 0
-    least = radius[bulges].min() - cam.roller_mm
+    least = radius[bulges].min() - cam.roller_radius_mm
     return bool(steep.max() <= steepest_deg + 1e-4 and least >= radius_mm - 1e-3)
 
 

@@ -22,7 +22,7 @@ def test_forces_and_torque_of_cycloids() -> None:
     for name, expected in forces(inside).items():
         assert SHAFT.force_N(name, inside) == pytest.approx(expected, abs=1e-8)
     assert SHAFT.torque_N_m(inside) == pytest.approx(torque(inside), abs=1e-9)
-    both = SHAFT.torque_N_m(inside, "die") + SHAFT.torque_N_m(inside, "mill")
+    both = SHAFT.torque_N_m(inside, motion="die") + SHAFT.torque_N_m(inside, motion="mill")
     assert both == pytest.approx(torque(inside), abs=1e-9)
     assert isinstance(SHAFT.torque_N_m(100), float)
     assert SHAFT.torque_N_m([[100], [200]]).shape == (2, 1)

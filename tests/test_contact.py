@@ -139,7 +139,7 @@ def test_a_flight_without_a_spring_is_a_throw() -> None:
     assert first.leaves_at_deg == pytest.approx(35 + 35)
     assert first.lands_at_deg == pytest.approx(70 + lands * rate / 10, abs=1e-9)
     assert first.lands_at_deg < 35 + 120  # on the upper dwell
-    assert first.impact_m_s == pytest.approx(math.sqrt(2 * fall * (top - 0.020)), rel=1e-12)
+    assert first.impact_m_per_s == pytest.approx(math.sqrt(2 * fall * (top - 0.020)), rel=1e-12)
 
 
 def test_energy_is_kept_in_flight() -> None:
@@ -153,7 +153,7 @@ def test_energy_is_kept_in_flight() -> None:
 
     for flight in found:
         first = float(made().derivative(1, flight.leaves_at_deg, rate))
-        last = float(made().derivative(1, flight.lands_at_deg, rate)) - flight.impact_m_s
+        last = float(made().derivative(1, flight.lands_at_deg, rate)) - flight.impact_m_per_s
         before = energy(flight.leaves_at_deg, first)
         assert energy(flight.lands_at_deg, last) == pytest.approx(before, rel=1e-10)
 
@@ -165,10 +165,10 @@ def test_bounces_come_to_rest_and_it_is_said() -> None:
     found = cm.follower_flights(motion, load, rate, turns=1, restitution=0.4)
     first = found[0]
     assert first.lands_at_deg < 35 + 120
-    end = first.lands_at_deg + 2 * 0.4 * first.impact_m_s / 30 / 0.6 * rate / 10
+    end = first.lands_at_deg + 2 * 0.4 * first.impact_m_per_s / 30 / 0.6 * rate / 10
     assert found.stuck_at_deg[0] == pytest.approx(end, abs=1e-3)
     bounces = [f for f in found if f.lands_at_deg <= found.stuck_at_deg[0]]
-    impacts = np.array([f.impact_m_s for f in bounces])
+    impacts = np.array([f.impact_m_per_s for f in bounces])
     assert impacts[1:6] / impacts[:5] == pytest.approx(0.4, rel=1e-9)
     assert f"first at {found.stuck_at_deg[0]:.6g} deg" in str(found)
 

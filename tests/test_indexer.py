@@ -25,7 +25,7 @@ def test_the_worked_example_to_its_printed_digits() -> None:
     alpha = (math.pi / 4) / 0.75**2
     assert f"{alpha * rounded:.3f}" == "7.721"
     assert f"{38.5 * alpha * rounded:.3f}" == "297.271"
-    assert found.peak_acceleration_rad_s2 == pytest.approx(alpha * exact, rel=1e-12)
+    assert found.peak_acceleration_rad_per_s2 == pytest.approx(alpha * exact, rel=1e-12)
     assert found.inertia_torque_N_m * rounded / exact == pytest.approx(297.2715, abs=1e-4)
     assert f"{found.peak_torque_N_m:.3f}" == "307.162"
     assert cm.Indexer(38.5, 8, 0.75, friction_N_m=10, safety=1.5).required_torque_N_m == (
@@ -35,7 +35,7 @@ def test_the_worked_example_to_its_printed_digits() -> None:
 
 def test_another_makers_rotary_table() -> None:
     """CODESYS: 8 stops in 2000 ms, of which the index takes 400 ms; modified sine 27.135 rad/s2."""
-    assert f"{cm.Indexer(1, 8, 0.4).peak_acceleration_rad_s2:.3f}" == "27.135"
+    assert f"{cm.Indexer(1, 8, 0.4).peak_acceleration_rad_per_s2:.3f}" == "27.135"
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -43,13 +43,13 @@ def test_torque_and_power_are_the_law_scaled(name: str) -> None:
     law, found = cm.LAWS[name], table(name, friction_N_m=10, work_N_m=4)
     step, drag = math.pi / 4, 14
     omega, alpha = law(X, 1) * step / 0.75, law(X, 2) * step / 0.75**2
-    assert found.velocity_rad_s(X) == pytest.approx(omega)
+    assert found.velocity_rad_per_s(X) == pytest.approx(omega)
     assert found.torque_N_m(X) == pytest.approx(38.5 * alpha + drag)
     assert found.power_W(X) == pytest.approx((38.5 * alpha + drag) * omega)
     assert found.peak_torque_N_m == pytest.approx(38.5 * law.Ca * step / 0.75**2 + drag)
     assert found.peak_power_W == pytest.approx(found.power_W(X).max(), rel=1e-6)
     assert found.peak_power_W >= found.power_W(X).max() * (1 - 1e-12)
-    assert found.peak_velocity_rad_s == pytest.approx(omega.max(), rel=1e-7)
+    assert found.peak_velocity_rad_per_s == pytest.approx(omega.max(), rel=1e-7)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -113,7 +113,7 @@ def test_the_torque_turns_where_friction_no_longer_brakes_enough() -> None:
     assert start == pytest.approx(0.5 + angle / (2 * math.pi))
     assert end == pytest.approx(1 - angle / (2 * math.pi))
     assert table("cycloidal", friction_N_m=400).braking == []
-    assert table("cycloidal", friction_N_m=400).impact_rad_s(0.02) == 0
+    assert table("cycloidal", friction_N_m=400).impact_rad_per_s(0.02) == 0
 
 
 @pytest.mark.parametrize("name", ["cycloidal", "modified sine", "modified trapezoid", "cubic"])
@@ -123,11 +123,11 @@ def test_the_impact_of_a_table_that_is_let_go(name: str, friction: float) -> Non
     start, dt = found.braking[0][0], 1e-6
     x = start + np.arange(0, 400_000) * dt
     x = x[x <= 1]
-    slowed = found.velocity_rad_s(start) - friction / 38.5 * (x - start) * 0.75
-    relative = slowed - found.velocity_rad_s(x)
+    slowed = found.velocity_rad_per_s(start) - friction / 38.5 * (x - start) * 0.75
+    relative = slowed - found.velocity_rad_per_s(x)
     ahead = np.cumsum(relative) * dt * 0.75
     hit = np.searchsorted(ahead, gap)
-    assert found.impact_rad_s(0.05) == pytest.approx(relative[hit], rel=1e-4)
+    assert found.impact_rad_per_s(0.05) == pytest.approx(relative[hit], rel=1e-4)
 
 
 @pytest.mark.parametrize("name", ["cycloidal", "modified sine", "modified trapezoid"])
@@ -136,7 +136,7 @@ def test_a_small_backlash_sees_only_the_jerk_of_the_crossover(name: str) -> None
     gap = math.radians(1e-5)
     jerk = abs(float(cm.LAWS[name](0.5, 3))) * math.pi / 4 / 0.75**3
     known = (4.5 * jerk * gap**2) ** (1 / 3)
-    assert table(name).impact_rad_s(1e-5) == pytest.approx(known, rel=1e-3)
+    assert table(name).impact_rad_per_s(1e-5) == pytest.approx(known, rel=1e-3)
 
 
 def test_a_rotor_and_a_geneva_wheel_fit_in() -> None:
@@ -168,8 +168,8 @@ BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: table().rms_torque_N_m(0.5), r"cycle time is 0.5 s.*at least 0.75 s"),
     (lambda: table().rms_torque_N_m(-1), r"cycle time is -1 s"),
     (lambda: table().torque_N_m(1.5), r"x = t/tm is 1.5"),
-    (lambda: table().impact_rad_s(0), r"backlash is 0 deg.*0.02 deg"),
-    (lambda: table().impact_rad_s(40), r"backlash is 40 deg.*gains only .* smaller"),
+    (lambda: table().impact_rad_per_s(0), r"backlash is 0 deg.*0.02 deg"),
+    (lambda: table().impact_rad_per_s(40), r"backlash is 40 deg.*gains only .* smaller"),
 ]
 
 
@@ -183,7 +183,7 @@ def test_what_makes_no_sense_is_refused_with_what_would_do(
 
 def test_what_notebook_08_says_of_the_mill() -> None:
     """A steel disc of 24 stops, 100 mm apart on its rim; our own assumption of its mass."""
-    wheel = cm.Disc(radius_mm=2400 / (2 * math.pi), thickness_mm=40, density_kg_m3=7850)
+    wheel = cm.Disc(radius_mm=2400 / (2 * math.pi), thickness_mm=40, density_kg_per_m3=7850)
 
     def mill(law: str, angle: float) -> tuple[float, float]:
         found = cm.Indexer(

@@ -10,7 +10,7 @@ import pytest
 
 import cammotion as cm
 
-STEEL = {"thickness_mm": 10, "density_kg_m3": 7800}
+STEEL = {"thickness_mm": 10, "density_kg_per_m3": 7800}
 
 
 @pytest.mark.parametrize(
@@ -101,7 +101,7 @@ def test_the_worked_example_to_its_printed_digits() -> None:
 def test_two_ways_to_the_printed_739() -> None:
     """The print gives no reason; a rounded radius and a plate of 20 mm at 2740 kg/m3 both do."""
     assert f"{4 * 9.81 * 211.04 * 0.427118**2:.3f}" == "1510.739"
-    plate = cm.Disc(radius_mm=500, thickness_mm=20, density_kg_m3=2740)
+    plate = cm.Disc(radius_mm=500, thickness_mm=20, density_kg_per_m3=2740)
     assert f"{plate.mass_kg:.2f} {plate.inertia_kg_m2:.3f}" == "43.04 5.380"
     whole = cm.Rotor({**example().parts, "dial plate": plate})
     assert f"{whole.inertia_kg_m2:.3f} {whole.gd2_N_m2(9.81):.3f}" == "38.500 1510.739"
@@ -124,10 +124,10 @@ BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: ANY.Disc(radius_mm=0, mass_kg=43), r"radius is 0 mm.*for example 450 mm"),
     (lambda: ANY.Disc(radius_mm=math.nan, mass_kg=43), r"radius is nan mm"),
     (lambda: ANY.Disc(radius_mm=500), r"Disc is weighed in one way: give its mass_kg, or"),
-    (lambda: ANY.Disc(radius_mm=500, mass_kg=1, density_kg_m3=7850), r"weighed in one way"),
+    (lambda: ANY.Disc(radius_mm=500, mass_kg=1, density_kg_per_m3=7850), r"weighed in one way"),
     (lambda: ANY.Disc(radius_mm=500, thickness_mm=10), r"weighed in one way"),
-    (lambda: ANY.Disc(radius_mm=500, thickness_mm=-1, density_kg_m3=1), r"thickness is -1 mm"),
-    (lambda: ANY.Disc(radius_mm=500, thickness_mm=1, density_kg_m3=0), r"density is 0 kg/m3"),
+    (lambda: ANY.Disc(radius_mm=500, thickness_mm=-1, density_kg_per_m3=1), r"thickness is -1 mm"),
+    (lambda: ANY.Disc(radius_mm=500, thickness_mm=1, density_kg_per_m3=0), r"density is 0 kg/m3"),
     (lambda: ANY.Ring(radius_mm=100, inner_mm=100, mass_kg=1), r"smaller, for example 50 mm"),
     (lambda: ANY.Ring(radius_mm=100, inner_mm=0, mass_kg=1), r"inner radius is 0 mm"),
     (lambda: ANY.Cuboid(length_mm="long", width_mm=1, mass_kg=1), r"length has to be a number"),

@@ -36,7 +36,7 @@ def test_two_hundred_machines_come_back(tmp_path: Path) -> None:
 def test_a_solved_motion_comes_back_and_does_not_collide(tmp_path: Path) -> None:
     machine = cm.EXAMPLE
     still = [(205, 305)]
-    die = cm.least_acceleration(machine.diagram, "die", machine.rule, still=still, jerk_limit=70)
+    die = cm.least_acceleration(machine.diagram, "die", machine.rule, still=still, jerk_m_per_s3=70)
     assert len({move.law for move in die.motion.moves}) == 2  # of one name
     diagram = machine.diagram.with_motion(die.motion)
     back = cm.read_segments(cm.write_segments(diagram, tmp_path / "m.csv"))

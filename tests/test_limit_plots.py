@@ -28,14 +28,14 @@ def _close_figures() -> Iterator[None]:
 
 
 @cache
-def die_with(jerk_limit: float, cells: int = 90) -> LeastAcceleration:
+def die_with(jerk_m_per_s3: float, cells: int = 90) -> LeastAcceleration:
     return cm.least_acceleration(
         EXAMPLE.diagram,
         "die",
         EXAMPLE.rule,
         still=WORK,
         travel_mm=(0, 50),
-        jerk_limit=jerk_limit,
+        jerk_m_per_s3=jerk_m_per_s3,
         cells=cells,
     )
 
@@ -79,7 +79,7 @@ def test_no_motion_lies_in_the_grey_between_two_limits_of_the_jerk() -> None:
 def test_the_line_is_what_was_reached_and_the_orange_what_is_named() -> None:
     found = [die_with(limit) for limit in (8.0, 12.0)]
     named = {"cycloidal": (8.12, 0.806), "MCV50": (49.2, 1.154)}
-    ax = cm.plot_jerk_price(found, named, unlimited=0.52)
+    ax = cm.plot_jerk_price(found, named, unlimited_m_per_s2=0.52)
     assert [*ax.lines[0].get_ydata()] == [each.reached for each in found]  # type: ignore[misc]
     texts = [text.get_text() for text in ax.texts]
     assert "cycloidal" in texts
@@ -113,7 +113,9 @@ def test_no_pair_of_motions_lies_in_the_grey_of_a_front() -> None:
 def test_a_front_shows_designs_beside_what_was_reached() -> None:
     found = [least_with("mill", 0.7), least_with("mill", 0.5)]
     curve = [(1.0, 0.9), (1.2, 0.8)]
-    ax = cm.plot_front(found, {"cycloids": curve}, {"balanced": (0.943, 0.943)}, ends=(0.2, 1.6))
+    ax = cm.plot_front(
+        found, {"cycloids": curve}, {"balanced": (0.943, 0.943)}, ends_m_per_s2=(0.2, 1.6)
+    )
     assert ax.get_xlim() == (0.2, 1.6)
     assert ax.get_xlabel() == "peak acceleration of the mill in m/s²"
     assert np.array_equal(ax.lines[0].get_xydata(), sorted(map(peaks_of, found)))

@@ -42,7 +42,7 @@ def solve(
     rule: ClearanceRule = EXAMPLE,
 ) -> LeastAcceleration:
     return least_acceleration(
-        make_diagram(), "die", rule, still=STILL, travel_mm=travel, jerk_limit=jerk, cells=cells
+        make_diagram(), "die", rule, still=STILL, travel_mm=travel, jerk_m_per_s3=jerk, cells=cells
     )
 
 
@@ -190,7 +190,7 @@ def test_from_rest_to_rest_with_ramps(share: float) -> None:
     jerk = share * 32 * stroke / 1000 / time**3
     exact = (jerk * time - math.sqrt((jerk * time) ** 2 - 32 * stroke / 1000 * jerk / time)) / 4
     assert (time / 2) * (time / 2 - exact / jerk) * exact == pytest.approx(stroke / 1000)
-    found = solve_step(stroke, angle, jerk_limit=jerk, cells=720)
+    found = solve_step(stroke, angle, jerk_m_per_s3=jerk, cells=720)
     assert found.bound <= exact * (1 + SOLVED)
     assert found.reached >= exact * (1 - SOLVED)
     assert gap(found) < 0.01
@@ -199,14 +199,14 @@ def test_from_rest_to_rest_with_ramps(share: float) -> None:
 def test_less_jerk_than_that_is_refused() -> None:
     time = TURN_S * 100 / 360
     with pytest.raises(cm.InputError, match=r"^No motion keeps all of this: allow more jerk or mo"):
-        solve_step(50, 100, jerk_limit=0.98 * 1.6 / time**3, cells=180)
+        solve_step(50, 100, jerk_m_per_s3=0.98 * 1.6 / time**3, cells=180)
 
 
 def test_a_grid_that_is_too_coarse_is_not_held_against_all_motions() -> None:
     jerk = 1.001 * 1.6 / (TURN_S * 100 / 360) ** 3
     with pytest.raises(cm.InputError, match=r"^On a grid of .* cells no motion keeps .*: take"):
-        solve_step(50, 100, jerk_limit=jerk, cells=37)
-    assert solve_step(50, 100, jerk_limit=jerk, cells=720).bound > 0
+        solve_step(50, 100, jerk_m_per_s3=jerk, cells=37)
+    assert solve_step(50, 100, jerk_m_per_s3=jerk, cells=720).bound > 0
 
 
 def test_where_nothing_drives_it_the_motion_stays() -> None:
@@ -242,9 +242,9 @@ CASES: dict[str, Callable[[], LeastAcceleration]] = {
     "coarse, with limited jerk": lambda: solve(TRAVEL, JERK, cells=36),
     "beside the grid": lambda: solve(TRAVEL, JERK, 90, RULE),
     "step": lambda: solve_step(50, 90, cells=90),
-    "step over 360 deg": lambda: solve_step(50, 90, 300, jerk_limit=JERK * 2, cells=90),
+    "step over 360 deg": lambda: solve_step(50, 90, 300, jerk_m_per_s3=JERK * 2, cells=90),
     "mill": lambda: solve_mill(cells=180),
-    "mill, with limited jerk": lambda: solve_mill(cells=180, jerk_limit=JERK),
+    "mill, with limited jerk": lambda: solve_mill(cells=180, jerk_m_per_s3=JERK),
 }
 
 
@@ -287,11 +287,11 @@ def test_its_curves_are_derivatives_of_each_other(name: str) -> None:
     )
     means = np.diff(speed) / step
     away = np.abs(means - design.acceleration(which, inner)) > 1e-6 * found.reached
-    if found.jerk_limit == math.inf:
+    if found.jerk_m_per_s3 == math.inf:
         assert away.sum() < 50  # it jumps there
     else:
-        assert np.abs(np.diff(push)).max() <= found.jerk_limit * step * (1 + 1e-6)
-        assert np.abs(means - design.acceleration(which, inner)).max() <= found.jerk_limit * step
+        assert np.abs(np.diff(push)).max() <= found.jerk_m_per_s3 * step * (1 + 1e-6)
+        assert np.abs(means - design.acceleration(which, inner)).max() <= found.jerk_m_per_s3 * step
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -303,13 +303,13 @@ def test_its_peaks_are_what_is_said_of_it(name: str) -> None:
     assert pushes.max() == pytest.approx(found.reached, rel=2e-3)
     assert pushes.max() <= found.reached * (1 + 1e-12)
     assert found.bound <= found.reached * (1 + SOLVED)
-    if found.jerk_limit < math.inf:
+    if found.jerk_m_per_s3 < math.inf:
         moves = found.motion.moves
         cut = moves[0].to_deg if len(moves) == 2 and moves[0].to_deg == moves[1].from_deg else 1e9
         far = np.abs((angles - cut + 180) % 360 - 180) > 360 / 90
         jerks = np.abs(design.jerk(which, angles[far]))
-        assert jerks.max() <= found.jerk_limit * (1 + 1e-6)
-        assert jerks.max() > (0.8 if "coarse" in name else 0.999) * found.jerk_limit
+        assert jerks.max() <= found.jerk_m_per_s3 * (1 + 1e-6)
+        assert jerks.max() > (0.8 if "coarse" in name else 0.999) * found.jerk_m_per_s3
 
 
 @pytest.mark.parametrize("jerk", [math.inf, JERK])
@@ -425,7 +425,7 @@ class Case:
             given.motion,
             given.rule,
             still=given.still,
-            jerk_limit=given.jerk,
+            jerk_m_per_s3=given.jerk,
             cells=60,
         )
 
@@ -558,15 +558,21 @@ def test_it_says_between_which_values_the_least_lies() -> None:
 
 
 NUMBERS = [
-    ({"jerk_limit": math.nan}, r"^The jerk limit is nan m/s³; .* above 0 m/s³: give for ex.* 20 m"),
-    ({"jerk_limit": -math.inf}, r"^The jerk limit is -inf m/s³; "),
-    ({"jerk_limit": -5}, r"^The jerk limit is -5 m/s³; "),
-    ({"jerk_limit": 0}, r"^The jerk limit is 0 m/s³; "),
     (
-        {"jerk_limit": "20"},
+        {"jerk_m_per_s3": math.nan},
+        r"^The jerk limit is nan m/s³; .* above 0 m/s³: give for ex.* 20 m",
+    ),
+    ({"jerk_m_per_s3": -math.inf}, r"^The jerk limit is -inf m/s³; "),
+    ({"jerk_m_per_s3": -5}, r"^The jerk limit is -5 m/s³; "),
+    ({"jerk_m_per_s3": 0}, r"^The jerk limit is 0 m/s³; "),
+    (
+        {"jerk_m_per_s3": "20"},
         r"^The jerk limit has to be a number in m/s³, not '20': give it as a n",
     ),
-    ({"jerk_limit": np.array([20.0, 30.0])}, r"^The jerk limit has to be a single number here, "),
+    (
+        {"jerk_m_per_s3": np.array([20.0, 30.0])},
+        r"^The jerk limit has to be a single number here, ",
+    ),
     (
         {"cells": 11},
         r"^The number of cells is 11; .* at least 12 and at most 2880: give for .* 720",
@@ -636,7 +642,7 @@ def test_a_rule_that_does_not_let_it_stand_is_refused() -> None:
 
 def test_too_little_jerk_is_refused() -> None:
     with pytest.raises(cm.InputError, match=r"^No motion keeps all of this: allow more jerk or mo"):
-        least_acceleration(make_diagram(), "die", EXAMPLE, still=STILL, jerk_limit=1, cells=90)
+        least_acceleration(make_diagram(), "die", EXAMPLE, still=STILL, jerk_m_per_s3=1, cells=90)
 
 
 def test_where_the_simplex_method_cannot_tell_another_one_does() -> None:
@@ -646,12 +652,12 @@ def test_where_the_simplex_method_cannot_tell_another_one_does() -> None:
     rule = ClearanceRule(beyond("die", 3.9000000000000004), only_while=within("mill", 0.2))
     still = [(18.358299237389232, 81.64170076261077)]
     with pytest.raises(cm.InputError, match=r"^(No|On a grid of 5. cells no) motion keeps all of"):
-        least_acceleration(diagram, "die", rule, still=still, jerk_limit=200, cells=60)
+        least_acceleration(diagram, "die", rule, still=still, jerk_m_per_s3=200, cells=60)
 
 
 def test_an_infinite_jerk_limit_is_none() -> None:
     for none in (math.inf, np.float64(np.inf)):
         found = least_acceleration(
-            make_diagram(), "die", EXAMPLE, still=STILL, jerk_limit=none, cells=36
+            make_diagram(), "die", EXAMPLE, still=STILL, jerk_m_per_s3=none, cells=36
         )
         assert found.bound == solve(cells=36).bound

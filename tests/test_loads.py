@@ -82,10 +82,10 @@ def test_hertz_between_steel_cylinders() -> None:
     for radius in (60.0, -30.0):
         curvature = 1 / 10 + 1 / radius
         textbook = 0.418 * math.sqrt(500 * 210_000 / 12 * curvature)
-        pressure = cm.hertz_pressure(500, radius, roller_mm=10, width_mm=12)
+        pressure = cm.hertz_pressure(500, radius, roller_radius_mm=10, width_mm=12)
         assert pressure == pytest.approx(textbook, rel=1e-3)
-    assert cm.hertz_pressure([-5, 0], 60, roller_mm=10, width_mm=12).tolist() == [0, 0]
-    straight = cm.hertz_pressure(500, 1e12, roller_mm=10, width_mm=12)
+    assert cm.hertz_pressure([-5, 0], 60, roller_radius_mm=10, width_mm=12).tolist() == [0, 0]
+    straight = cm.hertz_pressure(500, 1e12, roller_radius_mm=10, width_mm=12)
     assert straight == pytest.approx(0.418 * math.sqrt(500 * 210_000 / 120), rel=1e-3)
     with pytest.raises(cm.InputError, match="-9 mm, which the roller of 10 mm cannot touch"):
-        cm.hertz_pressure(500, [60, -9], roller_mm=10, width_mm=12)
+        cm.hertz_pressure(500, [60, -9], roller_radius_mm=10, width_mm=12)

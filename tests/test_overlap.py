@@ -129,7 +129,7 @@ def test_the_tight_point_is_where_both_motions_stand_at_their_limits() -> None:
 
 def test_the_widest_move_is_in_its_diagram() -> None:
     widest = cm.widest_move(make_diagram(), "die", [RULE])
-    assert widest.motion == "die"
+    assert widest.mechanism == "die"
     down, up = widest.diagram["die"].moves
     assert (down.angle_deg, up.angle_deg) == pytest.approx((widest.angle_deg, widest.angle_deg))
     assert (down.to_deg, up.from_deg) == (205, 305)

@@ -48,7 +48,7 @@ def test_the_bound_of_a_small_program_can_be_followed_by_hand() -> None:
     assert solve(SMALL).bound == 2
 
 
-@pytest.mark.parametrize("more", [{}, {"travel_mm": (0, 50)}, {"jerk_limit": 12.0}])
+@pytest.mark.parametrize("more", [{}, {"travel_mm": (0, 50)}, {"jerk_m_per_s3": 12.0}])
 def test_it_is_as_good_as_what_the_solver_says(
     monkeypatch: pytest.MonkeyPatch, more: dict[str, Any]
 ) -> None:

@@ -13,7 +13,7 @@ from scipy.optimize import linprog
 import cammotion as cm
 
 INF = math.inf
-LIMITED = {"velocity": 0.3, "jerk": 200}
+LIMITED = {"velocity_m_per_s": 0.3, "jerk_m_per_s3": 200}
 RUCKIG = [  # mm, m/s, m/s2, m/s3 and the time in s
     (50, INF, 4, 200, 0.2444994432064365),
     (50, 0.3, 4, 200, 0.26166666666666666),
@@ -43,7 +43,11 @@ def test_another_program_is_as_quick(
     stroke: float, velocity: float, acceleration: float, jerk: float, time: float
 ) -> None:
     move = cm.quickest_move(
-        stroke, velocity=velocity, acceleration=acceleration, jerk=jerk, rate_per_hour=100
+        stroke,
+        velocity_m_per_s=velocity,
+        acceleration_m_per_s2=acceleration,
+        jerk_m_per_s3=jerk,
+        rate_per_hour=100,
     )
     assert move.time_s == pytest.approx(time, rel=1e-9)
     assert move.angle_deg == pytest.approx(time * 10)  # a turn takes 36 s
@@ -57,11 +61,17 @@ def test_another_program_is_as_quick(
 
 @pytest.mark.parametrize(
     ("limits", "pieces"),
-    [({}, 2), ({"velocity": 0.3}, 4), ({"jerk": 200}, 6), ({"jerk": 1}, 4), (LIMITED, 8)],
+    [
+        ({}, 2),
+        ({"velocity_m_per_s": 0.3}, 4),
+        ({"jerk_m_per_s3": 200}, 6),
+        ({"jerk_m_per_s3": 1}, 4),
+        (LIMITED, 8),
+    ],
 )
 def test_segments_that_it_does_not_need_are_left_out(limits: dict[str, float], pieces: int) -> None:
     """Seven, of which the one in the middle is in two halves."""
-    move = cm.quickest_move(50, acceleration=4, rate_per_hour=100, **limits)
+    move = cm.quickest_move(50, acceleration_m_per_s2=4, rate_per_hour=100, **limits)
     assert len(cm.as_law(move.law).curve.pieces) == pieces
 
 
@@ -99,7 +109,11 @@ def test_in_its_time_no_motion_goes_further(
     velocity: float, acceleration: float, jerk: float
 ) -> None:
     move = cm.quickest_move(
-        50, velocity=velocity, acceleration=acceleration, jerk=jerk, rate_per_hour=500
+        50,
+        velocity_m_per_s=velocity,
+        acceleration_m_per_s2=acceleration,
+        jerk_m_per_s3=jerk,
+        rate_per_hour=500,
     )
     longest = longest_mm(move.time_s, velocity, acceleration, jerk)
     assert longest == pytest.approx(50, rel=2e-3)
@@ -107,7 +121,9 @@ def test_in_its_time_no_motion_goes_further(
 
 def test_a_cam_with_the_quickest_move(tmp_path: Path) -> None:
     """It goes into a motion and through a table like any law, and its peaks are the limits."""
-    move = cm.quickest_move(50, velocity=0.35, acceleration=4, jerk=200, rate_per_hour=2000)
+    move = cm.quickest_move(
+        50, velocity_m_per_s=0.35, acceleration_m_per_s2=4, jerk_m_per_s3=200, rate_per_hour=2000
+    )
     rest = (360 - 2 * move.angle_deg) / 2
     die = cm.motion(
         "die",
@@ -127,15 +143,20 @@ def test_a_cam_with_the_quickest_move(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"acceleration": 0}, "largest acceleration is 0 m/s2"),
-        ({"acceleration": INF}, "largest acceleration is inf m/s2"),
-        ({"velocity": -1}, "largest velocity is -1 m/s"),
-        ({"jerk": math.nan}, "largest jerk is nan m/s3"),
-        ({"jerk": 1e30}, r"largest jerk is 1e\+30 m/s3, which the move needs for less than"),
+        ({"acceleration_m_per_s2": 0}, "largest acceleration is 0 m/s2"),
+        ({"acceleration_m_per_s2": INF}, "largest acceleration is inf m/s2"),
+        ({"velocity_m_per_s": -1}, "largest velocity is -1 m/s"),
+        ({"jerk_m_per_s3": math.nan}, "largest jerk is nan m/s3"),
+        (
+            {"jerk_m_per_s3": 1e30},
+            r"largest jerk is 1e\+30 m/s3, which the move needs for less than",
+        ),
         ({"stroke_mm": 0}, "stroke is 0 mm"),
         ({"rate_per_hour": 20_000}, "takes 0.2236 s, and a turn .* only 0.18 s: .* at most 16100"),
     ],
 )
 def test_what_is_no_move(given: dict[str, float], said: str) -> None:
     with pytest.raises(cm.InputError, match=said):
-        cm.quickest_move(**{"stroke_mm": 50, "acceleration": 4, "rate_per_hour": 2000} | given)
+        cm.quickest_move(
+            **{"stroke_mm": 50, "acceleration_m_per_s2": 4, "rate_per_hour": 2000} | given
+        )

@@ -19,22 +19,24 @@ PEAK = 4.15417  # m/s2 of the die without overlap
 def test_the_rates_after_the_overlap() -> None:
     """2000 pieces/h become 3857 at the same peak, where the mill limits; balanced they are 4198."""
     overlapped = cm.widest_move(SEQUENTIAL, "die", cm.EXAMPLE.rule).diagram
-    first, second = cm.rate_limits(overlapped, acceleration=SEQUENTIAL.peak_acceleration("die"))
+    first, second = cm.rate_limits(
+        overlapped, acceleration_m_per_s2=SEQUENTIAL.peak_acceleration("die")
+    )
     assert first.rate_per_hour == pytest.approx(3857, abs=0.5)
-    assert (first.motion, second.motion) == ("mill", "die")
+    assert (first.mechanism, second.mechanism) == ("mill", "die")
     assert first.at_deg == pytest.approx(37.5)
     wide_mill = make_diagram(make_mill(163.267), make_die())
     balanced = cm.widest_move(wide_mill, "die", RULE).diagram
-    for limit in cm.rate_limits(balanced, acceleration=PEAK):
+    for limit in cm.rate_limits(balanced, acceleration_m_per_s2=PEAK):
         assert limit.rate_per_hour == pytest.approx(4198, abs=0.5)
 
 
 def test_a_peak_of_acceleration_goes_with_the_square() -> None:
     for limit in (0.1, 4.0, 50.0):
-        for found in cm.rate_limits(SEQUENTIAL, acceleration=limit):
+        for found in cm.rate_limits(SEQUENTIAL, acceleration_m_per_s2=limit):
             at_rate = SEQUENTIAL.at_rate(found.rate_per_hour)
-            assert at_rate.peak_acceleration(found.motion) == pytest.approx(limit, rel=1e-12)
-            value = at_rate.acceleration(found.motion, found.at_deg)
+            assert at_rate.peak_acceleration(found.mechanism) == pytest.approx(limit, rel=1e-12)
+            value = at_rate.acceleration(found.mechanism, found.at_deg)
             assert abs(value) == pytest.approx(limit)
 
 
@@ -91,11 +93,11 @@ def test_a_spring_is_met_sooner_or_later_than_the_square_says() -> None:
 
 def test_what_no_rate_meets_and_what_every_rate_exceeds() -> None:
     still = cm.TimingDiagram([cm.motion("pin", cm.dwell(360))], 2000)
-    (never,) = cm.rate_limits(still, acceleration=1)
+    (never,) = cm.rate_limits(still, acceleration_m_per_s2=1)
     assert never == cm.RateLimit(math.inf, "acceleration", 1, "pin", None)
     assert str(never) == "at no rate the pin meets the acceleration of 1 m/s²"
     jumping = make_diagram(make_die(law=cm.CONSTANT_VELOCITY))
-    (always,) = cm.rate_limits(jumping, acceleration=1)
+    (always,) = cm.rate_limits(jumping, acceleration_m_per_s2=1)
     assert always.rate_per_hour == 0
     assert str(always) == "at any rate the die exceeds the acceleration of 1 m/s², at 0 deg"
     weighted = cm.FollowerLoad(mass_kg=1, preload_N=50)
@@ -107,7 +109,7 @@ def test_what_no_rate_meets_and_what_every_rate_exceeds() -> None:
 
 def test_who_has_the_largest_part_of_the_torque() -> None:
     alone = cm.Camshaft(SEQUENTIAL, {"die": cm.FollowerLoad(mass_kg=12)})
-    assert cm.rate_limits(alone, torque_N_m=40)[0].motion == "die"
+    assert cm.rate_limits(alone, torque_N_m=40)[0].mechanism == "die"
     heavy = cm.Camshaft(
         SEQUENTIAL, {"die": cm.FollowerLoad(mass_kg=1), "mill": cm.FollowerLoad(mass_kg=90)}
     )
@@ -118,8 +120,8 @@ def test_who_has_the_largest_part_of_the_torque() -> None:
 def test_the_lowest_rate_comes_first_and_its_place_is_in_the_turn() -> None:
     """The die is the second of the motions, and the harder one; its rise ends at 405 deg."""
     late = SEQUENTIAL.with_motion(SEQUENTIAL["die"].shifted(200))
-    first, second = cm.rate_limits(late, acceleration=4)
-    assert (first.motion, second.motion) == ("die", "mill")
+    first, second = cm.rate_limits(late, acceleration_m_per_s2=4)
+    assert (first.mechanism, second.mechanism) == ("die", "mill")
     assert first.rate_per_hour < second.rate_per_hour
     assert first.at_deg is not None
     assert 0 <= first.at_deg < 360
@@ -147,8 +149,8 @@ def test_a_rate_at_which_the_limit_is_not_met_is_never_returned(
     ("limits", "said"),
     [
         ({}, "No limit is given: give at least one"),
-        ({"acceleration": 0}, "limit of the acceleration is 0 m/s2"),
-        ({"acceleration": {"dye": 3}}, "There is no motion 'dye': did you mean 'die'"),
+        ({"acceleration_m_per_s2": 0}, "limit of the acceleration is 0 m/s2"),
+        ({"acceleration_m_per_s2": {"dye": 3}}, "There is no motion 'dye': did you mean 'die'"),
         ({"force_N": {"dye": 3}}, "There is no load of a motion 'dye': did you mean 'die'"),
         ({"force_N": -1}, "limit of the force is -1 N"),
         ({"torque_N_m": math.nan}, "limit of the torque is nan N m"),

@@ -150,7 +150,7 @@ def test_names_in_another_case_are_the_same_motions() -> None:
     for motion, rule in (("Die", RULE), ("die", loud), ("DIE", loud)):
         found = cm.widest_move(make_diagram(), motion, rule)
         assert found.angle_deg == pytest.approx(124.905, abs=1e-3)
-        assert found.motion == "die"
+        assert found.mechanism == "die"
         best = cm.least_acceleration(make_diagram(), motion, rule, still=[(205, 305)], cells=90)
         assert best.reached > 0.5
     wide = make_diagram(make_mill(), make_die(130))

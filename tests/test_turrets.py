@@ -122,7 +122,7 @@ def test_no_motion_made_by_hand_is_below_the_bound(seed: int) -> None:
         return
     places, peak, jerk = min(good, key=lambda motion: motion[1])
     more = {"travel_mm": (places.min() - 0.01, places.max() + 0.01)} if seed % 3 == 0 else {}
-    found = solve_unless_coarse(turret, peak, jerk_limit=jerk * (1 + 1e-9), **more)
+    found = solve_unless_coarse(turret, peak, jerk_m_per_s3=jerk * (1 + 1e-9), **more)
     assert not found or found.bound <= peak * (1 + 1e-6)
 
 

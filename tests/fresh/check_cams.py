@@ -141,7 +141,7 @@ def _check_smallest(
 def _check_undercuts(track: Track, cam: cm.RollerCam, offset: float) -> None:
     angles = _angles(track)
     _, curvature = _judged(track, offset, cam.prime_radius_mm, cam.motion.range_mm[0])
-    sharp = curvature * cam.roller_mm
+    sharp = curvature * cam.roller_radius_mm
     within = np.zeros(angles.shape, bool)
     for cut in cam.undercuts:
         turned = np.mod(angles - cut.start_deg, 360)
@@ -177,7 +177,7 @@ def _check_rolling(
     if cam.cut_away():
         return
     profile = cam.profile_mm(np.linspace(0, 360, FINE)) @ [1, 1j]
-    radius = cam.roller_mm
+    radius = cam.roller_radius_mm
     lowest = np.sqrt(cam.prime_radius_mm**2 - offset**2)
     step = float(np.abs(np.diff(profile)).max())
     if step > radius / 4:  # a move over a hundredth of a degree has a cam of kilometres

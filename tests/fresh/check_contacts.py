@@ -53,7 +53,7 @@ def compare(found: cm.Flights, known: Iterable[Found], travel: float) -> None:
         near = NEAR_DEG * (1 + 1e-3 / min(1.0, flight.gap_mm / travel))
         assert np.allclose(flight[:2], other[:2], rtol=0, atol=near), f"{flight}, not {other}"
         assert np.isclose(flight.gap_mm, other[2], rtol=1e-4, atol=1e-7 * travel)  # of samples
-        assert np.isclose(flight.impact_m_s, other[3], rtol=1e-4, atol=1e-6 * travel)
+        assert np.isclose(flight.impact_m_per_s, other[3], rtol=1e-4, atol=1e-6 * travel)
 
 
 def integrated(

@@ -36,13 +36,13 @@ class Improvement:
     """
 
     kind: str
+    rate_per_hour: float
     mechanism: str
     said: str
     machine: Machine
     before: float
     after: float
     largest: float
-    rate_per_hour: float
     mends: int = 0
 
     @property

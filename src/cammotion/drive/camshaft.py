@@ -25,6 +25,7 @@ from cammotion.drive.spans import Moved, Span, SpanFunction, nodes, running_extr
 from cammotion.dynamics.loads import FollowerLoad
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, one_of, plain, shorten
 
@@ -86,16 +87,16 @@ class Camshaft:
         """Return the same shaft at another machine rate, in pieces/h."""
         return replace(self, diagram=self.diagram.at_rate(rate_per_hour))
 
-    def force_N(self, name: str, angle_deg: ArrayLike) -> Numbers:  # noqa: N802 (here and below)
+    def force_N(self, motion: str | Motion, angle_deg: ArrayLike) -> Numbers:  # noqa: N802 (here and below)
         """Return the force in N that the cam has on a mechanism at a cam angle, a number or array.
 
         It is in the direction of the motion, above 0 towards higher positions; at a joint it is
         what begins there. Raises InputError for a name without a load.
         """
-        return plain(self._force(self._loaded(name), CAM_ANGLE.array(angle_deg))[0])
+        return plain(self._force(self._loaded(motion), CAM_ANGLE.array(angle_deg))[0])
 
-    def torque_N_m(self, angle_deg: ArrayLike, name: str | None = None) -> Numbers:  # noqa: N802
-        """Return the torque on the shaft in N m at a cam angle; of one mechanism, if it is named.
+    def torque_N_m(self, angle_deg: ArrayLike, *, motion: str | Motion | None = None) -> Numbers:  # noqa: N802
+        """Return the torque on the shaft in N m at a cam angle; of one mechanism, if one is given.
 
         >>> import cammotion as cm
         >>> shaft = Camshaft(cm.EXAMPLE.diagram, {"die": FollowerLoad(mass_kg=12)})
@@ -103,9 +104,9 @@ class Camshaft:
         array([ 0.   ,  2.597,  0.   , -2.597])
         """
         angle = CAM_ANGLE.array(angle_deg)
-        names = self.loads if name is None else [self._loaded(name)]
+        names = self.loads if motion is None else [self._loaded(motion)]
         power = (force * velocity for force, velocity in (self._force(n, angle) for n in names))
-        return plain(sum(power, np.zeros(angle.shape)) / self.speed_rad_s)
+        return plain(sum(power, np.zeros(angle.shape)) / self.speed_rad_per_s)
 
     def reflected_inertia_kg_m2(self, angle_deg: ArrayLike) -> Numbers:
         """Return what a start has to speed up at a cam angle, in kg m2: drive and all masses.
@@ -121,20 +122,22 @@ class Camshaft:
         inertia = np.full(angle.shape, float(self.inertia_kg_m2))
         for name, load in self.loads.items():
             velocity = self.diagram[name].derivative(1, angle, rate)
-            inertia += load.mass_kg * (velocity / self.speed_rad_s) ** 2
+            inertia += load.mass_kg * (velocity / self.speed_rad_per_s) ** 2
         return plain(inertia)
 
-    def peak_force(self, name: str) -> Extreme:
+    def peak_force(self, motion: str | Motion) -> Extreme:
         """Return the largest force of a mechanism in N, of either sign, and the cam angle of it."""
-        own = self.spans_of(self._loaded(name))
-        return _peak(lambda span, at: np.add(*self.force_parts(span, at, name)), own)
+        name = self._loaded(motion)
+        return _peak(
+            lambda span, at: np.add(*self.force_parts(name, span, at)), self.spans_of(name)
+        )
 
     def peak_torque(self) -> Extreme:
         """Return the largest torque on the shaft in N m, of either sign, and the cam angle."""
         return _peak(self._torque, self.spans)
 
     @property
-    def speed_rad_s(self) -> float:
+    def speed_rad_per_s(self) -> float:
         """The speed of the shaft in rad/s."""
         return 2 * math.pi / self._cycle_s
 
@@ -147,7 +150,7 @@ class Camshaft:
     @property
     def mean_power_W(self) -> float:  # noqa: N802
         """The mean power in W."""
-        return self.mean_torque_N_m * self.speed_rad_s
+        return self.mean_torque_N_m * self.speed_rad_per_s
 
     @property
     def rms_torque_N_m(self) -> float:  # noqa: N802
@@ -180,38 +183,43 @@ class Camshaft:
                 "The inertia of the drive is 0 kg m2, and without one nothing keeps the speed "
                 "even: give it, for example inertia_kg_m2=2."
             )
-        return self.energy_swing_J / (self.inertia_kg_m2 * self.speed_rad_s**2)
+        return self.energy_swing_J / (self.inertia_kg_m2 * self.speed_rad_per_s**2)
 
     @cached_property
     def spans(self) -> tuple[Span, ...]:
         """The turn, cut where a loaded motion is not smooth or a force of the process begins."""
         return self._spans(*self.loads)
 
-    def spans_of(self, name: str) -> tuple[Span, ...]:
+    def spans_of(self, motion: str | Motion) -> tuple[Span, ...]:
         """Return the turn, cut where one mechanism is not smooth or a force on it begins."""
+        name = self._loaded(motion)
         if name not in self._own_spans:  # a rate and a peak ask for the same
             self._own_spans[name] = self._spans(name)
         return self._own_spans[name]
 
-    def force_parts(self, span: Span, angles: Floats, name: str) -> tuple[Floats, Floats]:
+    def force_parts(
+        self, motion: str | Motion, span: Span, angle_deg: Floats
+    ) -> tuple[Floats, Floats]:
         """Return the force in N of a mechanism at angles in a span: of its mass, and the rest.
 
         The first part goes with the square of the rate, the second is the same at every rate.
         """
-        moved = span.moved(name, angles, self._cycle_s)
-        return self._parts(name, moved, span.way(name), angles)
+        name = self._loaded(motion)
+        moved = span.moved(name, angle_deg, self._cycle_s)
+        return self._parts(name, moved, span.way(name), angle_deg)
 
-    def torque_parts(self, span: Span, angles: Floats) -> tuple[Floats, Floats]:
+    def torque_parts(self, span: Span, angle_deg: Floats) -> tuple[Floats, Floats]:
         """Return the torque in N m at angles in a span: of the masses, and the rest."""
-        inertia, standing = np.zeros(angles.shape), np.zeros(angles.shape)
+        inertia, standing = np.zeros(angle_deg.shape), np.zeros(angle_deg.shape)
         for name in filter(span.moves, self.loads):
-            arm = span.moved(name, angles, self._cycle_s).velocity / self.speed_rad_s
-            of_mass, rest = self.force_parts(span, angles, name)
+            arm = span.moved(name, angle_deg, self._cycle_s).velocity / self.speed_rad_per_s
+            of_mass, rest = self.force_parts(name, span, angle_deg)
             inertia += arm * of_mass
             standing += arm * rest
         return inertia, standing
 
-    def _loaded(self, name: str) -> str:
+    def _loaded(self, motion: str | Motion) -> str:
+        name = self.diagram[motion].name if isinstance(motion, Motion) else motion
         return one_of(LOADED, name, self.loads)
 
     def _torque(self, span: Span, angles: Floats) -> Floats:

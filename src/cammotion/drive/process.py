@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.machine.diagram import name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE
 from cammotion.quantities import Numbers, Quantity, plain
 
@@ -27,13 +29,14 @@ class ProcessForce:
     array([  0. , 200. , 599.6,   0. ])
     """
 
-    motion: str
+    motion: str | Motion
     from_deg: float
     to_deg: float
     force_N: float  # noqa: N815 - newton
     last_N: float | None = None  # noqa: N815
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "motion", name_of(self.motion))
         for angle in (self.from_deg, self.to_deg):
             CAM_ANGLE.number(angle)
         PART_ANGLE.number(self.to_deg - self.from_deg)

@@ -36,17 +36,17 @@ Parts = Callable[[Span, Floats], tuple[Floats, Floats]]
 
 @dataclass(frozen=True)
 class RateLimit:
-    """The machine rate in pieces/h at which a limit is met, by which motion, and where in the turn.
+    """The machine rate in pieces/h at which a limit is met, by which mechanism, and where.
 
     `limit` is in m/s2, N or N m, as `quantity` is "acceleration", "force" or "torque". For the
-    torque on the shaft `motion` is the one with the largest part in it. The rate is infinite, and
-    the angle None, where no rate meets the limit; it is 0 where the limit is exceeded at any rate.
+    torque on the shaft `mechanism` is the one with the largest part in it. The rate is infinite,
+    and the angle None, where no rate meets the limit; it is 0 where it is exceeded at any rate.
     """
 
     rate_per_hour: float
     quantity: str
     limit: float
-    motion: str
+    mechanism: str
     at_deg: float | None
 
     def __str__(self) -> str:
@@ -54,25 +54,25 @@ class RateLimit:
         unit = {"acceleration": "m/s²", "force": "N", "torque": "N m"}[self.quantity]
         what = f"the {self.quantity} of {self.limit:.4g} {unit}"
         if self.at_deg is None:
-            return f"at no rate the {self.motion} meets {what}"
+            return f"at no rate the {self.mechanism} meets {what}"
         if not self.rate_per_hour:
-            return f"at any rate the {self.motion} exceeds {what}, at {self.at_deg:.4g} deg"
+            return f"at any rate the {self.mechanism} exceeds {what}, at {self.at_deg:.4g} deg"
         whose = "has the largest part of" if self.quantity == "torque" else "meets"
         rate = f"at {self.rate_per_hour:.0f} pieces/h"
-        return f"{rate} the {self.motion} {whose} {what}, at {self.at_deg:.4g} deg"
+        return f"{rate} the {self.mechanism} {whose} {what}, at {self.at_deg:.4g} deg"
 
 
 @checked
 def rate_limits(
-    machine: TimingDiagram | Camshaft,
+    diagram: TimingDiagram | Camshaft,
     *,
-    acceleration: float | Mapping[str, float] | None = None,
+    acceleration_m_per_s2: float | Mapping[str, float] | None = None,
     force_N: float | Mapping[str, float] | None = None,  # noqa: N803 - newton
     torque_N_m: float | None = None,  # noqa: N803
 ) -> tuple[RateLimit, ...]:
     """Return the rates at which limits are met, the lowest first: that one limits the machine.
 
-    `acceleration` in m/s2 and `force_N` are a number for all motions, or numbers by their names;
+    `acceleration_m_per_s2` and `force_N` are a number for all motions, or numbers by their names;
     `torque_N_m` is for the torque on the shaft. Forces and torque need a Camshaft, and are looked
     at for its loaded motions; they are meant in either direction. Each rate of forces and torque is
     checked before it is returned: there the limit is reached and not exceeded. Raises InputError
@@ -80,17 +80,18 @@ def rate_limits(
 
     >>> import cammotion as cm
     >>> found = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram
-    >>> for limit in rate_limits(found, acceleration=cm.EXAMPLE.diagram.peak_acceleration("die")):
-    ...     print(f"{limit.rate_per_hour:.0f} pieces/h, where the {limit.motion} meets it")
+    >>> now = cm.EXAMPLE.diagram.peak_acceleration("die")
+    >>> for limit in rate_limits(found, acceleration_m_per_s2=now):
+    ...     print(f"{limit.rate_per_hour:.0f} pieces/h, where the {limit.mechanism} meets it")
     3857 pieces/h, where the mill meets it
     4540 pieces/h, where the die meets it
     >>> shaft = cm.Camshaft(found, {"die": cm.FollowerLoad(mass_kg=12, preload_N=60)})
     >>> print(f"{rate_limits(shaft, force_N=100)[0].rate_per_hour:.0f} pieces/h")
     4066 pieces/h
     """
-    shaft = machine if isinstance(machine, Camshaft) else None
-    diagram = shaft.diagram if shaft else as_diagram(machine)
-    found = list(_accelerations(diagram, acceleration))
+    shaft = diagram if isinstance(diagram, Camshaft) else None
+    motions = shaft.diagram if shaft else as_diagram(diagram)
+    found = list(_accelerations(motions, acceleration_m_per_s2))
     if force_N is not None or torque_N_m is not None:
         if shaft is None:
             raise InputError(
@@ -101,8 +102,8 @@ def rate_limits(
         found += [] if torque_N_m is None else [_torque(shaft, _TORQUE.number(torque_N_m))]
     if not found:
         raise InputError(
-            "No limit is given: give at least one of acceleration, force_N and torque_N_m, for "
-            "example acceleration=4."
+            "No limit is given: give at least one of acceleration_m_per_s2, force_N and "
+            "torque_N_m, for example acceleration_m_per_s2=4."
         )
     return tuple(sorted(found, key=lambda limit: limit.rate_per_hour))
 
@@ -130,7 +131,7 @@ def _accelerations(
 
 def _forces(shaft: Camshaft, limits: float | Mapping[str, float] | None) -> Iterator[RateLimit]:
     for name, limit in _limits(limits, _FORCE, tuple(shaft.loads), LOADED).items():
-        parts = partial(shaft.force_parts, name=name)
+        parts = partial(shaft.force_parts, name)
         rate, at_deg = _rate(shaft, parts, shaft.spans_of(name), limit)
         yield RateLimit(rate, "force", limit, name, at_deg)
 
@@ -138,7 +139,7 @@ def _forces(shaft: Camshaft, limits: float | Mapping[str, float] | None) -> Iter
 def _torque(shaft: Camshaft, limit: float) -> RateLimit:
     rate, at_deg = _rate(shaft, shaft.torque_parts, shaft.spans, limit)
     asked, place = shaft.at_rate(rate) if 0 < rate < math.inf else shaft, at_deg or 0.0
-    largest_part = max(shaft.loads, key=lambda name: abs(asked.torque_N_m(place, name)))
+    largest_part = max(shaft.loads, key=lambda name: abs(asked.torque_N_m(place, motion=name)))
     return RateLimit(rate, "torque", limit, largest_part, at_deg)
 
 

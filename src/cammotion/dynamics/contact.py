@@ -125,10 +125,11 @@ class Flights:
         if not self.flights:
             return f"In {self.turns:g} turns the follower does not leave its cam."
         widest = max(self.flights, key=lambda flight: flight.gap_mm)
-        hardest = max(self.flights, key=lambda flight: flight.impact_m_s)
+        hardest = max(self.flights, key=lambda flight: flight.impact_m_per_s)
         said = [
             f"In {self.turns:g} turns the follower leaves its cam {_times(len(self.flights))}, by "
-            f"{widest.gap_mm:.4g} mm at most, and lands with up to {hardest.impact_m_s:.4g} m/s."
+            f"{widest.gap_mm:.4g} mm at most, and lands with up to "
+            f"{hardest.impact_m_per_s:.4g} m/s."
         ]
         if self.stuck_at_deg:
             said.append(

@@ -16,13 +16,13 @@ class Flight(NamedTuple):
     """A flight of a follower: where it leaves the cam and lands, how wide, and how hard.
 
     Cam angles are in deg and counted on from turn to turn; `gap_mm` is the widest gap, and
-    `impact_m_s` the velocity in m/s with which cam and follower meet.
+    `impact_m_per_s` the velocity in m/s with which cam and follower meet.
     """
 
     leaves_at_deg: float
     lands_at_deg: float
     gap_mm: float
-    impact_m_s: float
+    impact_m_per_s: float
 
 
 class Run:
@@ -72,7 +72,7 @@ class Run:
         flight = self.flights[-1][0] if self.flights else None
         if not self._restitution or flight is None or flight.lands_at_deg != place:
             return 0.0
-        thrown = self._restitution * flight.impact_m_s * MM_PER_M
+        thrown = self._restitution * flight.impact_m_per_s * MM_PER_M
         motion, rate = self._cam.motion, self._cam.per_s * 10
         pressed = abs(float(self._load.force_N(motion, place, rate))) * MM_PER_M
         is_small = thrown**2 * self._load.mass_kg <= 2 * pressed * _LEAST * self._travel

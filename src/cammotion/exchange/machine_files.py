@@ -46,7 +46,7 @@ def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine
     return read_table(open_source(path), laws)
 
 
-def machine_from_text(table: str, name: str = "my machine") -> Machine:
+def machine_from_text(text: str, name: str = "my machine") -> Machine:
     """Return the machine that a text says: the table of `read_machine`, typed or pasted.
 
     Its cells are separated by commas, semicolons, or the tabs of a spreadsheet. Raises InputError
@@ -59,10 +59,10 @@ def machine_from_text(table: str, name: str = "my machine") -> Machine:
     ... ''', "press")
     press: 1 mechanism at 2000 pieces/h, no rules; the die is driven hardest, 4.154 m/s²
     """
-    for what, text in (("table", table), ("name", name)):
-        if not isinstance(text, str) or not text.strip():
-            raise InputError(f"The {what} of the machine is {shorten(text)}: give a text.")
-    return read_table(from_text(name.strip(), table.strip("\r\n")))
+    for what, given in (("table", text), ("name", name)):
+        if not isinstance(given, str) or not given.strip():
+            raise InputError(f"The {what} of the machine is {shorten(given)}: give a text.")
+    return read_table(from_text(name.strip(), text.strip("\r\n")))
 
 
 @checked

@@ -19,9 +19,9 @@ def hertz_pressure(  # noqa: PLR0913 - each is in the formula
     force_N: ArrayLike,  # noqa: N803 - newton
     profile_radius_mm: ArrayLike,
     *,
-    roller_mm: float,
+    roller_radius_mm: float,
     width_mm: float,
-    modulus_N_mm2: float = 210_000,  # noqa: N803
+    modulus_N_per_mm2: float = 210_000,  # noqa: N803
     poisson: float = 0.3,
 ) -> Numbers:
     """Return the largest pressure in N/mm² between a cam and a roller of one material.
@@ -32,13 +32,13 @@ def hertz_pressure(  # noqa: PLR0913 - each is in the formula
     contact of cylinders, which the crowned roller of a real cam is not quite (Hertz 1881; in any
     book on machine elements). Raises InputError for a hollow that is narrower than the roller.
 
-    >>> print(f"{hertz_pressure(500, 60, roller_mm=10, width_mm=12):.0f} N/mm²")
+    >>> print(f"{hertz_pressure(500, 60, roller_radius_mm=10, width_mm=12):.0f} N/mm²")
     423 N/mm²
     """
     force, radius = FORCE.array(force_N), RADIUS.array(profile_radius_mm)
     broadcast(force_N=force, profile_radius_mm=radius)
-    roller, width = ROLLER.number(roller_mm), WIDTH.number(width_mm)
-    modulus, ratio = MODULUS.number(modulus_N_mm2), POISSON.number(poisson)
+    roller, width = ROLLER.number(roller_radius_mm), WIDTH.number(width_mm)
+    modulus, ratio = MODULUS.number(modulus_N_per_mm2), POISSON.number(poisson)
     _check(radius, roller)
     curvature = 1 / roller + 1 / radius
     stiffness = modulus / (2 * math.pi * (1 - ratio**2))

@@ -71,7 +71,7 @@ def _of_roller(cam: RollerCam, tolerance: float, groove: bool) -> Iterator[Strok
         yield Stroke("PROFILE", far.points_mm, far.bulges)
     pitch = arcs_along(cam.pitch_mm, cam.motion, tolerance)
     yield Stroke("PITCH_CURVE", pitch.points_mm, pitch.bulges)
-    yield _circle("FOLLOWER", cam.pitch_mm(0), cam.roller_mm)
+    yield _circle("FOLLOWER", cam.pitch_mm(0), cam.roller_radius_mm)
 
 
 def _centre(least: float) -> Iterator[Stroke]:

@@ -30,29 +30,29 @@ class RollerFollower(ABC):
     radius_mm: float
 
     @abstractmethod
-    def place(self, lift: Floats, prime: Any) -> tuple[Places, Places, Places]:
+    def place(self, lift_mm: Floats, prime_radius_mm: Any) -> tuple[Places, Places, Places]:
         """Return where the roller's centre is, its way there (of length 1), and how that turns.
 
-        `lift` in mm is counted from the prime circle, of radius `prime` in mm.
+        `lift_mm` is counted from the prime circle.
         """
 
     @abstractmethod
-    def body(self, roller: complex, length: float) -> list[complex]:
+    def body(self, roller: complex, length_mm: float) -> list[complex]:
         """Return the line that is drawn of the follower, with its roller at a place."""
 
     @abstractmethod
-    def primes(self, travel: float) -> tuple[float, float]:
+    def primes(self, travel_mm: float) -> tuple[float, float]:
         """Return between which radii in mm a prime circle has to be, for a travel in mm."""
 
-    def check(self, prime: float, travel: float) -> None:
+    def check(self, prime_radius_mm: float, travel_mm: float) -> None:
         """Raise InputError for a prime circle with which the follower cannot be built."""
-        low, high = self.primes(travel)
-        if not max(low, self.radius_mm) < prime < high:
+        low, high = self.primes(travel_mm)
+        if not max(low, self.radius_mm) < prime_radius_mm < high:
             most = f" and less than {high:.6g}" if math.isfinite(high) else ""
             raise InputError(
-                f"The radius of the prime circle is {prime:g} mm; with this follower it has to be "
-                f"more than {max(low, self.radius_mm):.6g}{most} mm, which the roller, the offset "
-                "or the arm ask for: give one between."
+                f"The radius of the prime circle is {prime_radius_mm:g} mm; with this follower it "
+                f"has to be more than {max(low, self.radius_mm):.6g}{most} mm, which the roller, "
+                "the offset or the arm ask for: give one between."
             )
 
 
@@ -75,16 +75,16 @@ class TranslatingRoller(RollerFollower):
         object.__setattr__(self, "radius_mm", ROLLER.number(self.radius_mm))
         object.__setattr__(self, "offset_mm", OFFSET.number(self.offset_mm))
 
-    def place(self, lift: Floats, prime: Any) -> tuple[Places, Places, Places]:
+    def place(self, lift_mm: Floats, prime_radius_mm: Any) -> tuple[Places, Places, Places]:
         """Return where the roller's centre is, its way there, and how that turns: not at all."""
-        height = np.sqrt(prime**2 - self.offset_mm**2) + lift
+        height = np.sqrt(prime_radius_mm**2 - self.offset_mm**2) + lift_mm
         return 1j * height - self.offset_mm, np.full(np.shape(height), 1j), np.zeros_like(height)
 
-    def body(self, roller: complex, length: float) -> list[complex]:
+    def body(self, roller: complex, length_mm: float) -> list[complex]:
         """Return the slide, over the roller."""
-        return [roller, roller + 1j * (self.radius_mm + length)]
+        return [roller, roller + 1j * (self.radius_mm + length_mm)]
 
-    def primes(self, travel: float) -> tuple[float, float]:  # noqa: ARG002 - it goes as far
+    def primes(self, travel_mm: float) -> tuple[float, float]:  # noqa: ARG002 - it goes as far
         """Return between which radii a prime circle has to be: the slide has to reach it."""
         return abs(self.offset_mm), math.inf
 
@@ -111,20 +111,20 @@ class SwingingRoller(RollerFollower):
         object.__setattr__(self, "arm_mm", ARM.number(self.arm_mm))
         object.__setattr__(self, "pivot_mm", PIVOT.number(self.pivot_mm))
 
-    def place(self, lift: Floats, prime: Any) -> tuple[Places, Places, Places]:
+    def place(self, lift_mm: Floats, prime_radius_mm: Any) -> tuple[Places, Places, Places]:
         """Return where the roller's centre is, its way there, and how that turns by the mm."""
         arm, pivot = self.arm_mm, self.pivot_mm
-        lowest = np.arccos((prime**2 - pivot**2 - arm**2) / (2 * pivot * arm))
-        along = np.exp(1j * (lowest - lift / arm))
+        lowest = np.arccos((prime_radius_mm**2 - pivot**2 - arm**2) / (2 * pivot * arm))
+        along = np.exp(1j * (lowest - lift_mm / arm))
         return pivot + arm * along, -1j * along, -along / arm
 
-    def body(self, roller: complex, length: float) -> list[complex]:  # noqa: ARG002 - it ends
+    def body(self, roller: complex, length_mm: float) -> list[complex]:  # noqa: ARG002 - it ends
         """Return the arm, from the roller to its pivot."""
         return [roller, complex(self.pivot_mm)]
 
-    def primes(self, travel: float) -> tuple[float, float]:
+    def primes(self, travel_mm: float) -> tuple[float, float]:
         """Return between which radii a prime circle has to be: the arm has to reach all places."""
         square = self.pivot_mm**2 + self.arm_mm**2
-        swing = min(travel / self.arm_mm, math.pi)
+        swing = min(travel_mm / self.arm_mm, math.pi)
         longest = math.sqrt(square + 2 * self.pivot_mm * self.arm_mm * math.cos(swing))
         return abs(self.pivot_mm - self.arm_mm), longest

@@ -48,7 +48,7 @@ class Indexer:
     whose velocity jumps.
 
     >>> table = Indexer(38.5, stops=8, time_s=0.75, law="modified sine", friction_N_m=10)
-    >>> print(f"{table.peak_acceleration_rad_s2:.3f} rad/s2, {table.peak_torque_N_m:.2f} N m")
+    >>> print(f"{table.peak_acceleration_rad_per_s2:.3f} rad/s2, {table.peak_torque_N_m:.2f} N m")
     7.718 rad/s2, 307.16 N m
     """
 
@@ -86,19 +86,19 @@ class Indexer:
         return 2 * math.pi / self.stops
 
     @property
-    def peak_velocity_rad_s(self) -> float:
+    def peak_velocity_rad_per_s(self) -> float:
         """The largest angular velocity, Cv h/tm, in rad/s."""
         return self._law.Cv * self.step_rad / self.time_s
 
     @property
-    def peak_acceleration_rad_s2(self) -> float:
+    def peak_acceleration_rad_per_s2(self) -> float:
         """The largest angular acceleration, Ca h/tm^2, in rad/s2."""
         return self._law.Ca * self._per_a
 
     @property
     def inertia_torque_N_m(self) -> float:  # noqa: N802 (units, here and below)
         """The largest torque of the inertia alone, in N m."""
-        return self.inertia_kg_m2 * self.peak_acceleration_rad_s2
+        return self.inertia_kg_m2 * self.peak_acceleration_rad_per_s2
 
     @property
     def peak_torque_N_m(self) -> float:  # noqa: N802
@@ -114,13 +114,13 @@ class Indexer:
     @property
     def kinetic_energy_J(self) -> float:  # noqa: N802
         """The energy of the table at its fastest, in J: put in, and taken out again."""
-        return self.inertia_kg_m2 * self.peak_velocity_rad_s**2 / 2
+        return self.inertia_kg_m2 * self.peak_velocity_rad_per_s**2 / 2
 
-    def velocity_rad_s(self, x: ArrayLike) -> Numbers:
+    def velocity_rad_per_s(self, x: ArrayLike) -> Numbers:
         """Return the angular velocity in rad/s at x = t/tm, 0 to 1, a number or an array."""
         return self._law(x, 1) * self.step_rad / self.time_s
 
-    def acceleration_rad_s2(self, x: ArrayLike) -> Numbers:
+    def acceleration_rad_per_s2(self, x: ArrayLike) -> Numbers:
         """Return the angular acceleration in rad/s2 at x = t/tm, 0 to 1, a number or an array."""
         return self._law(x, 2) * self._per_a
 
@@ -131,11 +131,11 @@ class Indexer:
         >>> table.torque_N_m([0.125, 0.5, 0.875]).round(1)
         array([ 307.2,   10. , -287.2])
         """
-        return self.inertia_kg_m2 * self.acceleration_rad_s2(x) + self._drag
+        return self.inertia_kg_m2 * self.acceleration_rad_per_s2(x) + self._drag
 
     def power_W(self, x: ArrayLike) -> Numbers:  # noqa: N802
         """Return the power in W at x = t/tm, 0 to 1: negative where the table drives."""
-        return self.torque_N_m(x) * self.velocity_rad_s(x)
+        return self.torque_N_m(x) * self.velocity_rad_per_s(x)
 
     @cached_property
     def peak_power_W(self) -> float:  # noqa: N802
@@ -161,11 +161,11 @@ class Indexer:
         >>> mill.camshaft_torque_N_m([0.25, 0.5, 0.75], angle_deg=150).round(1)
         array([ 84.9,   0. , -84.9])
         """
-        return self.power_W(x) / self._shaft_rad_s(angle_deg)
+        return self.power_W(x) / self._shaft_rad_per_s(angle_deg)
 
     def peak_camshaft_torque_N_m(self, angle_deg: float) -> float:  # noqa: N802
         """Return the largest torque on the camshaft, in either direction, in N m."""
-        return self.peak_power_W / self._shaft_rad_s(angle_deg)
+        return self.peak_power_W / self._shaft_rad_per_s(angle_deg)
 
     def rms_torque_N_m(self, cycle_s: float) -> float:  # noqa: N802
         """Return the root mean square of the torque over a cycle, in N m, as it heats a servo.
@@ -201,7 +201,7 @@ class Indexer:
         """
         return self._law.curve.derived(2).where(-self._drag_a, -1, 1e-12)
 
-    def impact_rad_s(self, backlash_deg: float) -> float:
+    def impact_rad_per_s(self, backlash_deg: float) -> float:
         """Return how fast the table runs into the other flank when the torque turns, in rad/s.
 
         `backlash_deg` is how far the table can turn while the drive stands. From where the torque
@@ -210,7 +210,7 @@ class Indexer:
         these never gets there: 0. Raises InputError for a backlash that is not used up before the
         index ends.
 
-        >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).impact_rad_s(0.02):.4f} rad/s")
+        >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).impact_rad_per_s(0.02):.4f} rad/s")
         0.0286 rad/s
         """
         gap = math.radians(_BACKLASH.number(backlash_deg)) / self.step_rad
@@ -256,5 +256,5 @@ class Indexer:
         a = piece.derivative.derivative.over(places.copy())
         return self.inertia_kg_m2 * self._per_a * a + self._drag
 
-    def _shaft_rad_s(self, angle_deg: Any) -> float:
+    def _shaft_rad_per_s(self, angle_deg: Any) -> float:
         return math.radians(ANGLE.number(angle_deg)) / self.time_s

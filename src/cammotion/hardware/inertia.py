@@ -32,22 +32,22 @@ class _Body:
 
     mass_kg: Any = None
     thickness_mm: Any = None
-    density_kg_m3: Any = None
+    density_kg_per_m3: Any = None
 
     def __post_init__(self) -> None:
         self._check()
-        by_density = self.thickness_mm is not None and self.density_kg_m3 is not None
+        by_density = self.thickness_mm is not None and self.density_kg_per_m3 is not None
         if (self.mass_kg is None) != by_density or (
-            self.mass_kg is not None and self.density_kg_m3 is not None
+            self.mass_kg is not None and self.density_kg_per_m3 is not None
         ):
             kind = type(self).__name__
             raise InputError(
                 f"A {kind} is weighed in one way: give its mass_kg, or its thickness_mm and its "
-                "density_kg_m3, for example 10 mm and 7850 kg/m3."
+                "density_kg_per_m3, for example 10 mm and 7850 kg/m3."
             )
         if by_density:
             thick = _THICKNESS.number(self.thickness_mm) / MM_PER_M
-            mass = self._area_m2 * thick * _DENSITY.number(self.density_kg_m3)
+            mass = self._area_m2 * thick * _DENSITY.number(self.density_kg_per_m3)
         else:
             mass = _MASS.number(self.mass_kg)
         object.__setattr__(self, "mass_kg", mass)
@@ -75,11 +75,11 @@ class _Body:
 class Disc(_Body):
     """A round plate of a radius in mm: m r^2 / 2.
 
-    Give its mass_kg, or its thickness_mm and its density_kg_m3. Raises InputError for others.
+    Give its mass_kg, or its thickness_mm and its density_kg_per_m3. Raises InputError for others.
 
     >>> print(f"{Disc(radius_mm=500, mass_kg=43.04).inertia_kg_m2:.3f} kg m2")
     5.380 kg m2
-    >>> print(f"{Disc(radius_mm=100, thickness_mm=10, density_kg_m3=7800).mass_kg:.2f} kg")
+    >>> print(f"{Disc(radius_mm=100, thickness_mm=10, density_kg_per_m3=7800).mass_kg:.2f} kg")
     2.45 kg
     """
 
@@ -101,8 +101,8 @@ class Disc(_Body):
 class Ring(_Body):
     """A round plate with a round hole, radii in mm: m (r_outer^2 + r_inner^2) / 2.
 
-    Give its mass_kg, or its thickness_mm and its density_kg_m3. Raises InputError for others, and
-    for a hole that is as large as the plate.
+    Give its mass_kg, or its thickness_mm and its density_kg_per_m3. Raises InputError for others,
+    and for a hole that is as large as the plate.
 
     >>> print(f"{Ring(radius_mm=500, inner_mm=400, mass_kg=10).inertia_kg_m2:.3f} kg m2")
     2.050 kg m2
@@ -132,7 +132,7 @@ class Ring(_Body):
 class Cuboid(_Body):
     """A bar of a length and a width in mm, which turns about its middle: m (l^2 + w^2) / 12.
 
-    Give its mass_kg, or its thickness_mm and its density_kg_m3. Raises InputError for others.
+    Give its mass_kg, or its thickness_mm and its density_kg_per_m3. Raises InputError for others.
 
     >>> print(f"{Cuboid(length_mm=1200, width_mm=0.1, mass_kg=1).inertia_kg_m2:.4f} kg m2")
     0.1200 kg m2
@@ -159,10 +159,10 @@ class Cross(_Body):
     """Two equal bars that cross in the middle, length and width in mm.
 
     The square in which they cross is there once, so it is taken away once. Give the mass_kg of the
-    whole cross, or its thickness_mm and its density_kg_m3. Raises InputError for others, and for
-    bars that are wider than long.
+    whole cross, or its thickness_mm and its density_kg_per_m3. Raises InputError for others, and
+    for bars that are wider than long.
 
-    >>> cross = Cross(length_mm=300, width_mm=25, thickness_mm=10, density_kg_m3=7800)
+    >>> cross = Cross(length_mm=300, width_mm=25, thickness_mm=10, density_kg_per_m3=7800)
     >>> print(f"{cross.mass_kg:.3f} kg, {cross.inertia_kg_m2 * 1e4:.2f} kg cm2")
     1.121 kg, 88.31 kg cm2
     """

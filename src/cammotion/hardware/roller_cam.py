@@ -68,7 +68,7 @@ class RollerCam(DiscCam):
         self.follower.check(self.prime_radius_mm, travel_mm(self.motion))
 
     @property
-    def roller_mm(self) -> float:
+    def roller_radius_mm(self) -> float:
         """The radius of the roller in mm."""
         return self.follower.radius_mm
 
@@ -83,7 +83,7 @@ class RollerCam(DiscCam):
         With `outer` they are those of the far flank of a groove. Exact: each lies on the normal of
         the pitch curve, a radius away.
         """
-        return self._beside(angle_deg, self.roller_mm if outer else -self.roller_mm)
+        return self._beside(angle_deg, self.roller_radius_mm if outer else -self.roller_radius_mm)
 
     @checked
     def cutter_mm(self, angle_deg: ArrayLike, radius_mm: float, *, outer: bool = False) -> Floats:
@@ -98,7 +98,7 @@ class RollerCam(DiscCam):
         array([  0., 166.])
         """
         radius = CUTTER.number(radius_mm)
-        most = self.roller_mm if outer else self.hollowest.value + self.roller_mm
+        most = self.roller_radius_mm if outer else self.hollowest.value + self.roller_radius_mm
         if radius > most:
             where = (
                 "the groove is as wide as the roller"
@@ -110,7 +110,7 @@ class RollerCam(DiscCam):
                 f"cutter of at most {most:.4g} mm."
             )
         return self._beside(
-            angle_deg, self.roller_mm - radius if outer else radius - self.roller_mm
+            angle_deg, self.roller_radius_mm - radius if outer else radius - self.roller_radius_mm
         )
 
     def _beside(self, angle_deg: ArrayLike, away_mm: float) -> Floats:
@@ -136,7 +136,7 @@ class RollerCam(DiscCam):
 
         Below 0 where it is hollow, and where it is undercut.
         """
-        return plain(self.pitch_radius_mm(angle_deg) - self.roller_mm)
+        return plain(self.pitch_radius_mm(angle_deg) - self.roller_radius_mm)
 
     @cached_property
     def largest_pressure_angle(self) -> Extreme:
@@ -196,19 +196,21 @@ class RollerCam(DiscCam):
         angles = np.arange(0, DEG_PER_TURN, _FINE_DEG)
         tree = cKDTree(self.pitch_mm(angles))
         nearest, _ = tree.query(self.profile_mm(angles, outer=outer))
-        gone = nearest < self.roller_mm - _SEEN_MM
+        gone = nearest < self.roller_radius_mm - _SEEN_MM
         return arcs(
             (angle - _FINE_DEG / 2, angle + _FINE_DEG / 2) for angle in angles[gone].tolist()
         )
 
     def _sharper_than_roller(self, side: int) -> tuple[Undercut, ...]:
         def excess(piece: Piece, at: Floats) -> Floats:
-            return side * self._curvature(lift_of(self.motion, piece, at)) * self.roller_mm - 1
+            return (
+                side * self._curvature(lift_of(self.motion, piece, at)) * self.roller_radius_mm - 1
+            )
 
         return undercuts_of(
             excess,
             self.motion.curve.pieces,
-            lambda worst: self.roller_mm - self.roller_mm / (worst + 1),
+            lambda worst: self.roller_radius_mm - self.roller_radius_mm / (worst + 1),
         )
 
     def _path(self, lift: Lift) -> tuple[Places, Places, Places]:

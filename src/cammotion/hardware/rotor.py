@@ -61,16 +61,16 @@ class Rotor:
         """The radius on which the whole mass would have the same inertia, in mm."""
         return math.sqrt(self.inertia_kg_m2 / self.mass_kg) * MM_PER_M
 
-    def gd2_N_m2(self, gravity: float = STANDARD_GRAVITY) -> float:  # noqa: N802 (units)
+    def gd2_N_m2(self, gravity_m_per_s2: float = STANDARD_GRAVITY) -> float:  # noqa: N802 (units)
         """Return GD2 = 4 g I in N m2: the weight times the square of the diameter of gyration.
 
-        `gravity` in m/s2 is the standard one if it is not given.
+        `gravity_m_per_s2` is the standard one if it is not given.
 
         >>> table = Rotor({"all": OwnInertia(mass_kg=211.04, inertia_kg_m2=38.5)})
         >>> print(f"{table.gd2_N_m2():.1f} N m2, {table.gd2_N_m2(9.81):.1f} N m2")
         1510.2 N m2, 1510.7 N m2
         """
-        return 4 * _GRAVITY.number(gravity) * self.inertia_kg_m2
+        return 4 * _GRAVITY.number(gravity_m_per_s2) * self.inertia_kg_m2
 
     def __str__(self) -> str:
         rows = [(str(name), part.mass_kg, part.inertia_kg_m2) for name, part in self.parts.items()]

@@ -29,7 +29,7 @@ from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import GridMotion
 from cammotion.limits.programs import from_above, from_below
 from cammotion.machine.arcs import Arc
-from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
@@ -50,12 +50,13 @@ class LeastAcceleration:
 
     `bound` in m/s2 is what no motion that keeps the rules can be below; `motion` is one that keeps
     them and comes near to it. The least peak of all lies between `bound` and `reached`.
+    `jerk_m_per_s3` is the limit of the jerk that was asked for.
     """
 
     diagram: TimingDiagram
     bound: float
     motion: Motion
-    jerk_limit: float
+    jerk_m_per_s3: float
 
     @property
     def reached(self) -> float:
@@ -80,12 +81,12 @@ class LeastAcceleration:
 
 def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     diagram: TimingDiagram,
-    motion: str,
+    motion: str | Motion,
     rules: Rule | Iterable[Rule],
     *,
     still: Iterable[Arc],
     travel_mm: tuple[float, float] | None = None,
-    jerk_limit: float = np.inf,
+    jerk_m_per_s3: float = np.inf,
     cells: int = 720,
 ) -> LeastAcceleration:
     """Return the least peak acceleration of one motion, whatever its law, and a motion that has it.
@@ -93,8 +94,8 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     The motion is free but for this: it keeps every rule that it has a part in, each one that says
     where it may be, the other motions of the diagram being as they are; over the arcs `still`,
     pairs of cam angles in deg, it stands where it stands in the diagram; with `travel_mm` it stays
-    between two positions in the turn with which it begins there; with `jerk_limit`, in m/s3, its
-    jerk is nowhere larger. The grid has `cells` cells to the turn, 12 to 2880.
+    between two positions in the turn with which it begins there; with `jerk_m_per_s3` its jerk is
+    nowhere larger. The grid has `cells` cells to the turn, 12 to 2880.
 
     An indexing motion has to be near to a stop over some arcs, or away from its stops. At which
     stop it is over an arc in which it need not stand is found with it, and takes longer: with 720
@@ -111,24 +112,25 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     ...     cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule, still=[(205, 305)], travel_mm=(0, 50))
     The least peak acceleration of the die lies between 0.5195 and 0.5196 m/s².
     """
-    is_free = isinstance(jerk_limit, float) and jerk_limit == np.inf
-    most_jerk = np.inf if is_free else _JERK_LIMIT.number(jerk_limit)
+    is_free = isinstance(jerk_m_per_s3, float) and jerk_m_per_s3 == np.inf
+    most_jerk = np.inf if is_free else _JERK_LIMIT.number(jerk_m_per_s3)
     grid = _whole(_CELLS.number(cells))
+    own = as_diagram(diagram)[motion]
     asked = Asked(
-        of_places(diagram, motion, rules),
-        still_arcs(diagram[motion], still),
+        of_places(diagram, own.name, rules),
+        still_arcs(own, still),
         travel_ends(travel_mm),
         most_jerk,
     )
     room = corridor(
-        diagram, motion, asked.rules, still=asked.still, travel_mm=travel_mm, cells=grid
+        diagram, own.name, asked.rules, still=asked.still, travel_mm=travel_mm, cells=grid
     )
     # in parts of a turn all numbers are of one size, and the solver rounds least
     times, part = room.cells_deg * (_PARTS / DEG_PER_TURN), diagram.cycle_time_s / _PARTS
     limit = most_jerk * MM_PER_M * part**3
     lowest = from_below(room, times, limit).bound / part**2
     room, curve = _reach(room, times, limit)
-    best = curve.build(diagram[motion], room)
+    best = curve.build(own, room)
     found = LeastAcceleration(diagram, lowest / MM_PER_M, best, most_jerk)
     _check(found, asked)
     return replace(found, bound=min(found.bound, found.reached))  # but for rounding it is so

@@ -43,27 +43,28 @@ class _Times(NamedTuple):
 def quickest_move(
     stroke_mm: float,
     *,
-    acceleration: float,
-    velocity: float = math.inf,
-    jerk: float = math.inf,
+    acceleration_m_per_s2: float,
+    velocity_m_per_s: float = math.inf,
+    jerk_m_per_s3: float = math.inf,
     rate_per_hour: float,
 ) -> Move:
     """Return the move over a stroke that takes the least time with these limits, from rest to rest.
 
-    The stroke is in mm, the largest `acceleration` in m/s2, `velocity` in m/s and `jerk` in m/s3;
-    what is left out is not limited. `rate_per_hour` is the machine rate, at which the move's
-    `angle_deg` is the least that a cam needs; its `law` is a motion law like any other. No motion
-    from rest to rest is quicker with these limits. Raises InputError for limits that are not above
-    0, and where a turn is too short for the move.
+    The limits are the largest acceleration, velocity and jerk; what is left out is not limited.
+    `rate_per_hour` is the machine rate, at which the move's `angle_deg` is the least that a cam
+    needs; its `law` is a motion law like any other. No motion from rest to rest is quicker with
+    these limits. Raises InputError for limits that are not above 0, and where a turn is too short
+    for the move.
 
     >>> import cammotion as cm
-    >>> move = quickest_move(50, acceleration=4, jerk=200, rate_per_hour=2000)
+    >>> move = quickest_move(50, acceleration_m_per_s2=4, jerk_m_per_s3=200, rate_per_hour=2000)
     >>> print(f"{move.time_s:.4f} s, {move.angle_deg:.2f} deg, Ca = {move.law.Ca:.3f}")
     0.2445 s, 48.90 deg, Ca = 4.782
     >>> rise = cm.rise(move.stroke_mm, over_deg=move.angle_deg, law=move.law)
     """
     stroke = STROKE.number(stroke_mm) / MM_PER_M
-    v, a, j = _limit(_VELOCITY, velocity), _ACCELERATION.number(acceleration), _limit(_JERK, jerk)
+    v, j = _limit(_VELOCITY, velocity_m_per_s), _limit(_JERK, jerk_m_per_s3)
+    a = _ACCELERATION.number(acceleration_m_per_s2)
     times = _times(stroke, v, a, j)
     if 0 < times.rising < _LEAST * times.total:
         raise InputError(

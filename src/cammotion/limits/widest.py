@@ -33,15 +33,15 @@ _RESERVE_MM = Quantity("reserve", "mm", example=0.5, low_included=True)
 class WidestMove:
     """The widest move of a motion that keeps every rule, and what stops it from being wider.
 
-    `diagram` is the diagram with that move in it, `motion` the name of the motion and `angles_deg`
-    the indexing angles Bm of its moves. `tight` is the clearance that is used up; it is None where
-    nothing but the turn of 360 deg sets the bound, and where a reserve was asked for it is what is
-    left. `elsewhere` are violations of rules in which
-    the motion has no part: no move of it can mend them, and none is to blame for them.
+    `diagram` is the diagram with that move in it, `mechanism` the name of its motion, `angles_deg`
+    are the indexing angles Bm of its moves. `tight` is the clearance that is used up; it is None
+    where nothing but the turn of 360 deg sets the bound, and where a reserve was asked for it is
+    what is left. `elsewhere` are violations of rules in which the motion has no part: no move of it
+    can mend them, and none is to blame for them.
     """
 
     diagram: TimingDiagram
-    motion: str
+    mechanism: str
     angles_deg: tuple[float, ...]
     tight: Clearance | None
     elsewhere: tuple[Violation, ...] = ()
@@ -54,18 +54,18 @@ class WidestMove:
     @property
     def start_deg(self) -> float:
         """The cam angle at which the first move begins, 0 to 360."""
-        return self.diagram[self.motion].moves[0].from_deg % DEG_PER_TURN
+        return self.diagram[self.mechanism].moves[0].from_deg % DEG_PER_TURN
 
     @property
     def peak_acceleration(self) -> float:
         """The peak acceleration of the motion in m/s2."""
-        return self.diagram.peak_acceleration(self.motion)
+        return self.diagram.peak_acceleration(self.mechanism)
 
 
 @checked
 def widest_move(  # noqa: PLR0913 - what is left out is none
     diagram: TimingDiagram,
-    motion: str,
+    motion: str | Motion,
     rules: Rule | Iterable[Rule],
     *,
     each_way: bool | None = None,

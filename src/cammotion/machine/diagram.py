@@ -34,8 +34,8 @@ class TimingDiagram:
     """The motions of any number of mechanisms, and the machine rate N in pieces/h.
 
     A rate in cycles or turns of the camshaft a minute is `rate_per_hour=per_minute(40)`. Each
-    motion has a name of its own, by which it is asked for. Raises InputError for no motion, for two
-    of one name, and for a rate that is not above 0.
+    motion has a name of its own: wherever one is asked about, its name is given or itself. Raises
+    InputError for no motion, for two of one name, and for a rate that is not above 0.
 
     >>> import cammotion as cm
     >>> diagram = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die], rate_per_hour=2000)
@@ -82,9 +82,24 @@ class TimingDiagram:
         """The time of one turn in s."""
         return float(cycle_time(self.rate_per_hour))
 
-    def __getitem__(self, name: str) -> Motion:
-        """Return the motion of that name; an unknown one raises InputError with the known."""
-        return self.motions[self.names.index(one_of("motion", name, self.names))]
+    def __getitem__(self, motion: str | Motion) -> Motion:
+        """Return the motion of that name, or the motion that is given, if the diagram has it.
+
+        An unknown name raises InputError with the known, a motion that is another one here too.
+
+        >>> import cammotion as cm
+        >>> cm.EXAMPLE.diagram[cm.EXAMPLE.die.shifted(5)]
+        Traceback (most recent call last):
+        cammotion.InputError: The motion 'die' is another one in the diagram: put this one into it \
+first, with_motion(...), or give the name.
+        """
+        own = self.motions[self.names.index(one_of("motion", name_of(motion), self.names))]
+        if isinstance(motion, Motion) and motion != own:
+            raise InputError(
+                f"The motion {shorten(own.name)} is another one in the diagram: put this one into "
+                "it first, with_motion(...), or give the name."
+            )
+        return own
 
     @checked
     def with_motion(self, motion: Motion) -> "TimingDiagram":
@@ -101,69 +116,89 @@ class TimingDiagram:
         return plain(TIME.array(time_s) * (DEG_PER_TURN / self.cycle_time_s))
 
     def position_mm(
-        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+        self,
+        motion: str | Motion,
+        angle_deg: ArrayLike | None = None,
+        *,
+        time_s: ArrayLike | None = None,
     ) -> Numbers:
-        """Return the position in mm of the motion `name` at a cam angle in deg or a time in s.
+        """Return the position in mm of a motion at a cam angle in deg or a time in s.
 
         Give the one or the other, a number or an array of any shape, of any size; the result has
-        its shape. Raises InputError for what is not finite, for both or neither, and for an
-        unknown name.
+        its shape. Raises InputError for what is not finite, for both or neither, and for
+        what is no motion of the diagram.
         """
-        return self[name].position_mm(self._angle(angle_deg, time_s))
+        return self[motion].position_mm(self._angle(angle_deg, time_s))
 
     def offset_mm(
-        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+        self,
+        motion: str | Motion,
+        angle_deg: ArrayLike | None = None,
+        *,
+        time_s: ArrayLike | None = None,
     ) -> Numbers:
         """Return the position in mm at a cam angle or a time, of a turret how far from a stop."""
-        return self[name].offset_mm(self._angle(angle_deg, time_s))
+        return self[motion].offset_mm(self._angle(angle_deg, time_s))
 
     def velocity(
-        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+        self,
+        motion: str | Motion,
+        angle_deg: ArrayLike | None = None,
+        *,
+        time_s: ArrayLike | None = None,
     ) -> Numbers:
         """Return the velocity in m/s at a cam angle or a time; at a joint, what begins there."""
-        return self._derivative(1, name, angle_deg, time_s)
+        return self._derivative(1, motion, angle_deg, time_s)
 
     def acceleration(
-        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+        self,
+        motion: str | Motion,
+        angle_deg: ArrayLike | None = None,
+        *,
+        time_s: ArrayLike | None = None,
     ) -> Numbers:
         """Return the acceleration in m/s2 at a cam angle or a time; at a joint, what begins."""
-        return self._derivative(2, name, angle_deg, time_s)
+        return self._derivative(2, motion, angle_deg, time_s)
 
     def jerk(
-        self, name: str, angle_deg: ArrayLike | None = None, *, time_s: ArrayLike | None = None
+        self,
+        motion: str | Motion,
+        angle_deg: ArrayLike | None = None,
+        *,
+        time_s: ArrayLike | None = None,
     ) -> Numbers:
         """Return the jerk in m/s3 at a cam angle or a time; at a joint, what begins there."""
-        return self._derivative(3, name, angle_deg, time_s)
+        return self._derivative(3, motion, angle_deg, time_s)
 
-    def moves(self, name: str) -> tuple[Move, ...]:
+    def moves(self, motion: str | Motion) -> tuple[Move, ...]:
         """Return the rises and returns of a motion as moves, each as if from rest to rest."""
         rate = self.rate_per_hour
         return tuple(
             Move(stroke_mm=abs(way), angle_deg=segment.angle_deg, rate_per_hour=rate, law=law)
-            for segment in self[name].moves
+            for segment in self[motion].moves
             for way, law in [(segment.change_mm, as_law(segment.law))]
         )
 
-    def peak_velocity(self, name: str) -> float:
+    def peak_velocity(self, motion: str | Motion) -> float:
         """Return the peak velocity of a motion in m/s; 0 for one that stands still."""
-        return self._peak(1, name)
+        return self._peak(1, motion)
 
-    def peak_acceleration(self, name: str) -> float:
+    def peak_acceleration(self, motion: str | Motion) -> float:
         """Return the peak acceleration of a motion in m/s2; infinite where its velocity jumps."""
-        return self._peak(2, name)
+        return self._peak(2, motion)
 
-    def peak_jerk(self, name: str) -> float:
+    def peak_jerk(self, motion: str | Motion) -> float:
         """Return the peak jerk of a motion in m/s3; infinite where its acceleration jumps."""
-        return self._peak(3, name)
+        return self._peak(3, motion)
 
-    def overlap(self, *names: str) -> list[Arc]:
+    def overlap(self, *motions: str | Motion) -> list[Arc]:
         """Return the arcs of the turn in deg over which two or more of these motions move at once.
 
         Without names it looks at all motions. An arc that crosses 360 deg ends above 360.
         """
         moving = [
-            arcs((segment.from_deg, segment.to_deg) for segment in self[name].moves)
-            for name in names or self.names
+            arcs((segment.from_deg, segment.to_deg) for segment in self[motion].moves)
+            for motion in motions or self.names
         ]
         return unwrap(
             arcs(arc for these, those in combinations(moving, 2) for arc in intersect(these, those))
@@ -179,14 +214,23 @@ class TimingDiagram:
             "angle_deg=180 or time_s=0.9."
         )
 
-    def _peak(self, order: int, name: str) -> float:
-        return float(over_time(order, self[name].peak(order), self.cycle_time_s))
+    def _peak(self, order: int, motion: str | Motion) -> float:
+        return float(over_time(order, self[motion].peak(order), self.cycle_time_s))
 
     def _derivative(
-        self, order: int, name: str, angle_deg: ArrayLike | None, time_s: ArrayLike | None
+        self,
+        order: int,
+        motion: str | Motion,
+        angle_deg: ArrayLike | None,
+        time_s: ArrayLike | None,
     ) -> Numbers:
         angle = self._angle(angle_deg, time_s)
-        return self[name].derivative(order, angle, self.rate_per_hour)
+        return self[motion].derivative(order, angle, self.rate_per_hour)
+
+
+def name_of(motion: str | Motion) -> str:
+    """Return the name of a motion that is given by it or itself."""
+    return motion.name if isinstance(motion, Motion) else motion
 
 
 def as_diagram(diagram: Any) -> TimingDiagram:

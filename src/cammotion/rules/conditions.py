@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement
-from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.diagram import TimingDiagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
 from cammotion.machine.segments import POSITION, Segment
 
 
@@ -101,7 +102,7 @@ class Moving(Condition):
         return "moving" if self.is_beyond else "standing"
 
 
-def beyond(motion: str, limit_mm: float) -> Condition:
+def beyond(motion: str | Motion, limit_mm: float) -> Condition:
     """Return the condition that a motion is further than `limit_mm`, for a `ClearanceRule`.
 
     Further up: a part that works downwards from 0 has to be described with its depth upwards.
@@ -110,10 +111,10 @@ def beyond(motion: str, limit_mm: float) -> Condition:
     >>> str(beyond("die", 19))
     'beyond 19 mm'
     """
-    return Condition(motion, limit_mm, True)
+    return Condition(name_of(motion), limit_mm, True)
 
 
-def within(motion: str, limit_mm: float) -> Condition:
+def within(motion: str | Motion, limit_mm: float) -> Condition:
     """Return the condition that a motion is at most at `limit_mm`, for a `ClearanceRule`.
 
     An indexing motion counts from its nearest stop, both ways alike.
@@ -121,27 +122,27 @@ def within(motion: str, limit_mm: float) -> Condition:
     >>> str(within("mill", 0.65))
     'within 0.65 mm'
     """
-    return Condition(motion, limit_mm, False)
+    return Condition(name_of(motion), limit_mm, False)
 
 
-def moving(motion: str) -> Condition:
+def moving(motion: str | Motion) -> Condition:
     """Return the condition that a motion is in one of its moves, for a `ClearanceRule`.
 
     >>> import cammotion as cm
     >>> print(cm.ClearanceRule(moving("mill"), only_while=cm.within("die", 19)))
     the mill may be moving only while the die is within 19 mm
     """
-    return Moving(motion, 0.0, True)
+    return Moving(name_of(motion), 0.0, True)
 
 
-def standing(motion: str) -> Condition:
+def standing(motion: str | Motion) -> Condition:
     """Return the condition that a motion is in one of its dwells, for a `ClearanceRule`.
 
     >>> import cammotion as cm
     >>> print(cm.ClearanceRule(cm.beyond("die", 19), only_while=standing("mill")))
     the die may be beyond 19 mm only while the mill is standing
     """
-    return Moving(motion, 0.0, False)
+    return Moving(name_of(motion), 0.0, False)
 
 
 def after(angle: float, start: float) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 from cammotion.arguments import checked
 from cammotion.bracketed import Extreme, cuts, largest, where_positive
 from cammotion.machine.arcs import Arc, unwrap
-from cammotion.machine.diagram import TimingDiagram, as_diagram
+from cammotion.machine.diagram import TimingDiagram, as_diagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity
@@ -60,21 +60,23 @@ class DistanceRule(Rule):
     the pusher is 5.07 mm too near above the flap at 145 deg (from 128.086 to 161.914 deg)
     """
 
-    part: str
-    above: str
+    part: str | Motion
+    above: str | Motion
     at_least_mm: float
     name: str = ""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "at_least_mm", _DISTANCE.number(self.at_least_mm))
         object.__setattr__(self, "name", self.name.strip())
+        object.__setattr__(self, "part", name_of(self.part))
+        object.__setattr__(self, "above", name_of(self.above))
         if self.part == self.above:
             raise InputError(f"The distance rule is about {self.part!r} twice: name two parts.")
 
     @property
     def motions(self) -> tuple[str, str]:
         """The names of the two motions that it is about."""
-        return self.part, self.above
+        return name_of(self.part), name_of(self.above)
 
     def distance_mm(self, diagram: TimingDiagram, angle_deg: Floats) -> Floats:
         """Return the distance in mm at cam angles in deg, above 0 while the part is above."""
@@ -121,7 +123,8 @@ class DistanceRule(Rule):
 
     def renamed(self, called: Mapping[str, str]) -> Self:
         """Return the rule about the same motions, which are called so in another diagram."""
-        return replace(self, part=called[self.part], above=called[self.above])
+        part, above = self.motions
+        return replace(self, part=called[part], above=called[above])
 
     def _smallest(self, diagram: TimingDiagram, start: float, end: float) -> Extreme:
         def nearness(_: _Stretch, angles: Floats) -> Floats:

@@ -86,4 +86,10 @@ def _stem(ax: Axes, cam: RollerCam | FlatFacedCam) -> None:
         places = [end.real for end in ends], [end.imag for end in ends]
         ax.plot(*places, color=COLOURS[1], linewidth=2)
         ax.plot(x, y, "+", color=COLOURS[1])
-        write(ax, f"roller r {cam.roller_mm:.4g}", (x + cam.roller_mm, y), COLOURS[1], (4, 2))
+        write(
+            ax,
+            f"roller r {cam.roller_radius_mm:.4g}",
+            (x + cam.roller_radius_mm, y),
+            COLOURS[1],
+            (4, 2),
+        )

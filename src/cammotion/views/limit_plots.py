@@ -16,8 +16,9 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
-from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.diagram import TimingDiagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
 from cammotion.machine.segments import POSITION
 from cammotion.quantities import Floats, InputError, Quantity, shorten
 from cammotion.views.broken import BROKEN
@@ -42,7 +43,7 @@ def plot_jerk_price(
     found: Iterable[LeastAcceleration],
     named: Mapping[str, Pair] | None = None,
     *,
-    unlimited: float | None = None,
+    unlimited_m_per_s2: float | None = None,
     ax: Axes | None = None,
 ) -> Axes:
     """Draw the least peak acceleration over the limit to the jerk; return the Axes.
@@ -51,20 +52,20 @@ def plot_jerk_price(
     Grey is what is proved for all motions: with a jerk between two limits no peak is below the
     bound at the larger one. The blue line joins the peaks that were reached. `named` are the peak
     jerk in m/s3 and the peak acceleration in m/s2 of designs, by name, in orange; those with more
-    jerk than the largest limit are left out. `unlimited`, in m/s2, is drawn as the level without a
+    jerk than the largest limit are left out. `unlimited_m_per_s2` is drawn as the level without a
     limit. Raises InputError for fewer than two limits.
 
     >>> import cammotion as cm
     >>> found = [
     ...     cm.least_acceleration(
-    ...         cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule, still=[(205, 305)], jerk_limit=limit,
+    ...         cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule, still=[(205, 305)], jerk_m_per_s3=limit,
     ...         cells=90)
     ...     for limit in (8, 12, 20)]
     >>> plot_jerk_price(found, {"cycloidal": (8.12, 0.806)}).get_xlabel()
     'peak jerk of the die in m/s³'
     """
-    best = sorted(found, key=lambda each: each.jerk_limit)
-    limits = np.array([each.jerk_limit for each in best])
+    best = sorted(found, key=lambda each: each.jerk_m_per_s3)
+    limits = np.array([each.jerk_m_per_s3 for each in best])
     if len({*limits}) < 2 or not np.isfinite(limits).all():  # noqa: PLR2004 - a curve has two ends
         raise InputError(
             "The price of a jerk is a curve over the limits to it: give results of "
@@ -75,8 +76,8 @@ def plot_jerk_price(
     reached = np.array([each.reached for each in best])
     _shade(ax, limits, np.array([each.bound for each in best]))
     ax.plot(limits, reached, color=BEST, linewidth=2, label="least peak that was reached")
-    if unlimited is not None:
-        unlimited = _PEAK.number(unlimited)
+    if unlimited_m_per_s2 is not None:
+        unlimited = _PEAK.number(unlimited_m_per_s2)
         ax.axhline(unlimited, color=_DARK, linestyle="--", linewidth=1.5)
         text = f"jerk without limit: {unlimited:.3f}"
         ax.annotate(text, (limits[-1], unlimited), (-4, -5), **_OFFSET, ha="right", va="top")
@@ -92,10 +93,10 @@ def plot_jerk_price(
 @checked
 def plot_front(
     found: Iterable[LeastPeak],
-    designs: Mapping[str, Iterable[Pair]] | None = None,
+    curves: Mapping[str, Iterable[Pair]] | None = None,
     points: Mapping[str, Pair] | None = None,
     *,
-    ends: Pair = (0.3, 1.5),
+    ends_m_per_s2: Pair = (0.3, 1.5),
     ax: Axes | None = None,
 ) -> Axes:
     """Draw what two mechanisms can have at best, the peak of one against the other's.
@@ -103,8 +104,8 @@ def plot_front(
     `found` are results of `least_peak` for the same two mechanisms, at least two, with other
     limits or weights. Of each this is proved: in no motions of both are both peaks below its bound
     and its limit, which are a corner of what is drawn in grey. The blue line joins the pairs that
-    were reached. `designs` are dashed orange curves of (one peak, other peak) in m/s2, by name,
-    `points` single ones; `ends` are the ends of both axes in m/s2. Returns the Axes; raises
+    were reached. `curves` are dashed orange ones of (one peak, other peak) in m/s2, by name,
+    `points` single ones; `ends_m_per_s2` are the ends of both axes. Returns the Axes; raises
     InputError for fewer than two results, and for such as are not of two mechanisms.
 
     >>> import cammotion as cm
@@ -124,7 +125,7 @@ def plot_front(
             "A front is a curve of two mechanisms: give at least two results of least_peak for "
             "the same two, for example with other limits at_most={'mill': 0.6}."
         )
-    low, high = (_END.number(end) for end in ends)
+    low, high = (_END.number(end) for end in ends_m_per_s2)
     if low >= high:
         raise InputError(
             f"The ends of the axes are {low:g} and {high:g} m/s2: give the lower one first, for "
@@ -140,8 +141,8 @@ def plot_front(
     )
     ax.plot(*_columns(reached), color=BEST, linewidth=2)
     ax.lines[-1].set_label("the best that was found, any law")
-    for name, label in _labelled(designs or {}):
-        ax.plot(*_columns((designs or {})[name]), "--", color=NAMED, linewidth=2)
+    for name, label in _labelled(curves or {}):
+        ax.plot(*_columns((curves or {})[name]), "--", color=NAMED, linewidth=2)
         name_line(ax.lines[-1], label, name)
     ax.plot([0, high], [0, high], ":", color=_DARK, label="both equally hard driven")
     for name, label in _labelled(points or {}):
@@ -156,7 +157,7 @@ def plot_front(
 @checked
 def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     designs: Mapping[str, TimingDiagram],
-    name: str,
+    motion: str | Motion,
     *,
     still: Pair,
     corners: tuple[Pair, Pair],
@@ -166,7 +167,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
 ) -> Axes:
     """Draw how a motion leaves its place, gets over two corners and comes back; return the Axes.
 
-    The height y in mm, counted from where the motion called `name` stands from `still[0]` to
+    The height y in mm, counted from where the motion stands from `still[0]` to
     `still[1]` deg, is drawn over u, the cam angle in deg from `still[1]` on, for each of the
     `designs` by name; the upper axis has the cam angle itself. `corners` are two points (u, y):
     the region below them, which no motion may enter, is hatched, and the middle between them is
@@ -182,6 +183,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     """
     if not designs:
         raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
+    name = name_of(motion)
     start, span = still[1], (still[0] - still[1]) % DEG_PER_TURN
     if not span:
         raise InputError(

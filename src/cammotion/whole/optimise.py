@@ -47,8 +47,8 @@ class Optimised:
     """
 
     diagram: TimingDiagram
-    design: TimingDiagram
     bound: float
+    design: TimingDiagram
     weights: Mapping[str, float]
     unit: str = "m/s²"
 
@@ -129,7 +129,7 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
             "give shorter still arcs, or weaker rules."
         )
     design, bound = found
-    answer = Optimised(diagram, design, bound, task.weights, unit)
+    answer = Optimised(diagram, bound, design, task.weights, unit)
     _check(task, answer)
     return answer
 

@@ -44,7 +44,7 @@ class _Drawing:
         self.indexer, self.angle_deg, self.turn_s = indexer, angle_deg, turn_s
         x = np.linspace(0, 1, _SAMPLES)
         self.angles, self.torques = x * angle_deg, indexer.torque_N_m(x)
-        self.turned = np.degrees(np.cumsum(indexer.velocity_rad_s(x)) * indexer.time_s / x.size)
+        self.turned = np.degrees(np.cumsum(indexer.velocity_rad_per_s(x)) * indexer.time_s / x.size)
         self.turned *= DEG_PER_TURN / indexer.stops / self.turned[-1]
 
     def draw(self) -> str:

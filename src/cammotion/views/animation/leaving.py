@@ -208,7 +208,7 @@ class _Picture:
     def _follower(self) -> Iterable[Any]:
         x, axis = _AXIS
         heights = Trace(self.angles, axis - self.scale * (self.cam.prime_radius_mm + self._drawn))
-        roller = self.cam.roller_mm * self.scale
+        roller = self.cam.roller_radius_mm * self.scale
         body = svg.moving(heights, self.turn_s, data={"part": "follower"})
         style = {"fill": svg.pale(FOLLOWER), "stroke": colour(FOLLOWER), "stroke_width": 2}
         body.append(svg.box(-5, -_STEM_PX, 10, _STEM_PX, **style))
@@ -252,13 +252,13 @@ class _Picture:
             lands = flight.lands_at_deg % DEG_PER_TURN
             hit = svg.seen_during(arcs([(lands, lands + _BURST_DEG)]), self.turn_s)
             lift = float(np.interp(lands, self.angles, self.lift))
-            top = self.cam.prime_radius_mm - self.cam.roller_mm + lift
+            top = self.cam.prime_radius_mm - self.cam.roller_radius_mm + lift
             star = draw.Path(stroke=svg.ALARM, stroke_width=2.5, fill="none")
             for turned in np.radians([200, 225, -20, -45, 160, 20]):
                 way = np.array([np.cos(turned), np.sin(turned)])
                 star.M(*map(svg.px, 12 * way)).L(*map(svg.px, 25 * way))
             hit.append(svg.placed(_AXIS[0], _AXIS[1] - top * self.scale, star))
-            hit.append(svg.label(f"{flight.impact_m_s:.2g} m/s", 14, _HEADER + 30, **alarm))
+            hit.append(svg.label(f"{flight.impact_m_per_s:.2g} m/s", 14, _HEADER + 30, **alarm))
             yield hit
 
     @cached_property

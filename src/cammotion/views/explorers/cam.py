@@ -42,7 +42,9 @@ class _Curves(NamedTuple):
 
 
 @checked
-def explore_cam(motion: Motion, *, roller_mm: float = 10, prime_mm: float = 60) -> LiveFigure:
+def explore_cam(
+    motion: Motion, *, roller_radius_mm: float = 10, prime_radius_mm: float = 60
+) -> LiveFigure:
     """Return a live figure of the disc cam of a motion, whose follower is a roller on a slide.
 
     The controls are the radius of the prime circle, the offset of the slide and the radius of the
@@ -57,17 +59,20 @@ def explore_cam(motion: Motion, *, roller_mm: float = 10, prime_mm: float = 60) 
     pressure angle: up to 30 deg
     """
     check_motion(motion)
-    roller_mm, prime_mm = ROLLER_MM.number(roller_mm), PRIME_MM.number(prime_mm)
-    least = smallest_prime_radius(motion, TranslatingRoller(roller_mm))
+    roller_radius_mm, prime_radius_mm = (
+        ROLLER_MM.number(roller_radius_mm),
+        PRIME_MM.number(prime_radius_mm),
+    )
+    least = smallest_prime_radius(motion, TranslatingRoller(roller_radius_mm))
     curves = _curves(motion)
-    largest_prime = _rounded_up(max(_COARSEST * prime_mm, 1.5 * least))
+    largest_prime = _rounded_up(max(_COARSEST * prime_radius_mm, 1.5 * least))
     return explore(
         [[_cam(curves, motion)], _judged(curves)],
         _TURN,
         {
-            PRIME: control("prime circle Rp", (15, largest_prime, 1), prime_mm, "mm"),
+            PRIME: control("prime circle Rp", (15, largest_prime, 1), prime_radius_mm, "mm"),
             OFFSET: Control(low=-30, high=30, step=1, start=0, name="offset e", unit="mm"),
-            ROLLER: control("roller r", (3, 30, 1), roller_mm, "mm"),
+            ROLLER: control("roller r", (3, 30, 1), roller_radius_mm, "mm"),
         },
         says=_sentences(curves, motion),
         clock=ALPHA,
