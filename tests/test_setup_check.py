@@ -4,6 +4,7 @@ import importlib
 import json
 import subprocess
 import sys
+from collections.abc import Callable
 from importlib import metadata
 from pathlib import Path
 from types import ModuleType
@@ -162,11 +163,58 @@ def test_elsewhere_no_lab_is_asked_for_and_pip_is_what_mends(
     first, second, last = with_two({"ipywidgets": "7.8.5", "numpy": "1.26.4"})
     assert first.startswith("The package ipywidgets is here in version 7.8.5, but cammotion needs")
     assert second.startswith("The package numpy is here")
-    assert last.startswith('Run `%pip install "ipywidgets<9,>=8')
+    assert last.startswith('Run `%pip install "ipywidgets')
     assert '" "numpy<3,>=2' in last
     assert "workbook.py" not in last
     check_setup()
     assert capsys.readouterr().out == "Everything the workbook needs is here.\n"
+
+
+def be_in_colab(monkeypatch: pytest.MonkeyPatch) -> None:
+    be_at_home(monkeypatch, False)
+    monkeypatch.setitem(sys.modules, "google.colab", ModuleType("google.colab"))
+
+
+def load_as(versions: dict[str, str]) -> Callable[[str], ModuleType]:
+    """Return an import of modules that were loaded in these versions."""
+
+    def load(name: str) -> ModuleType:
+        module = importlib.import_module(name)
+        if name not in versions:
+            return module
+        loaded = ModuleType(name)
+        vars(loaded).update(__file__=module.__file__, __version__=versions[name])
+        return loaded
+
+    return load
+
+
+def test_colab_has_what_its_page_shows(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Versions of August 2026; its jupyterlab_widgets does not fit, and shows nothing there."""
+    be_in_colab(monkeypatch)
+    old = {"ipywidgets": "7.7.1", "matplotlib": "3.10.0", "jupyterlab_widgets": "99.0"}
+
+    def installed(name: str) -> str:
+        return old.get(name) or metadata.version(name)
+
+    assert setup_problems(installed, load=load_as(old)) == []
+
+
+def test_colab_with_ipywidgets_8_is_told_to_go_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    be_in_colab(monkeypatch)
+    first, last = setup_problems()
+    assert first.startswith("The package ipywidgets is here in version 8.")
+    assert last.startswith('Run `%pip install "ipywidgets<8,>=7.7.1"` in a cell and restart')
+
+
+def test_what_was_installed_since_it_was_loaded_asks_for_a_restart() -> None:
+    """As after a %pip in a running notebook: explorers fail there with words of Python's."""
+    first, *_ = setup_problems(load=load_as({"ipywidgets": "7.7.1"}))
+    installed = metadata.version("ipywidgets")
+    assert first == (
+        f"The package ipywidgets is loaded in version 7.7.1, and {installed} is installed since: "
+        "restart the kernel."
+    )
 
 
 def with_two(versions: dict[str, str]) -> list[str]:

@@ -15,6 +15,8 @@ from types import ModuleType
 from typing import NamedTuple
 
 from packaging.requirements import Requirement
+from packaging.specifiers import SpecifierSet
+from packaging.version import InvalidVersion, Version
 
 _ALL_WELL = "Everything the workbook needs is here."
 _REPAIR = (
@@ -35,6 +37,8 @@ _NO_JUPYTER = (
 _OLDEST_PYTHON = (3, 11)
 _MODULES = {"ipython": "IPython", "scipy": "scipy.optimize"}  # others are called as their package
 _OF_THE_SERVER = {"jupyterlab", "jupyterlab_widgets", "widgetsnbextension"}
+# Colab's page shows the widgets of ipywidgets 7 alone; the notebooks run with what it brings.
+_IN_COLAB = {"ipywidgets": SpecifierSet(">=7.7.1,<8"), "matplotlib": SpecifierSet(">=3.10")}
 
 
 class _Finding(NamedTuple):
@@ -82,6 +86,11 @@ def setup_problems(
 def _is_at_home() -> bool:
     """Tell whether this Python is the one that the workbook has made for itself."""
     return (Path(sys.prefix).parent / "workbook.py").is_file()
+
+
+def _is_in_colab() -> bool:
+    """Tell whether this is a notebook of Google Colab."""
+    return "google.colab" in sys.modules
 
 
 def _is_here(package: str) -> bool:
@@ -132,7 +141,7 @@ def _wrong_needs(
             if not requirement.specifier.contains(version, prereleases=True):
                 yield _unfit(requirement, needed_by, version)
             elif _name(requirement) not in _OF_THE_SERVER:
-                yield from _wrong_module(requirement, load)
+                yield from _wrong_module(requirement, version, load)
 
 
 def _requirements(package: str) -> Iterator[Requirement]:
@@ -144,8 +153,15 @@ def _requirements(package: str) -> Iterator[Requirement]:
     for requirement in map(Requirement, lines):
         if requirement.marker and not requirement.marker.evaluate({"extra": extra}):
             continue
-        if _name(requirement) not in _OF_THE_SERVER or _is_here("jupyter_server"):
+        if _is_in_colab():
+            requirement.specifier = _IN_COLAB.get(requirement.name, requirement.specifier)
+        if _name(requirement) not in _OF_THE_SERVER or _is_of_this_server():
             yield requirement
+
+
+def _is_of_this_server() -> bool:
+    """Tell whether the Jupyter server that shows the page may run in this environment."""
+    return _is_here("jupyter_server") and not _is_in_colab()
 
 
 def _name(requirement: Requirement) -> str:
@@ -176,23 +192,36 @@ def _what_it_does(requirement: Requirement) -> str:
 
 
 def _wrong_module(
-    requirement: Requirement, load: Callable[[str], ModuleType]
+    requirement: Requirement, version: str, load: Callable[[str], ModuleType]
 ) -> Iterator[_Finding]:
-    """Import what is installed, and look whether it comes from there."""
+    """Import what is installed, and look whether it comes from there, and in that version."""
     name = _MODULES.get(_name(requirement), _name(requirement))
     try:
-        file = Path(load(name).__file__ or "").resolve()
+        module = load(name)
+        file = Path(module.__file__ or "").resolve()
     except Exception as error:  # what a broken package raises can be anything
         reason = ": ".join([type(error).__name__, *str(error).splitlines()[:1]])
         sentence = f"The package {requirement.name} cannot be imported ({reason})."
         yield _Finding(sentence, _in_words_of_pip(requirement))
         return
-    if not _is_anywhere(requirement.name) and not file.is_relative_to(_place(requirement.name)):
+    loaded = getattr(module, "__version__", version)
+    if not _are_equal(loaded, version):
+        yield _Finding(
+            f"The package {requirement.name} is loaded in version {loaded}, and {version} is "
+            "installed since: restart the kernel."
+        )
+    elif not _is_anywhere(requirement.name) and not file.is_relative_to(_place(requirement.name)):
         yield _Finding(
             f"The package {requirement.name} is installed, but hidden by {file}: rename that file "
             "if it is yours, or take its folder out of the variable PYTHONPATH, and restart the "
             "kernel."
         )
+
+
+def _are_equal(loaded: str, installed: str) -> bool:
+    with suppress(InvalidVersion):
+        return Version(loaded) == Version(installed)
+    return loaded == installed
 
 
 def _place(package: str) -> Path:
