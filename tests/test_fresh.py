@@ -81,6 +81,16 @@ def bounded(solve: Any) -> Callable[..., Any]:
     return promise
 
 
+def unchanged(solve: Any) -> Callable[..., Any]:
+    """Break the optimiser: it leaves the machine as it is."""
+
+    def leave(*given: Any, **named: Any) -> Any:
+        found = solve(*given, **named)
+        return replace(found, design=found.diagram) if found.shaft else found
+
+    return leave
+
+
 def shifted(read: Any) -> Callable[..., Any]:
     """Break the reader of cam tables: it takes a row for the one before."""
 
@@ -126,6 +136,7 @@ FAULTS: dict[str, Patch] = {
     "roundings": (Through, "effects", lambda _: lambda *_: 2 * (np.ones(1),)),
     "least": (cm, "least_acceleration", bounded),
     "whole": (cm, "least_peak", bounded),
+    "torques": (cm, "optimise", unchanged),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),
     "contacts": (cm.FollowerLoad, "where_loose", lambda right: lambda *given: right(*given)[1:]),

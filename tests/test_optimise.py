@@ -165,9 +165,9 @@ def test_what_makes_no_sense_is_said(changed: dict[str, Any], words: str) -> Non
 
 
 def test_a_wrong_answer_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    from cammotion.whole import optimise as module
+    from cammotion.whole import movers
 
-    monkeypatch.setattr(module, "_apart", lambda *_: iter(()))  # as if there were no rules
+    monkeypatch.setattr(movers, "_apart", lambda *_: iter(()))  # as if there were no rules
     with pytest.raises(WrongAnswerError, match="too deep"):
         optimise(make_diagram(), RULE, still=STILL)
 

@@ -10,9 +10,8 @@ from cammotion.limits.corridors import check_stands, still_arcs
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, shorten
-from cammotion.rules.checks import as_rules, find_clearances, find_violations
-from cammotion.rules.clearance import ClearanceRule
-from cammotion.rules.rule import Clearance, Violation
+from cammotion.rules.checks import every_rule, find_clearances, find_violations
+from cammotion.rules.rule import Clearance, Rule, Violation
 from cammotion.shown import as_table
 
 _HEADING = ("mechanism", "moves", "travel in mm", "peak velocity in m/s", "peak acceleration, m/s²")
@@ -21,7 +20,7 @@ _HEADING = ("mechanism", "moves", "travel in mm", "peak velocity in m/s", "peak 
 @checked
 @dataclass(frozen=True, repr=False)
 class Machine:
-    """A machine of your own: a timing diagram, its clearance rules and its still arcs.
+    """A machine of your own: a timing diagram, its rules and its still arcs.
 
     `still` names for each part the arcs, pairs of cam angles in deg, over which it has to stand
     where it does: there the work is done. `read_machine` reads one from a file, and
@@ -38,7 +37,7 @@ class Machine:
 
     name: str
     diagram: TimingDiagram
-    rules: Sequence[ClearanceRule] = ()
+    rules: Sequence[Rule] = ()
     still: Mapping[str, Sequence[tuple[float, float]]] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
@@ -47,7 +46,7 @@ class Machine:
                 f"The name of the machine is {shorten(self.name)}: give one like 'press'."
             )
         if self.rules:
-            object.__setattr__(self, "rules", as_rules(self.diagram, self.rules))
+            object.__setattr__(self, "rules", every_rule(self.diagram, self.rules))
         found: dict[str, tuple[Arc, ...]] = {}
         for name, given in self.still.items():
             motion, anything = self.diagram[name], given

@@ -11,7 +11,8 @@ from fresh.sampling import track_of, tracks_of, worst_of
 
 NEAR_MM = 1e-5
 NEAR = 1e-4  # of an acceleration, as a share
-SECONDS = 4.0
+NEAR_TORQUE, TINY, STEP_DEG = 1e-2, 1e-9, 0.01  # what samples may miss
+SECONDS, TORQUE_S = 4.0, 3.0
 LONG_DEG = 0.5
 NEAR_DEG = 1e-6
 Arcs = dict[str, list[tuple[float, float]]]
@@ -50,6 +51,49 @@ def whole(machine: Machine) -> None:
         _keeps(diagram, found.design, rules, still)
         assert found.bound <= found.reached * (1 + NEAR)
         assert np.isclose(_peak(found.design, still), found.reached)
+
+
+def torques(machine: Machine) -> None:
+    """See that the least torque is what samples say, with all rules kept, and no worse than others.
+
+    The others are today's machine and the one with the least peak.
+    """
+    diagram, rng = machine.diagram, machine.rng
+    tracks = tracks_of(diagram)
+    rules = [rule for rule in machine.rules if worst_of([rule], tracks) < -NEAR_MM]
+    still = {
+        motion.name: arcs
+        for motion in diagram.motions
+        if motion.moves and (arcs := _stands(motion))
+    }
+    masses = {m.name: float(rng.uniform(1, 50)) for m in diagram.motions if not m.steps(1)}
+    if not still or not masses:
+        return
+    shaft = cm.Camshaft(diagram, {n: cm.FollowerLoad(mass_kg=kg) for n, kg in masses.items()})
+    asked: dict[str, Any] = {"still": still, "seconds": TORQUE_S}
+    try:
+        peak = cm.optimise(diagram, rules, **asked)
+        best = cm.optimise(shaft, rules, minimise="torque", **asked)
+    except InputError as refusal:
+        if "rest" not in str(refusal) and "none of its stops" not in str(refusal):
+            raise
+        return
+    _keeps(diagram, best.design, rules, still)
+    known = [_torque(design, masses) for design in (best.design, diagram, peak.design)]
+    for other in known:
+        assert best.reached <= other * (1 + NEAR_TORQUE) + TINY, f"{best.reached}, {other} can be"
+    assert best.reached >= known[0] * (1 - NEAR) - TINY, f"{best.reached} is less than {known[0]}"
+
+
+def _torque(diagram: TimingDiagram, masses: dict[str, float]) -> float:
+    """Return the largest torque of masses in N m, among close samples."""
+    angles = np.arange(0, 360, STEP_DEG) + STEP_DEG / 3
+    per_s, total = diagram.rate_per_hour / 10, np.zeros(len(angles))
+    for name, track in tracks_of(diagram).items():
+        if name in masses:
+            push = masses[name] * track.curve(2, angles) * per_s**2 / 1000
+            total += push * track.curve(1, angles) * 180 / np.pi / 1000
+    return float(np.abs(total).max())
 
 
 def _stands(motion: cm.Motion) -> list[tuple[float, float]]:

@@ -65,6 +65,7 @@ CHECKS: Mapping[str, Check] = {
     "roundings": check_measured.roundings,
     "least": check_limits.least,
     "whole": check_whole.whole,
+    "torques": check_whole.torques,
     "cams": check_cams.cams,
     "followers": check_cams.followers,
     "contacts": check_contacts.contacts,

@@ -15,7 +15,7 @@ from cammotion.machine.motions import Motion
 from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.rules.checks import find_violations
-from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.rule import Rule
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
 _WORTH = 1e-3  # of a peak: less is no gain
@@ -66,7 +66,7 @@ def changes_of(machine: Machine, name: str, laws: Sequence[str]) -> Iterator[Imp
     """Yield what can be changed of one mechanism with a gain, or so that a broken rule is kept."""
     if not machine.diagram[name].moves:
         return
-    rules = [rule for rule in machine.rules if name in (rule.when.motion, rule.only_while.motion)]
+    rules = [rule for rule in machine.rules if name in rule.motions]
     yield from _wider(machine, name, rules)
     yield from _other_law(machine, name, rules, laws)
 
@@ -78,7 +78,7 @@ def improvement(
     after = machine.with_diagram(changed)
     broken = {violation.rule for violation in machine.violations}
     still_broken = broken
-    touched = [r for r in machine.rules if {r.when.motion, r.only_while.motion} & {*names}]
+    touched = [r for r in machine.rules if {*r.motions} & {*names}]
     if touched:
         now = {violation.rule for violation in find_violations(changed, touched)}
         if now - broken:
@@ -102,7 +102,7 @@ def improvement(
     )
 
 
-def _wider(machine: Machine, name: str, rules: Sequence[ClearanceRule]) -> Iterator[Improvement]:
+def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Improvement]:
     is_hard = name in [*machine.peaks][:_HARDEST]
     try:
         found = widest_move(machine.diagram, name, rules, each_way=None if is_hard else False)
@@ -163,7 +163,7 @@ def _stands(motion: Motion, still: Iterable[Arc]) -> bool:
 
 
 def _other_law(
-    machine: Machine, name: str, rules: Sequence[ClearanceRule], laws: Sequence[str]
+    machine: Machine, name: str, rules: Sequence[Rule], laws: Sequence[str]
 ) -> Iterator[Improvement]:
     """Yield the change to the first of these laws, the gentlest first, that keeps the rules."""
     motion, before = machine.diagram[name], machine.peaks[name]

@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import Any
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.rule_text import arcs_from_text, rule_from_text
+from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
 from cammotion.exchange.segment_lines import (
     HEADING,
     IN_FULL,
@@ -27,7 +27,10 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError, shorten
+from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.distance import DistanceRule
+from cammotion.rules.rule import Rule
 
 
 def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
@@ -51,7 +54,7 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     with faults.at():
         rate = _the_same(segments, RATE)
     names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
-    rules = _rules(records, names, faults)
+    rules = _rules(records, names, motions, faults)
     still = _still(segments, faults)
     for motion in motions:
         for where, arc in still.get(motion.name, ()):
@@ -120,24 +123,40 @@ def _filled(segments: list[Segment]) -> list[Segment]:
     return [*with_dwells(segments, ends)]
 
 
-def _rules(records: list[Record], names: list[str], faults: Faults) -> list[ClearanceRule]:
+def _rules(
+    records: list[Record], names: list[str], motions: list[Motion], faults: Faults
+) -> list[Rule]:
     """Return the rules of all lines; two that forbid all between them are a fault, too."""
-    found: list[tuple[str, ClearanceRule]] = []
+    found: list[tuple[str, Rule]] = []
+    read = {motion.name: motion for motion in motions}
     for record in records:
         if not record.cells[RULE]:
             continue
         with faults.at(f"{record.where}, '{RULE}'"):
             rule = rule_from_text(record.cells[RULE], names, record.decimal)
+            own = [read[name] for name in rule.motions if name in read]
+            if len(own) == len(rule.motions):
+                every_rule(TimingDiagram(own, 1), rule)
             for where, other in found:
-                if (rule.when, rule.only_while) == (other.when, other.only_while):
+                if nameless(rule) == nameless(other):
                     raise InputError(f"the rule stands in {where} already: leave out one of them.")
-                if (rule.when, rule.only_while) == (other.when, other.only_while.opposite):
+                if forbidden := _forbidden(rule, other):
                     raise InputError(
-                        f"with the rule in {where} it forbids that the {rule.when.motion} is ever "
-                        f"{rule.when}: mend one of them."
+                        f"with the rule in {where} it forbids {forbidden}: mend one of them."
                     )
             found.append((record.where, rule))
     return [rule for _, rule in found]
+
+
+def _forbidden(one: Rule, other: Rule) -> str:
+    """Return what two rules together forbid for ever; nothing if they can both be kept."""
+    if isinstance(one, ClearanceRule) and isinstance(other, ClearanceRule):
+        contradict = (one.when, one.only_while) == (other.when, other.only_while.opposite)
+        return f"that the {one.when.motion} is ever {one.when}" if contradict else ""
+    if isinstance(one, DistanceRule) and isinstance(other, DistanceRule):
+        crossed = one.motions == other.motions[::-1] and one.at_least_mm + other.at_least_mm > 0
+        return f"every place of {one.part} and {one.above}" if crossed else ""
+    return ""
 
 
 def _still(segments: list[Record], faults: Faults) -> dict[str, list[tuple[str, Arc]]]:

@@ -1,29 +1,43 @@
-"""Clearance rules and still arcs as a person types them into a cell."""
+"""Rules and still arcs as a person types them into a cell."""
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
 
 from cammotion.exchange.cells import number_in, two_readings
 from cammotion.machine.arcs import Arc
 from cammotion.quantities import InputError, one_of, shorten
 from cammotion.rules.clearance import ClearanceRule
-from cammotion.rules.conditions import Condition, beyond, within
+from cammotion.rules.conditions import Condition, Moving, beyond, moving, standing, within
+from cammotion.rules.distance import DistanceRule
+from cammotion.rules.rule import Rule
 
 EXAMPLE = "the die may be beyond 19 mm only while the mill is within 0.65 mm"
+DISTANCE = "the pusher stays at least 5 mm above the flap"
 ARC_EXAMPLE = "205 to 305"
 YES = ("yes", "x", "true")
 _ONLY = re.compile(r"\s+only\s+(?:while|if|when)\s+", re.IGNORECASE)
 _HALF = re.compile(
-    r"(?P<name>\S.*?)\s+(?:(?:may\s+be|is)\s+)?(?P<side>beyond|within)\s+"
-    r"(?P<limit>[-+\d]\S*?)\s*(?:mm)?\.?",
+    r"(?P<name>\S.*?)\s+(?:(?:may\s+be|is)\s+)?(?:(?P<side>beyond|within)\s+"
+    r"(?P<limit>[-+\d]\S*?)\s*(?:mm)?|(?P<way>moving|standing))\.?",
     re.IGNORECASE | re.DOTALL,
 )
+_APART = [
+    re.compile(pattern, re.IGNORECASE | re.DOTALL)
+    for pattern in (
+        r"(?P<part>\S.*?)\s+(?:(?:stays|is)\s+)?at\s+least\s+(?P<limit>[-+\d]\S*?)\s*(?:mm\s+)?"
+        r"\s*above\s+(?P<other>\S.*?)\.?",
+        r"(?P<part>\S.*?)\s+[-−]\s+(?P<other>\S.*?)\s+(?:is\s+)?at\s+least\s+"
+        r"(?P<limit>[-+\d]\S*?)\s*(?:mm)?\.?",
+    )
+]
 _THE = re.compile(r"^the\s+", re.IGNORECASE)
 _ARC = re.compile(r"(?:from\s+)?(?P<start>\S+)\s+to\s+(?P<end>\S+?)\s*(?:deg|°)?\.?", re.IGNORECASE)
 _AND = re.compile(r"\s+and\s+|\s*;\s*", re.IGNORECASE)
 
 
-def rule_from_text(text: str, names: Iterable[str], decimal: str = ".") -> ClearanceRule:
+def rule_from_text(text: str, names: Iterable[str], decimal: str = ".") -> Rule:
     """Return the rule that a sentence says about motions of these `names`.
 
     "the", "may be" and "is" may be left out; a name of the rule stands before it, with a colon.
@@ -31,18 +45,24 @@ def rule_from_text(text: str, names: Iterable[str], decimal: str = ".") -> Clear
 
     >>> str(rule_from_text("die beyond 19 only while mill within 0.65", ["mill", "die"]))
     'the die may be beyond 19 mm only while the mill is within 0.65 mm'
-    >>> rule_from_text("clear: die beyond 19 only while mill within 0.65", ["mill", "die"]).name
+    >>> rule_from_text("clear: die beyond 19 only while mill standing", ["mill", "die"]).name
     'clear'
+    >>> str(rule_from_text("pusher - flap at least 5 mm", ["pusher", "flap"]))
+    'the pusher stays at least 5 mm above the flap'
     """
     known = [*names]
     name, colon, said = text.strip().partition(": ")
     if not colon or any(": " in motion for motion in known):
         name, said = "", text.strip()
     halves = _ONLY.split(said)
-    if len(halves) != 2:  # noqa: PLR2004 - what may be, and while what is
-        raise InputError(f"The rule is {shorten(text)}: write it as '{EXAMPLE}'.")
-    when, only_while = (_condition(half, text, known, decimal) for half in halves)
-    return ClearanceRule(when, only_while, name)
+    if len(halves) == 2:  # noqa: PLR2004 - what may be, and while what is
+        when, only_while = (_condition(half, text, known, decimal) for half in halves)
+        return ClearanceRule(when, only_while, name)
+    for form in _APART if len(halves) == 1 else ():
+        if found := form.fullmatch(said):
+            part, other = (_motion(found[side], known) for side in ("part", "other"))
+            return DistanceRule(part, other, _number(found["limit"], text, decimal), name)
+    raise InputError(f"The rule is {shorten(text)}: write it as '{EXAMPLE}' or '{DISTANCE}'.")
 
 
 def _condition(half: str, text: str, names: list[str], decimal: str) -> Condition:
@@ -50,12 +70,19 @@ def _condition(half: str, text: str, names: list[str], decimal: str) -> Conditio
     if not found:
         raise InputError(
             f"The rule has the half {shorten(half.strip())}: write it as '{EXAMPLE}', with "
-            "'beyond' or 'within' in each half."
+            "'beyond', 'within', 'moving' or 'standing' in each half."
         )
-    said = " ".join(found["name"].split())
-    name = said if said in names else _THE.sub("", said)
+    name = _motion(found["name"], names)
+    if found["way"]:
+        return moving(name) if found["way"].lower() == "moving" else standing(name)
     make = beyond if found["side"].lower() == "beyond" else within
-    return make(one_of("motion", name, names), _number(found["limit"], text, decimal))
+    return make(name, _number(found["limit"], text, decimal))
+
+
+def _motion(text: str, names: list[str]) -> str:
+    """Return the name of a motion, with which "the" may stand."""
+    said = " ".join(text.split())
+    return one_of("motion", said if said in names else _THE.sub("", said), names)
 
 
 def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:
@@ -88,19 +115,34 @@ def arcs_as_text(arcs: Iterable[Arc]) -> str:
     return " and ".join(f"{_plain(start)} to {_plain(end)}" for start, end in arcs)
 
 
-def rule_as_text(rule: ClearanceRule) -> str:
+def rule_as_text(rule: Rule) -> str:
     """Return a rule as `rule_from_text` reads it, with all digits of its numbers.
 
     >>> rule_as_text(ClearanceRule(beyond("die", 19), only_while=within("mill", 0.65)))
     'the die may be beyond 19 mm only while the mill is within 0.65 mm'
     """
-    when, only = rule.when, rule.only_while
-    sides = ["beyond" if half.is_beyond else "within" for half in (when, only)]
     name = f"{rule.name}: " if rule.name else ""
-    return (
-        f"{name}the {when.motion} may be {sides[0]} {_plain(when.limit_mm)} mm only while "
-        f"the {only.motion} is {sides[1]} {_plain(only.limit_mm)} mm"
-    )
+    if isinstance(rule, ClearanceRule):
+        when, only = (
+            (half.motion, str(half) if isinstance(half, Moving) else _limit(half))
+            for half in (rule.when, rule.only_while)
+        )
+        return f"{name}the {when[0]} may be {when[1]} only while the {only[0]} is {only[1]}"
+    if isinstance(rule, DistanceRule):
+        apart = f"at least {_plain(rule.at_least_mm)} mm above the {rule.above}"
+        return f"{name}the {rule.part} stays {apart}"
+    raise InputError(f"The rule '{rule}' is of a kind of its own, which no table knows.")
+
+
+def nameless(rule: Rule) -> Rule:
+    """Return a rule without its name, which asks the same."""
+    known: Any = rule  # each kind of rule is a record with a name
+    without: Rule = replace(known, name="")
+    return without
+
+
+def _limit(half: Condition) -> str:
+    return f"{'beyond' if half.is_beyond else 'within'} {_plain(half.limit_mm)} mm"
 
 
 def _plain(number: float) -> str:

@@ -15,7 +15,8 @@ from cammotion.report.markup import Cell, Opened, opened, paragraph, short, tabl
 from cammotion.report.numbers import of_peak, of_rate, of_velocity
 from cammotion.report.pictures import moving, timing
 from cammotion.rules.clearance import ClearanceRule
-from cammotion.rules.rule import Clearance
+from cammotion.rules.conditions import Moving
+from cammotion.rules.rule import Clearance, Rule
 
 _STYLE = Path(__file__).with_name("page.css")
 _NOTHING = 1e-5  # mm: a rule that is just kept
@@ -115,22 +116,36 @@ def _rules(found: Findings) -> str:
     return broken + table("What each rule leaves; below 0 it is broken", heading, rows)
 
 
-def _clearance(machine: Machine, rule: ClearanceRule, one: Clearance) -> Opened | str:
+def _clearance(machine: Machine, rule: Rule, one: Clearance) -> Opened | str:
     if one.angle_deg is None:
         return "never in the way"
     at = one.angle_deg % DEG_PER_TURN
-    when, other = (
-        f"the {half.motion} is at {float(machine.diagram[half.motion].offset_mm(at)):.4g} mm"
-        for half in (rule.when, rule.only_while)
+    there = " and ".join(
+        f"the {name} is at {float(machine.diagram[name].offset_mm(at)):.4g} mm"
+        for name in rule.motions
     )
-    side = "above" if rule.when.is_beyond else "below"
-    whence = (
-        f"Least at {at:.5g} deg: there {when}, its limit is {rule.when.limit_mm:g} mm, and {other} "
-        f"(of a turret: from its stop). The clearance is how far it still is from being {side} "
-        "its limit while the other one is not where it has to be."
-    )
+    whence = f"Least at {at:.5g} deg: there {there} (of a turret: from its stop). {_meant(rule)}"
     value = 0.0 if abs(one.clearance_mm) < _NOTHING else one.clearance_mm
     return Opened(short(value), whence)
+
+
+def _meant(rule: Rule) -> str:
+    """Return in a sentence what the clearance of a rule is."""
+    if not isinstance(rule, ClearanceRule):
+        return "The clearance is how much farther apart they are than they have to be."
+    halves = (rule.when, rule.only_while)
+    if all(isinstance(half, Moving) for half in halves):
+        return "Below 0 it is the way of one of them from the nearer end of its move."
+    if any(isinstance(half, Moving) for half in halves):
+        return (
+            "The clearance is how far the one with a limit is from passing it while the other one "
+            "moves, or stands, when it must not."
+        )
+    side = "above" if rule.when.is_beyond else "below"
+    return (
+        f"The {rule.when.motion} has the limit {rule.when.limit_mm:g} mm. The clearance is how far "
+        f"it still is from being {side} its limit while the other one is not where it has to be."
+    )
 
 
 def _mechanisms(found: Findings) -> str:

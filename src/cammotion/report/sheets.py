@@ -11,7 +11,10 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
 from cammotion.report.findings import Findings
-from cammotion.rules.conditions import Condition
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Condition, Moving
+from cammotion.rules.distance import DistanceRule
+from cammotion.rules.rule import Rule
 
 STEP_DEG = 0.5
 """Of the cam tables: fine enough for a spline through them."""
@@ -30,8 +33,8 @@ _RULES = (
     "mechanism",
     "side",
     "limit in mm",
-    "only while mechanism",
-    "is",
+    "other mechanism",
+    "only while it is",
     "limit of it in mm",
     "clearance in mm",
     "clearance of the design in mm",
@@ -66,12 +69,21 @@ def _mechanisms(machine: Machine, improved: Machine) -> list[list[Any]]:
 def _rules(machine: Machine, improved: Machine) -> list[list[Any]]:
     rows = []
     for rule, now, then in zip(machine.rules, machine.clearances, improved.clearances, strict=True):
-        halves = [part for half in (rule.when, rule.only_while) for part in _half(half)]
-        rows.append([*halves, _finite(now.clearance_mm), _finite(then.clearance_mm)])
+        rows.append([*_said(rule), _finite(now.clearance_mm), _finite(then.clearance_mm)])
     return rows
 
 
+def _said(rule: Rule) -> list[Any]:
+    """Return the cells of a rule: of a distance the part that stays so far above the other."""
+    if isinstance(rule, DistanceRule):
+        return [rule.part, "at least above", rule.at_least_mm, rule.above, "", ""]
+    halves = (rule.when, rule.only_while) if isinstance(rule, ClearanceRule) else ()
+    return [part for half in halves for part in _half(half)]
+
+
 def _half(condition: Condition) -> tuple[Any, ...]:
+    if isinstance(condition, Moving):
+        return condition.motion, str(condition), ""
     side = "beyond" if condition.is_beyond else "within"
     return condition.motion, side, condition.limit_mm
 

@@ -75,6 +75,7 @@ def every_rule(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Ru
 
 def _as_spelled(diagram: TimingDiagram, rule: Rule) -> Rule:
     """Return the rule with the names as the diagram spells them; it may have another case."""
+    rule.check(diagram)
     called = {name: diagram[name].name for name in rule.motions}
     return rule if all(name == own for name, own in called.items()) else rule.renamed(called)
 

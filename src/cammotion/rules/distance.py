@@ -78,6 +78,11 @@ class DistanceRule(Rule):
         """The names of the two motions that it is about."""
         return name_of(self.part), name_of(self.above)
 
+    def check(self, diagram: TimingDiagram) -> None:
+        """Raise InputError for an unknown name, and for an indexing motion."""
+        for name in self.motions:
+            self._motion(diagram, name)
+
     def distance_mm(self, diagram: TimingDiagram, angle_deg: Floats) -> Floats:
         """Return the distance in mm at cam angles in deg, above 0 while the part is above."""
         part, below = (self._motion(diagram, name) for name in self.motions)

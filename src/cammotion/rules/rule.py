@@ -33,6 +33,11 @@ class Rule(ABC):
     def motions(self) -> tuple[str, str]:
         """The names of the two motions that it is about."""
 
+    def check(self, diagram: TimingDiagram) -> None:
+        """Raise InputError for a diagram without its motions, or with such as it is not about."""
+        for name in self.motions:
+            diagram[name]  # which knows who there is
+
     @abstractmethod
     def violated_arcs(self, diagram: TimingDiagram) -> list[Arc]:
         """Return the arcs over which the rule is broken; one that crosses 360 deg ends above."""

@@ -16,6 +16,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.rules.checks import as_rules
 from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.rule import Rule
 from cammotion.whole.parts import Part
 from cammotion.whole.sides import Side
 
@@ -113,7 +114,7 @@ def weighted_peak(diagram: TimingDiagram, weights: Mapping[str, float]) -> float
 
 def read_task(  # noqa: PLR0913 - all but two are given by name
     diagram: TimingDiagram,
-    rules: ClearanceRule | Iterable[ClearanceRule],
+    rules: Rule | Iterable[Rule],
     *,
     still: Any,
     weights: Any,

@@ -17,7 +17,7 @@ from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Quantity
-from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.rule import Rule
 from cammotion.whole.asked_of_all import read_task, weighted_peak
 from cammotion.whole.joint_search import Search
 
@@ -81,7 +81,7 @@ class LeastPeak:
 @checked
 def least_peak(  # noqa: PLR0913 - all but two are given by name
     diagram: TimingDiagram,
-    rules: ClearanceRule | Iterable[ClearanceRule],
+    rules: Rule | Iterable[Rule],
     *,
     still: Mapping[str, Iterable[Arc]],
     travel_mm: Mapping[str, tuple[float, float]] | None = None,

@@ -83,7 +83,7 @@ class Rows:
         with _silent():
             result = milp(
                 np.array(self.cost),
-                constraints=LinearConstraint(*self._scaled()),
+                constraints=LinearConstraint(*self.scaled()),
                 bounds=Bounds(np.array(self.low), np.array(self.high)),
                 integrality=np.array(self.whole),
                 options=options,
@@ -98,7 +98,7 @@ class Rows:
 
         The bound is computed from multipliers, and does not rest on the solver's word.
         """
-        matrix, low, high = self._scaled()
+        matrix, low, high = self.scaled()
         below, above = np.isfinite(low), np.isfinite(high)
         program = Program(
             np.array(self.cost),
@@ -111,7 +111,7 @@ class Rows:
         )
         return Mixed(*search(program, seconds=seconds))
 
-    def _scaled(self) -> tuple[Any, Floats, Floats]:
+    def scaled(self) -> tuple[Any, Floats, Floats]:
         """Return the rows as a matrix with their ends, the largest factor of each being 1.
 
         Unknowns that are fixed are taken out: their factors would make a row coarser.

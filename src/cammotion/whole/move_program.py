@@ -10,6 +10,7 @@ off, is a whole number.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -52,6 +53,19 @@ class Placed:
     law: MotionLaw
 
 
+class Inside(NamedTuple):
+    """What binds the start and the angle of each move, these two after each other: rows and ends.
+
+    `columns` are their numbers among all unknowns.
+    """
+
+    columns: list[int]
+    rows: Floats
+    low: Floats
+    high: Floats
+    ends: tuple[Floats, Floats]
+
+
 @dataclass(frozen=True)
 class Apart:
     """Two spans, each of a part or of one that stays as it is (None), that may not overlap."""
@@ -67,31 +81,23 @@ def place(
 
     The largest peak is as small as can be; with its move held that of the next, and so on.
     """
-    program = _Program(movers, apart)
+    program = MoveProgram(movers, apart)
     program.rows.cost[program.least] = -1.0
     found = program.rows.solve(seconds)
     if found.unknowns is None or found.bound is None:
         return None
-    x, most = found.unknowns, -found.bound
-    program.settle(x)
-    free = program.own
-    while free:
-        least, x = program.raised(free, x)
-        for own in free:
-            program.rows.low[own] = least * (1 - _HELD)
-        tight = [own for own in free if x[own] <= least * (1 + _SAME)]
-        held = [own for own in tight if program.raised([own], x)[0] <= least * (1 + _SAME)]
-        free = [own for own in free if own not in (held or free)]
-    return program.moves(x), most
+    program.settle(found.unknowns)
+    return program.moves(program.widened(program.own, found.unknowns)), -found.bound
 
 
-class _Program:
+class MoveProgram:
     """The unknowns: of each move its start, for each law its angle, and how wide it is."""
 
     def __init__(self, movers: Sequence[Mover], apart: Sequence[Apart]) -> None:
         self.movers, self.rows = movers, Rows()
         self.least = self.rows.unknown(0.0, np.inf)
         self.own: list[int] = []
+        self.of_part: list[list[int]] = []
         self.starts: list[list[int]] = []
         self.widths: list[list[list[int]]] = []
         self.whole: list[int] = []
@@ -108,7 +114,7 @@ class _Program:
     def _add(self, mover: Mover) -> None:
         rows = self.rows
         starts = rows.unknowns(*np.array(mover.starts).reshape(-1, 2).T)
-        widths = []
+        widths, counted = [], len(self.own)
         for laws, costs, narrowest, (low, high) in zip(
             mover.laws, mover.costs, mover.narrowest, mover.angles, strict=True
         ):
@@ -140,6 +146,7 @@ class _Program:
             on = (number + 1) % len(starts)
             turn = 0.0 if on else DEG_PER_TURN
             rows.row([*ending, (starts[on], -1.0)], -np.inf, turn)
+        self.of_part.append(self.own[counted:])
         self.starts.append(starts)
         self.widths.append(widths)
 
@@ -174,6 +181,21 @@ class _Program:
             self.rows.low[column] = self.rows.high[column] = float(np.round(x[column]))
             self.rows.whole[column] = 0
 
+    def inside(self, x: Floats) -> Inside:
+        """Return what binds starts and angles, with whole numbers and laws as they were found."""
+        columns: list[int] = []
+        for starts, widths in zip(self.starts, self.widths, strict=True):
+            for start, width in zip(starts, widths, strict=True):
+                chosen = width[int(np.argmax(x[width]))]
+                columns += [start, chosen]
+                for other in {*width} - {chosen}:
+                    self.rows.low[other] = self.rows.high[other] = 0.0
+        matrix, low, high = self.rows.scaled()
+        others = np.setdiff1d(np.arange(matrix.shape[1]), columns)
+        own = abs(matrix[:, others]).sum(axis=1).A1 == 0
+        ends = np.array(self.rows.low)[columns], np.array(self.rows.high)[columns]
+        return Inside(columns, matrix[own][:, columns].toarray(), low[own], high[own], ends)
+
     def raised(self, owns: Sequence[int], before: Floats) -> tuple[float, Floats]:
         """Return how wide the moves of some parts can be together, and the unknowns then."""
         self.rows.cost = [0.0] * len(self.rows.cost)
@@ -185,6 +207,17 @@ class _Program:
         best = 0.0 if found.unknowns is None else float(x[together])
         self.rows.high[together] = 0.0  # it asks for nothing any more
         return best, x
+
+    def widened(self, free: Sequence[int], x: Floats) -> Floats:
+        """Return the unknowns with the least of these moves as wide as can be, then the next."""
+        while free:
+            least, x = self.raised(free, x)
+            for own in free:
+                self.rows.low[own] = least * (1 - _HELD)
+            tight = [own for own in free if x[own] <= least * (1 + _SAME)]
+            held = [own for own in tight if self.raised([own], x)[0] <= least * (1 + _SAME)]
+            free = [own for own in free if own not in (held or free)]
+        return x
 
     def moves(self, x: Floats) -> list[list[Placed]]:
         """Return the moves of each part."""

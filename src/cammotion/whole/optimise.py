@@ -3,39 +3,35 @@
 `widest_move` widens one part after the other, and the order decides. Here no order is chosen: what
 is asked is a mixed-integer linear program (see `whole.move_program`), and its answer is the best
 of all diagrams whose moves go from rest to rest by the given laws. What other motions could do,
-`least_peak` says.
+`least_peak` says. The least torque on the camshaft is sought by `whole.torque_search`.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from itertools import product
 from typing import Any
 
 import numpy as np
 
 from cammotion.arguments import checked
+from cammotion.drive.camshaft import Camshaft
 from cammotion.laws.catalogue import as_law
-from cammotion.laws.motion_law import MotionLaw
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment, with_dwells
-from cammotion.quantities import InputError, Quantity, WrongAnswerError
+from cammotion.quantities import InputError, Quantity, WrongAnswerError, one_of
 from cammotion.rules.checks import find_violations
-from cammotion.rules.clearance import ClearanceRule
-from cammotion.rules.conditions import Condition
+from cammotion.rules.rule import Rule
 from cammotion.whole.asked_of_all import Task, read_task, weighted_peak
-from cammotion.whole.asked_of_moves import Laws, Ranges, read_laws, read_ranges
-from cammotion.whole.crossings import Span, fixed_spans, spans
-from cammotion.whole.move_program import Apart, Mover, Placed, place
-from cammotion.whole.parts import Part
+from cammotion.whole.asked_of_moves import Laws, Ranges
+from cammotion.whole.move_program import place
+from cammotion.whole.movers import built, read_moves
+from cammotion.whole.torque_search import least_torque, peak_torque
 
 _SECONDS = Quantity("time", "s", example=20)
-_ROUNDING_DEG = 1e-6  # so near to where a part has to stand a move ends there
 _SHARE = 1e-5  # of a peak, that may be rounding
 _DIGITS = 4
+_UNITS = {"peak": "m/s²", "force": "N", "torque": "N m"}
 
 
 @dataclass(frozen=True, repr=False)
@@ -44,6 +40,9 @@ class Optimised:
 
     `reached` is its largest peak, each times its weight, in `unit`; `bound` is what no other
     diagram of such moves can be below, and nearly the same unless the time was too short.
+
+    With a `shaft` whose torque was made small, `reached` is the largest torque on it. Then `bound`
+    is 0, for none is known, and `tried` has what was reached from each start, the least first.
     """
 
     diagram: TimingDiagram
@@ -51,11 +50,13 @@ class Optimised:
     design: TimingDiagram
     weights: Mapping[str, float]
     unit: str = "m/s²"
+    shaft: Camshaft | None = None
+    tried: tuple[float, ...] = ()
 
     @property
     def reached(self) -> float:
-        """The largest weighted peak of the design."""
-        return weighted_peak(self.design, self.weights)
+        """The largest weighted peak of the design, or the largest torque on the shaft."""
+        return self._largest(self.design)
 
     @property
     def peaks(self) -> dict[str, float]:
@@ -64,8 +65,13 @@ class Optimised:
 
     def __repr__(self) -> str:
         """Say what is reached, where it was before, and each move."""
-        before = weighted_peak(self.diagram, self.weights)
+        before = self._largest(self.diagram)
         lines = [f"{self.reached:.{_DIGITS}f} {self.unit} (before: {before:.{_DIGITS}f})"]
+        if self.tried:
+            lines.append(
+                f"the best of {len(self.tried)} starts, which led to {self.tried[0]:.{_DIGITS}f} "
+                f"to {self.tried[-1]:.{_DIGITS}f} {self.unit}; no bound is known for a torque"
+            )
         for name, peak in self.peaks.items():
             lines.append(f"{name}: {peak:.{_DIGITS}f} m/s²")
             lines += [
@@ -75,19 +81,25 @@ class Optimised:
             ]
         return "\n".join(lines)
 
+    def _largest(self, diagram: TimingDiagram) -> float:
+        if self.shaft is not None:
+            return peak_torque(self.shaft, diagram)
+        return weighted_peak(diagram, self.weights)
+
 
 @checked
 def optimise(  # noqa: PLR0913 - all but two are given by name
-    diagram: TimingDiagram,
-    rules: ClearanceRule | Iterable[ClearanceRule],
+    machine: TimingDiagram | Camshaft,
+    rules: Rule | Iterable[Rule],
     *,
     still: Mapping[str, Iterable[Arc]],
+    minimise: str = "peak",
     laws: Laws | Mapping[str, Laws] | None = None,
     starts_deg: Mapping[str, Ranges] | None = None,
     angles_deg: Mapping[str, Ranges] | None = None,
     weights: Mapping[str, float] | None = None,
     at_most: Mapping[str, float] | None = None,
-    unit: str = "m/s²",
+    unit: str | None = None,
     seconds: float = 20.0,
 ) -> Optimised:
     """Return the diagram with the least largest peak, of all starts, angles and laws of its moves.
@@ -99,16 +111,25 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     or one for each part by its name, of which each move gets the best; without it each keeps its
     own. `starts_deg` and `angles_deg` give for a part a range, or None, for each of its moves.
 
-    The largest of the peak accelerations is made small, each times its weight (1 if none is given;
-    with masses in kg it is a force, and `unit` is "N"); then with it held the next one, and so on.
-    With `at_most` no peak of a part is above a limit in m/s2.
+    The largest of the peak accelerations is made small, each times its weight (1 if none is given),
+    in `unit`; then with it held the next one, and so on. With `at_most` no peak of a part is above
+    a limit in m/s2. With a Camshaft in place of the diagram, `minimise` may be "force": then the
+    weights are the masses of its loads, one for each free part.
 
-    The answer is the best there is, not only the best of some tries, as far as the solver HiGHS can
-    be trusted: it searches the program through, to a ten-thousandth (where the `seconds` are
-    enough; `bound` tells). What it finds is checked before it is returned by `find_violations` and
-    by its curves; raises WrongAnswerError if that fails.
-    Raises InputError for what is out of range, for laws that do not rest at both ends, for an arc
-    over which a part does not stand, and where no starts and angles keep the rules.
+    It may also be "torque", the largest one on the shaft over the turn, with springs, weights,
+    friction, the forces of the process, and the loads of parts that are not free. Masses that slow
+    down pay for those that speed up, and so there is no program that finds the best: from many
+    starts, the least peak and the machine of today among them, SciPy's SLSQP goes down to a low
+    place, and the best one is returned. No bound is known then; `tried` shows how far apart the
+    low places are. The parts without a load have moves as wide as the others leave them.
+
+    Otherwise the answer is the best there is, not only the best of some tries, as far as the solver
+    HiGHS can be trusted: it searches the program through, to a ten-thousandth (where the `seconds`
+    are enough; `bound` tells). What is found is checked before it is returned by `find_violations`
+    and by its curves; raises WrongAnswerError if that fails.
+    Raises InputError for what is out of range, for a force or a torque without a Camshaft, for laws
+    that do not rest at both ends, for an arc over which a part does not stand, and where no starts
+    and angles keep the rules.
 
     >>> import cammotion as cm
     >>> machine = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die], rate_per_hour=2000)
@@ -120,18 +141,48 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     die: 0.9429 m/s²
       rise over 115.447 deg from 89.553 deg, cycloidal
       return over 115.447 deg from 305.000 deg, cycloidal
+    >>> shaft = cm.Camshaft(
+    ...     machine, {"mill": cm.FollowerLoad(mass_kg=40), "die": cm.FollowerLoad(mass_kg=12)})
+    >>> both = {"mill": [(205, 305)], "die": [(205, 305)]}
+    >>> least = optimise(shaft, rule, still=both, minimise="torque")
+    >>> print(f"{abs(shaft.peak_torque().value):.2f} to {least.reached:.2f} N m")
+    3.37 to 0.88 N m
     """
+    what, limit = one_of("quantity to minimise", minimise, _UNITS), _SECONDS.number(seconds)
+    diagram = machine.diagram if isinstance(machine, Camshaft) else machine
+    shaft = None if what == "peak" else _shaft(machine, what, weights)
+    if shaft and what == "force":
+        weights = {name: shaft.loads[name].mass_kg for name in still if name in shaft.loads}
     task = read_task(diagram, rules, still=still, weights=weights, at_most=at_most)
-    found = _best(task, laws, (starts_deg, angles_deg), _SECONDS.number(seconds))
-    if found is None:
+    named = unit or _UNITS[what]
+    if shaft and what == "torque":
+        found = least_torque(shaft, task, *read_moves(task, laws, (starts_deg, angles_deg)), limit)
+        answer = found and Optimised(diagram, 0.0, found[0], task.weights, named, shaft, found[1])
+    else:
+        best = _best(task, laws, (starts_deg, angles_deg), limit)
+        answer = best and Optimised(diagram, best[1], best[0], task.weights, named)
+    if answer is None:
         raise InputError(
             "No starts and angles of these moves keep all of this: allow larger ranges or peaks, "
             "give shorter still arcs, or weaker rules."
         )
-    design, bound = found
-    answer = Optimised(diagram, bound, design, task.weights, unit)
     _check(task, answer)
     return answer
+
+
+def _shaft(machine: TimingDiagram | Camshaft, what: str, weights: Any) -> Camshaft:
+    """Return the shaft whose forces or torque are made small; raise InputError without one."""
+    if not isinstance(machine, Camshaft):
+        raise InputError(
+            f"A {what} needs to know what moves: give in place of the diagram a Camshaft with its "
+            "loads, for example Camshaft(diagram, {'die': FollowerLoad(mass_kg=12)})."
+        )
+    if weights is not None:
+        raise InputError(
+            f"The weights are for peaks, and the {what} counts the masses of the loads: leave out "
+            "the weights, or give minimise='peak'."
+        )
+    return machine
 
 
 def best_moves(task: Task, laws: Laws, seconds: float) -> TimingDiagram | None:
@@ -147,116 +198,11 @@ def _best(
     task: Task, laws: Any, ranges: tuple[Any, Any], seconds: float
 ) -> tuple[TimingDiagram, float] | None:
     """Return the best diagram and its bound, which nothing has checked yet."""
-    chosen = read_laws(task, laws)
-    starts, angles = (
-        read_ranges(task, what, given)
-        for what, given in zip(("start", "indexing angle"), ranges, strict=True)
-    )
-    movers = [
-        _mover(part, own, starts[part.motion.name], angles[part.motion.name])
-        for part, own in zip(task.parts, chosen, strict=True)
-    ]
-    found = place(movers, list(_apart(task, chosen)), seconds)
+    found = place(*read_moves(task, laws, ranges), seconds)
     if found is None:
         return None
-    design = task.diagram
-    for part, moves in zip(task.parts, found[0], strict=True):
-        if moves:
-            design = design.with_motion(_built(part, moves))
+    design = built(task, found[0])
     return design, task.in_metres(1 / found[1] ** 2) if found[1] else 0.0
-
-
-def _mover(
-    part: Part,
-    laws: list[list[MotionLaw]],
-    starts: list[tuple[float, float] | None],
-    angles: list[tuple[float, float] | None],
-) -> Mover:
-    """Return the ranges of a part's moves: those given, within what its still arcs leave."""
-    moves = part.motion.moves
-    low = [move.from_deg - DEG_PER_TURN for move in moves]
-    high = [move.from_deg + DEG_PER_TURN for move in moves]
-    ends = [move.to_deg + DEG_PER_TURN for move in moves]
-    for number, move in enumerate(moves):
-        on = (number + 1) % len(moves)
-        turn = 0.0 if on else float(DEG_PER_TURN)
-        for start, end in part.still:
-            turned = -((start - move.to_deg + _ROUNDING_DEG) // DEG_PER_TURN) * DEG_PER_TURN
-            if end + turned <= moves[on].from_deg + turn + _ROUNDING_DEG:
-                ends[number] = min(ends[number], start + turned)
-                low[on] = max(low[on], end + turned - turn)
-    for number, given in enumerate(starts):
-        if given:
-            turns = round((moves[number].from_deg - sum(given) / 2) / DEG_PER_TURN) * DEG_PER_TURN
-            low[number] = max(low[number], given[0] + turns)
-            high[number] = min(high[number], given[1] + turns)
-        if low[number] > high[number]:
-            raise InputError(
-                f"The start of a move of the {part.motion.name} would lie in a still arc: give a "
-                "range outside of it."
-            )
-    strokes = [abs(move.change_mm) for move in moves]
-    return Mover(
-        tuple(map(tuple, laws)),
-        tuple(
-            tuple(part.weight * law.Ca * stroke for law in own)
-            for own, stroke in zip(laws, strokes, strict=True)
-        ),
-        tuple(
-            tuple((law.Ca * stroke / part.cap) ** 0.5 for law in own)
-            for own, stroke in zip(laws, strokes, strict=True)
-        ),
-        tuple(zip(low, high, strict=True)),
-        tuple(given or (0.0, float(DEG_PER_TURN)) for given in angles),
-        tuple(ends),
-    )
-
-
-def _apart(task: Task, laws: Sequence[list[list[MotionLaw]]]) -> Iterator[Apart]:
-    """Yield all arcs that may not overlap: where a half holds, and where the other does not."""
-    names = [part.motion.name for part in task.parts]
-
-    def held(condition: Condition) -> tuple[int | None, list[Span]]:
-        motion = task.diagram[condition.motion]
-        if condition.motion in names and motion.moves:
-            part = names.index(condition.motion)
-            return part, spans(motion, laws[part], condition)
-        return None, fixed_spans(motion, condition)
-
-    for rule in task.rules:
-        (one, these), (other, those) = held(rule.when), held(rule.only_while.opposite)
-        yield from (Apart((one, other), pair) for pair in product(these, those))
-
-
-def _built(part: Part, placed: Sequence[Placed]) -> Motion:
-    """Return the motion with its moves where they were found, beside its still arcs exactly."""
-    known = [end for arc in part.still for end in arc]
-    ends = [
-        (_snap(one.start_deg, known), _snap(one.start_deg + one.angle_deg, known)) for one in placed
-    ]
-    following = [*(start for start, _ in ends[1:]), ends[0][0] + DEG_PER_TURN]
-    moves = [
-        Segment(
-            from_deg=start,
-            to_deg=on if abs(on - end) < _ROUNDING_DEG else end,
-            from_mm=move.from_mm,
-            to_mm=move.to_mm,
-            law=one.law,
-        )
-        for move, one, (start, end), on in zip(
-            part.motion.moves, placed, ends, following, strict=True
-        )
-    ]
-    return Motion(part.motion.name, tuple(with_dwells(moves, following)), part.motion.stops)
-
-
-def _snap(angle_deg: float, known: Sequence[float]) -> float:
-    """Return what an angle is but for rounding: one of those known, in its turn."""
-    for one in known:
-        turned = one + round((angle_deg - one) / DEG_PER_TURN) * DEG_PER_TURN
-        if abs(turned - angle_deg) < _ROUNDING_DEG:
-            return turned
-    return angle_deg
 
 
 def _check(task: Task, answer: Optimised) -> None:

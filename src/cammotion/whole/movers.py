@@ -1,0 +1,139 @@
+"""The moves of the parts for the program that places them, and the motions of what it found."""
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+from typing import Any
+
+from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment, with_dwells
+from cammotion.quantities import InputError
+from cammotion.rules.conditions import Condition
+from cammotion.whole.asked_of_all import Task
+from cammotion.whole.asked_of_moves import read_laws, read_ranges
+from cammotion.whole.crossings import Span, fixed_spans, spans
+from cammotion.whole.move_program import Apart, Mover, Placed
+from cammotion.whole.parts import Part
+
+_ROUNDING_DEG = 1e-6  # so near to where a part has to stand a move ends there
+
+
+def read_moves(task: Task, laws: Any, ranges: tuple[Any, Any]) -> tuple[list[Mover], list[Apart]]:
+    """Return the moves of all parts, and the arcs that may not overlap.
+
+    `ranges` are those of the starts and of the indexing angles, as a user gives them.
+    """
+    chosen = read_laws(task, laws)
+    starts, angles = (
+        read_ranges(task, what, given)
+        for what, given in zip(("start", "indexing angle"), ranges, strict=True)
+    )
+    movers = [
+        _mover(part, own, starts[part.motion.name], angles[part.motion.name])
+        for part, own in zip(task.parts, chosen, strict=True)
+    ]
+    return movers, list(_apart(task, chosen))
+
+
+def built(task: Task, placed: Sequence[Sequence[Placed]]) -> TimingDiagram:
+    """Return the diagram in which the moves of all parts are where they were found."""
+    design = task.diagram
+    for part, moves in zip(task.parts, placed, strict=True):
+        if moves:
+            design = design.with_motion(_built(part, moves))
+    return design
+
+
+def _mover(
+    part: Part,
+    laws: list[list[MotionLaw]],
+    starts: list[tuple[float, float] | None],
+    angles: list[tuple[float, float] | None],
+) -> Mover:
+    """Return the ranges of a part's moves: those given, within what its still arcs leave."""
+    moves = part.motion.moves
+    low = [move.from_deg - DEG_PER_TURN for move in moves]
+    high = [move.from_deg + DEG_PER_TURN for move in moves]
+    ends = [move.to_deg + DEG_PER_TURN for move in moves]
+    for number, move in enumerate(moves):
+        on = (number + 1) % len(moves)
+        turn = 0.0 if on else float(DEG_PER_TURN)
+        for start, end in part.still:
+            turned = -((start - move.to_deg + _ROUNDING_DEG) // DEG_PER_TURN) * DEG_PER_TURN
+            if end + turned <= moves[on].from_deg + turn + _ROUNDING_DEG:
+                ends[number] = min(ends[number], start + turned)
+                low[on] = max(low[on], end + turned - turn)
+    for number, given in enumerate(starts):
+        if given:
+            turns = round((moves[number].from_deg - sum(given) / 2) / DEG_PER_TURN) * DEG_PER_TURN
+            low[number] = max(low[number], given[0] + turns)
+            high[number] = min(high[number], given[1] + turns)
+        if low[number] > high[number]:
+            raise InputError(
+                f"The start of a move of the {part.motion.name} would lie in a still arc: give a "
+                "range outside of it."
+            )
+    strokes = [abs(move.change_mm) for move in moves]
+    return Mover(
+        tuple(map(tuple, laws)),
+        tuple(
+            tuple(part.weight * law.Ca * stroke for law in own)
+            for own, stroke in zip(laws, strokes, strict=True)
+        ),
+        tuple(
+            tuple((law.Ca * stroke / part.cap) ** 0.5 for law in own)
+            for own, stroke in zip(laws, strokes, strict=True)
+        ),
+        tuple(zip(low, high, strict=True)),
+        tuple(given or (0.0, float(DEG_PER_TURN)) for given in angles),
+        tuple(ends),
+    )
+
+
+def _apart(task: Task, laws: Sequence[list[list[MotionLaw]]]) -> Iterator[Apart]:
+    """Yield all arcs that may not overlap: where a half holds, and where the other does not."""
+    names = [part.motion.name for part in task.parts]
+
+    def held(condition: Condition) -> tuple[int | None, list[Span]]:
+        motion = task.diagram[condition.motion]
+        if condition.motion in names and motion.moves:
+            part = names.index(condition.motion)
+            return part, spans(motion, laws[part], condition)
+        return None, fixed_spans(motion, condition)
+
+    for rule in task.rules:
+        (one, these), (other, those) = held(rule.when), held(rule.only_while.opposite)
+        yield from (Apart((one, other), pair) for pair in product(these, those))
+
+
+def _built(part: Part, placed: Sequence[Placed]) -> Motion:
+    """Return the motion with its moves where they were found, beside its still arcs exactly."""
+    known = [end for arc in part.still for end in arc]
+    ends = [
+        (_snap(one.start_deg, known), _snap(one.start_deg + one.angle_deg, known)) for one in placed
+    ]
+    following = [*(start for start, _ in ends[1:]), ends[0][0] + DEG_PER_TURN]
+    moves = [
+        Segment(
+            from_deg=start,
+            to_deg=on if abs(on - end) < _ROUNDING_DEG else end,
+            from_mm=move.from_mm,
+            to_mm=move.to_mm,
+            law=one.law,
+        )
+        for move, one, (start, end), on in zip(
+            part.motion.moves, placed, ends, following, strict=True
+        )
+    ]
+    return Motion(part.motion.name, tuple(with_dwells(moves, following)), part.motion.stops)
+
+
+def _snap(angle_deg: float, known: Sequence[float]) -> float:
+    """Return what an angle is but for rounding: one of those known, in its turn."""
+    for one in known:
+        turned = one + round((angle_deg - one) / DEG_PER_TURN) * DEG_PER_TURN
+        if abs(turned - angle_deg) < _ROUNDING_DEG:
+            return turned
+    return angle_deg

@@ -1,0 +1,271 @@
+"""The starts, angles and laws of all moves with the least torque on the camshaft, from many starts.
+
+The torques of several masses add up, and one that slows down pays for one that speeds up. So the
+largest torque has many low places, and that the lowest of those found is the lowest of all, nothing
+proves. All else is as with the least peak: once it is settled which arc comes first, all rules are
+linear in starts and angles, and SciPy's SLSQP goes down within them, so that no step breaks a rule.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from time import monotonic
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cammotion.drive.camshaft import Camshaft
+from cammotion.laws.catalogue import as_law
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.quantities import Floats
+from cammotion.rules.checks import find_violations
+from cammotion.whole.asked_of_all import Task
+from cammotion.whole.move_program import Apart, Inside, MoveProgram, Mover
+from cammotion.whole.movers import built
+from cammotion.whole.shaft_torque import Push, ShaftTorque, push
+
+_STARTS = 16
+_LEAST_PEAK, _TODAY = 0, 1  # the first starts
+_COARSE, _FINE = 16, 120  # samples of each move, at first and in the end
+_POLISHED = 3  # starts that are polished
+_ROUNDS, _LAST = 40, 1e-7
+_PART_DEG = 10.0  # in such parts of a turn all numbers are of one size
+_AS_GIVEN_DEG = 1e-4  # so near to the moves of today are those that are taken for them
+_FARTHEST = 0.6  # of the way to a corner of what is allowed, at which some angle is none
+_EARLY = 0.03  # what a start that is a degree earlier counts, if a move of that many is one wide
+_OFF_DEG = 1e-6  # by which a row may be missed
+_NOTHING = 1e-9  # N m
+_DIGITS = 7  # of a torque; what differs by less is rounding
+
+
+class _Low(NamedTuple):
+    """A low place that was found: its program, the unknowns there, and the torque in N m."""
+
+    program: MoveProgram
+    x: Floats
+    torque: float
+
+
+def peak_torque(shaft: Camshaft, design: TimingDiagram) -> float:
+    """Return the largest torque in N m, in either direction, that a diagram asks of a shaft."""
+    return abs(replace(shaft, diagram=design).peak_torque().value)
+
+
+def least_torque(
+    shaft: Camshaft, task: Task, movers: Sequence[Mover], apart: Sequence[Apart], seconds: float
+) -> tuple[TimingDiagram, tuple[float, ...]] | None:
+    """Return the best diagram found, and the torque in N m that was reached from each start.
+
+    None if no moves keep all rules. The first start has the least peak, and the second, if it is
+    allowed, is the machine of today; no answer is worse than one of them.
+    """
+    search, end = _Search(shaft, task, movers), monotonic() + seconds
+    starts, lows = _Starts(task, movers, apart), list[_Low]()
+    found: list[tuple[float, TimingDiagram]] = []
+
+    def offer(design: TimingDiagram) -> float:
+        found.append((peak_torque(shaft, design), design))
+        return found[-1][0]
+
+    for number in range(_STARTS):
+        start = starts.find(number, min(lows, key=_torque_of, default=None), end - monotonic())
+        if start is not None:
+            if number == _LEAST_PEAK:
+                offer(built(task, start.program.moves(start.x)))
+            if number == _TODAY and not (task.rules and find_violations(task.diagram, task.rules)):
+                offer(task.diagram)
+            low = search.lowered(start, _COARSE)
+            reached = offer(built(task, low.program.moves(low.x)))
+            lows.append(low._replace(torque=reached))
+        if monotonic() > end or not lows:
+            break
+    for low in sorted(lows, key=_torque_of)[:_POLISHED]:
+        fine = search.lowered(low, _FINE)
+        offer(built(task, fine.program.moves(search.eased(fine))))
+    if not found:
+        return None
+    best = min(found[::-1], key=lambda each: float(f"{each[0]:.{_DIGITS}g}"))  # the last are eased
+    return best[1], tuple(sorted(map(_torque_of, lows)))
+
+
+def _torque_of(low: _Low) -> float:
+    return low.torque
+
+
+class _Search:
+    """The way down from a start; what the moves ask of the shaft is computed once."""
+
+    def __init__(self, shaft: Camshaft, task: Task, movers: Sequence[Mover]) -> None:
+        self.shaft, self.task, self.movers = shaft, task, movers
+        self._pushes: dict[tuple[Any, ...], Push] = {}
+
+    def lowered(self, start: _Low, samples: int) -> _Low:
+        """Return the low place below a start: the same if no lower one was found."""
+        from scipy.optimize import minimize
+
+        program, x = start.program, start.x
+        within = program.inside(x)
+        torque = self._torque(program, x, samples)
+        first = x[within.columns]
+        most = float(np.abs(torque.at_samples(first.reshape(-1, 2))).max(initial=0.0))
+        if most <= _NOTHING:
+            return _Low(program, x, most)
+
+        def room(z: Floats) -> Floats:
+            asked = torque.at_samples(_PART_DEG * z[:-1].reshape(-1, 2)) / most
+            return np.concatenate([z[-1] - asked, z[-1] + asked])
+
+        last = np.eye(1, len(first) + 1, len(first))[0]
+        found = minimize(
+            lambda z: z[-1],
+            np.append(first / _PART_DEG, 1.0),
+            jac=lambda _: last,
+            method="SLSQP",
+            bounds=[*zip(*(ends / _PART_DEG for ends in within.ends), strict=True), (0.0, None)],
+            constraints=[{"type": "ineq", "fun": room}, *_linear(within)],
+            options={"maxiter": _ROUNDS, "ftol": _LAST},
+        )
+        z = np.clip(_PART_DEG * found.x[:-1], *within.ends)
+        reached = float(np.abs(torque.at_samples(z.reshape(-1, 2))).max())
+        if reached >= most or _missed(within, z) > _OFF_DEG:
+            return _Low(program, x, most)
+        lower = x.copy()
+        lower[within.columns] = z
+        return _Low(program, lower, reached)
+
+    def eased(self, low: _Low) -> Floats:
+        """Return the unknowns with the moves that ask nothing of the shaft as wide as can be."""
+        program, loose = low.program, []
+        for part, starts, widths, own in zip(
+            self.task.parts, program.starts, program.widths, program.of_part, strict=True
+        ):
+            if part.motion.name not in self.shaft.loads:
+                loose += own
+                continue
+            for column in [*starts, *(one for width in widths for one in width)]:
+                program.rows.low[column] = low.x[column] - _OFF_DEG
+                program.rows.high[column] = low.x[column] + _OFF_DEG
+        return program.widened(loose, low.x) if loose else low.x
+
+    def _torque(self, program: MoveProgram, x: Floats, samples: int) -> ShaftTorque:
+        pushes: list[Push | None] = []
+        for part, moves in zip(self.task.parts, program.moves(x), strict=True):
+            name = part.motion.name
+            for number, (move, placed) in enumerate(zip(part.motion.moves, moves, strict=True)):
+                key = name, number, id(placed.law), samples
+                if name in self.shaft.loads and key not in self._pushes:
+                    self._pushes[key] = push(self.shaft, name, move, placed.law, samples)
+                pushes.append(self._pushes.get(key))
+        free = [part.motion.name for part in self.task.parts]
+        return ShaftTorque(self.shaft, pushes, free, samples)
+
+
+def _linear(within: Inside) -> Iterator[dict[str, Any]]:
+    """Yield the rows of both sides as SLSQP takes them."""
+    rows = np.column_stack([_PART_DEG * within.rows, np.zeros(len(within.rows))])
+    for side, ends in ((1, within.low), (-1, within.high)):
+        bound = np.isfinite(ends)
+        matrix, limits = side * rows[bound], side * ends[bound]
+        if bound.any():
+            yield {
+                "type": "ineq",
+                "fun": lambda z, matrix=matrix, limits=limits: matrix @ z - limits,
+                "jac": lambda _, matrix=matrix: matrix,
+            }
+
+
+def _missed(within: Inside, z: Floats) -> float:
+    values = within.rows @ z
+    return float(np.maximum(within.low - values, values - within.high).max(initial=0.0))
+
+
+class _Starts:
+    """Programs with unknowns that keep all rules, from which to go down."""
+
+    def __init__(self, task: Task, movers: Sequence[Mover], apart: Sequence[Apart]) -> None:
+        self.task, self.movers, self.apart = task, movers, apart
+        self.rng = np.random.default_rng(0)
+        self.counts = [len(laws) for mover in movers for laws in mover.laws]
+
+    def find(self, number: int, best: _Low | None, seconds: float) -> _Low | None:
+        """Return the start of a number; None where nothing keeps the rules.
+
+        Those at random are between two of one order: one at random, and the one with the least
+        peak, so that no move is hardly there.
+        """
+        program = MoveProgram(self.movers, self.apart)
+        rows = program.rows
+        is_at_random = number not in (_LEAST_PEAK, _TODAY)
+        if number == _LEAST_PEAK:
+            rows.cost[program.least] = -1.0
+        if is_at_random:
+            self._choose(program, self._laws(number, best))
+            _wish(program, self.rng)
+        low, high = rows.low.copy(), rows.high.copy()
+        if number == _TODAY and not _as_today(self.task, program):
+            return None
+        x = rows.solve(seconds).unknowns
+        rows.low, rows.high = low, high
+        if x is None:
+            return None
+        program.settle(x)
+        if number == _TODAY:
+            return _Low(program, x, np.inf)
+        widest = program.widened(program.own, x)
+        for own in program.own:  # what is held there
+            rows.low[own] = 0.0
+        share = float(self.rng.uniform(0, _FARTHEST)) if is_at_random else 0.0
+        widest[: len(x)] += share * (x - widest[: len(x)])
+        return _Low(program, widest, np.inf)
+
+    def _laws(self, number: int, best: _Low | None) -> list[int]:
+        """Return the law of each move: one for all, any, or those of the best but for one move."""
+        alike = number - _TODAY - 1
+        if alike < max(self.counts):
+            return [alike % count for count in self.counts]
+        laws = [int(self.rng.integers(count)) for count in self.counts]
+        if best is None or number % 2:
+            return laws
+        widths = [width for moves in best.program.widths for width in moves]
+        changed = self.rng.integers(len(laws))
+        return [
+            law if move == changed else int(np.argmax(best.x[width]))
+            for move, (law, width) in enumerate(zip(laws, widths, strict=True))
+        ]
+
+    def _choose(self, program: MoveProgram, laws: Sequence[int]) -> None:
+        """Leave each move one law."""
+        widths = (width for moves in program.widths for width in moves)
+        for law, width in zip(laws, widths, strict=True):
+            for number, one in enumerate(width):
+                if number != law:
+                    program.rows.high[one] = 0.0
+
+
+def _wish(program: MoveProgram, rng: np.random.Generator) -> None:
+    """Ask for moves that are early or late, some of them wider than others, and none narrow."""
+    cost, count = program.rows.cost, len(program.own)
+    cost[program.least] = -count * float(rng.uniform())
+    for own, wish in zip(program.own, rng.uniform(size=count), strict=True):
+        cost[own] = -float(wish)
+    for start in (one for starts in program.starts for one in starts):
+        cost[start] = _EARLY * float(rng.normal())
+
+
+def _as_today(task: Task, program: MoveProgram) -> bool:
+    """Hold all moves where they are today; return whether their laws are among those allowed."""
+    low, high = program.rows.low, program.rows.high
+    for part, mover, starts, widths in zip(
+        task.parts, program.movers, program.starts, program.widths, strict=True
+    ):
+        for move, laws, start, width in zip(
+            part.motion.moves, mover.laws, starts, widths, strict=True
+        ):
+            if as_law(move.law) not in laws:
+                return False
+            taken = width[laws.index(as_law(move.law))]
+            for column, value in ((start, move.from_deg), (taken, move.angle_deg)):
+                low[column] = max(low[column], value - _AS_GIVEN_DEG)
+                high[column] = min(high[column], value + _AS_GIVEN_DEG)
+                if low[column] > high[column]:
+                    return False
+    return True
