@@ -91,6 +91,7 @@ from .views.animation.picture import animate
 from .views.cam_plots import plot_cam
 from .views.camshaft_plots import plot_camshaft
 from .views.chart import write_chart
+from .views.detour_plots import plot_detour, plot_weight
 from .views.explorers.cam import explore_cam
 from .views.explorers.follower import explore_follower, explore_residual
 from .views.explorers.measured import explore_measured
@@ -102,7 +103,7 @@ from .views.explorers.ways import explore_ways
 from .views.fit_plots import plot_fit
 from .views.follower_plots import plot_residual, plot_response
 from .views.law_plots import plot_laws, plot_ranking
-from .views.limit_plots import plot_detour, plot_front, plot_jerk_price, plot_weight
+from .views.limit_plots import plot_front, plot_jerk_price
 from .views.live.explore import explore
 from .views.live.formulas import inverse, largest, place_of_largest
 from .views.live.parts import Box, Button, Control, Line, Panel, Point, Say, choice, pinned

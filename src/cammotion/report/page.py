@@ -27,7 +27,6 @@ def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
     machine = found.machine
     title = f"The report of {machine.name}"
     sections = (
-        _summary(found),
         ("The machine in motion", moving(found)),
         ("The timing diagram", timing(found)),
         ("Rules", _rules(found)),
@@ -39,9 +38,7 @@ def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
         ("How it was computed", _method(found)),
     )
     body = "".join(
-        part if isinstance(part, str) else f"<section>\n<h2>{escape(part[0])}</h2>\n{part[1]}</section>\n"
-        for part in sections
-        if isinstance(part, str) or part[1]
+        f"<section>\n<h2>{escape(head)}</h2>\n{text}</section>\n" for head, text in sections if text
     )
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -50,7 +47,7 @@ def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
         f"<style>\n{_STYLE.read_text(encoding='utf-8')}</style>\n</head>\n<body>\n<main>\n"
         f"<h1>{escape(title)}</h1>\n"
         f"<p>{made.day} {made:%B %Y}. Every number in blue opens to where it comes from.</p>\n"
-        f"{body}</main>\n</body>\n</html>\n"
+        f"{_summary(found)}{body}</main>\n</body>\n</html>\n"
     )
 
 
