@@ -1,14 +1,21 @@
-"""A result or an InputError, whatever is given to a public name; none takes more than seconds."""
+"""A result or an InputError, whatever is given to a public name; none takes more than seconds.
+
+What comes of the calls that fit is short, equal to what is made of the same, and can be sent on.
+"""
 
 import contextlib
+import inspect
 import io
+import pickle
 import time
 import traceback
 import warnings
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
 from any_input import ODD, Recorded, recorded
+from crowds import draw
 from matplotlib import pyplot as plt
 
 import cammotion as cm
@@ -73,3 +80,53 @@ def test_every_public_name_with_arguments_is_tried(calls: list[Recorded]) -> Non
         name for name in cm.__all__ if callable(getattr(cm, name)) and name[0].islower()
     } - {"x"}
     assert functions - tried - APART == set()
+
+
+SHOWN = 150
+SAID = {"Improvements", "LeastPeak", "MillAndDie", "Optimised", "Panel"}
+"""What is shown of these is a text to be read, or the lines of a picture one by one."""
+NOT_SENT = {"NumberControl", "InputError", "WrongAnswerError"}
+
+
+def made(calls: list[Recorded]) -> Iterator[object]:
+    """Yield what the calls of the docstrings come to, and what none of them makes."""
+    die, chain = cm.EXAMPLE.die, cm.tuned_mass(12, 0.02)
+    results = [result for call in calls for result in call.made]
+    results += [cm.StartResponse(chain, die, 2000), cm.SteadyResponse(chain, die, 2000)]
+    results.append(cm.Undercut(10, 20, 15, 0.1))
+    for result in results:
+        several = isinstance(result, tuple | cm.Improvements | cm.Flights)
+        yield from [result, *result] if several else [result]
+
+
+@pytest.fixture(scope="module")
+def things(calls: list[Recorded]) -> list[object]:
+    """Return an object of each public class."""
+    public = {getattr(cm, name) for name in cm.__all__ if inspect.isclass(getattr(cm, name))}
+    return [*{type(each): each for each in made(calls) if type(each) in public}.values()]
+
+
+def test_there_is_one_of_each(things: list[object]) -> None:
+    classes = {name for name in cm.__all__ if inspect.isclass(getattr(cm, name))}
+    assert {type(each).__name__ for each in things} == classes - NOT_SENT
+
+
+def test_what_is_shown_is_short(things: list[object]) -> None:
+    long = {type(each).__name__ for each in things if len(repr(each)) > SHOWN}
+    assert long <= SAID
+    assert all(len(repr(each)) < 4 * SHOWN for each in things)
+    assert not [each for each in things if " object at 0x" in repr(each)]
+
+
+def test_what_is_sent_to_another_process_is_the_same(things: list[object]) -> None:
+    for each in things:
+        sent = pickle.loads(pickle.dumps(each))  # noqa: S301
+        assert sent == each, type(each).__name__
+        assert repr(sent) == repr(each)
+
+
+def test_eight_mechanisms_are_shown_in_a_line_too() -> None:
+    diagram = draw(np.random.default_rng(SEED), 8).diagram
+    shaft = cm.Camshaft(diagram, dict.fromkeys(diagram.names, cm.FollowerLoad(mass_kg=1)))
+    for each in (diagram, shaft, cm.Machine("eight", diagram)):
+        assert len(repr(each)) <= 1.2 * SHOWN

@@ -189,3 +189,45 @@ def test_a_diagram_at_another_rate_is_the_same_one_but_faster() -> None:
             assert getattr(faster, peak)(name) == pytest.approx(1.5**power * slower)
     with pytest.raises(cm.InputError, match="machine rate is 0 pieces/h"):
         OVERLAPPED.at_rate(0)
+
+
+def test_a_mechanism_is_given_by_its_name_or_itself() -> None:
+    diagram, rule = cm.EXAMPLE.diagram, cm.EXAMPLE.rule
+    die, mill = diagram["die"], diagram["mill"]
+    assert diagram[die] is die
+    assert diagram.position_mm(die, 177.5) == diagram.position_mm("die", 177.5) == 25
+    assert diagram.peak_acceleration(die) == diagram.peak_acceleration("die")
+    assert diagram.overlap(die, "mill") == diagram.overlap()
+    assert cm.beyond(die, 19) == cm.beyond("die", 19)
+    assert cm.ClearanceRule(cm.moving(die), cm.standing(mill)) == cm.ClearanceRule(
+        cm.moving("die"), cm.standing("mill")
+    )
+    assert cm.DistanceRule(die, mill, 5) == cm.DistanceRule("die", "mill", 5)
+    assert cm.widest_move(diagram, die, rule) == cm.widest_move(diagram, "die", rule)
+    of_itself, of_its_name = (
+        cm.least_acceleration(diagram, which, rule, still=[(205, 305)], cells=60)
+        for which in (die, "die")
+    )
+    assert of_itself == of_its_name
+    force = cm.ProcessForce(motion=die, from_deg=190, to_deg=205, force_N=100)
+    assert force == cm.ProcessForce(motion="die", from_deg=190, to_deg=205, force_N=100)
+    shaft = cm.Camshaft(diagram, {"die": cm.FollowerLoad(mass_kg=12)}, [force])
+    assert shaft.force_N(die, 200) == shaft.force_N("die", 200)
+    assert shaft.torque_N_m(200, motion=die) == shaft.torque_N_m(200, motion="die")
+    assert shaft.peak_force(die) == shaft.peak_force("die")
+
+
+def test_a_motion_that_the_diagram_has_not_is_refused() -> None:
+    diagram, later = cm.EXAMPLE.diagram, cm.EXAMPLE.die.shifted(5)
+    shaft = cm.Camshaft(diagram, {"die": cm.FollowerLoad(mass_kg=12)})
+    for wrong in (
+        lambda: diagram.position_mm(later, 0),
+        lambda: cm.widest_move(diagram, later, cm.EXAMPLE.rule),
+        lambda: cm.least_acceleration(diagram, later, cm.EXAMPLE.rule, still=[(205, 305)]),
+        lambda: shaft.force_N(later, 0),
+    ):
+        with pytest.raises(cm.InputError, match=r"^The motion 'die' is another one in the diag.*"):
+            wrong()
+    with pytest.raises(cm.InputError, match="There is no motion 'pin'"):
+        diagram[cm.motion("pin", cm.dwell(360))]
+    assert diagram.with_motion(later).position_mm(later, 182.5) == 25

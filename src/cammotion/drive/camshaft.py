@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.arguments.by_name import by_name
 from cammotion.bracketed import Extreme, summit
 from cammotion.drive.process import ProcessForce
@@ -36,7 +37,7 @@ _INERTIA = Quantity("inertia of the drive", "kg m2", example=2, low_included=Tru
 
 
 @dataclass(frozen=True, eq=False)
-class Camshaft:
+class Camshaft(Alike):
     """The camshaft of a diagram, and what it has to move.
 
     `loads` says by the name of a motion what moves with it: a FollowerLoad with its mass, spring
@@ -82,6 +83,13 @@ class Camshaft:
         object.__setattr__(self, "inertia_kg_m2", _INERTIA.number(self.inertia_kg_m2))
         for name in self.loads:
             self._check_motion(name)
+
+    def __repr__(self) -> str:
+        return f"Camshaft({shorten(', '.join(self.loads), of=str)} of {self.diagram!r})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        parts = (dict(self.loads), self.process, dict(self.friction_N), self.inertia_kg_m2)
+        return type(self), (self.diagram, *parts)
 
     def at_rate(self, rate_per_hour: float) -> "Camshaft":
         """Return the same shaft at another machine rate, in pieces/h."""

@@ -49,6 +49,9 @@ class RateLimit:
     mechanism: str
     at_deg: float | None
 
+    def __repr__(self) -> str:
+        return f"RateLimit({self})"
+
     def __str__(self) -> str:
         """Say it in words."""
         unit = {"acceleration": "m/s²", "force": "N", "torque": "N m"}[self.quantity]

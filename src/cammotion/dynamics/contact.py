@@ -7,7 +7,7 @@ the cam still falls away beneath it.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -52,7 +52,11 @@ class Flights:
     restitution: float
     flights: tuple[Flight, ...]
     stuck_at_deg: tuple[float, ...]
-    falls: tuple[Fall, ...]
+    falls: tuple[Fall, ...] = field(compare=False)
+
+    def __repr__(self) -> str:
+        rate, turns = f"{self.rate_per_hour:g} pieces/h", f"{len(self)} in {self.turns:g} turns"
+        return f"Flights({shorten(self.motion.name, of=str)} at {rate}: {turns})"
 
     def __len__(self) -> int:
         return len(self.flights)

@@ -24,6 +24,7 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.dynamics.chain import tuned_mass
 from cammotion.dynamics.response import MoveResponse
 from cammotion.laws.catalogue import as_law
@@ -44,7 +45,7 @@ _ACCELERATION = 2  # the highest derivative a response is asked for
 tau, zeta = sympy.symbols("tau zeta", positive=True)
 
 
-class OneMass:
+class OneMass(Alike):
     """A mass on a spring that a `law` drives from rest to rest once, and then leaves alone.
 
     `law` is a name or a law, `swings` the period ratio tau = tm/Tn: how often the mass, alone and
@@ -58,6 +59,8 @@ class OneMass:
     >>> print(f"{soft.peak:.3f}, {soft.amplification:.2f} times the cam's")
     19.011, 3.03 times the cam's
     """
+
+    made_of = ("law", "_of")
 
     def __init__(self, law: str | MotionLaw, swings: Any, damping_ratio: Any = 0.02) -> None:
         self.law = as_law(law)

@@ -26,7 +26,7 @@ from cammotion.dynamics.one_mass import DAMPING, SWINGS, OneMass
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import InputError, Quantity
+from cammotion.quantities import InputError, Quantity, shorten
 
 _THIRD = 3
 
@@ -44,6 +44,10 @@ class Polydyne:
     mass: MotionLaw
     swings: float
     damping_ratio: float
+
+    def __repr__(self) -> str:
+        numbers = f"swings={self.swings:g}, damping_ratio={self.damping_ratio:g}"
+        return f"Polydyne({shorten(self.law.name)}, {numbers})"
 
     def at_rate(self, factor: float) -> OneMass:
         """Return what the mass does when the machine runs so many times as fast.

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.dynamics.chain import Chain
 from cammotion.dynamics.course import Course, Spots
@@ -30,7 +31,7 @@ _MOST_TURNS = 100_000
 _ROUNDING = 1e-9  # by so much deg a place may be before the start
 
 
-class Response(ABC):
+class Response(Alike, ABC):
     """What a follower does behind a cam; `MoveResponse` and its neighbours are of this kind.
 
     All of it is asked `at` places: times in s since the beginning of a move, cam angles in deg for
@@ -43,6 +44,11 @@ class Response(ABC):
     span: tuple[float, float]
     """From where to where it is looked at unless said: the move in s, the (first) turn in deg."""
     _unit_s: float  # of the places
+
+    def __repr__(self) -> str:
+        count = len(self.chain.masses_kg)
+        of = ", ".join(repr(getattr(self, name)) for name in self.made_of[1:])
+        return f"{type(self).__name__}({count} mass{'es' * (count > 1)}, {of})"
 
     def deflection_mm(self, at: ArrayLike, mass: int | None = None) -> Numbers:
         """Return how far a mass is from where the cam would have it, in mm."""
@@ -169,6 +175,8 @@ class MoveResponse(Response):
     5.798 m/s2 after 0.064 s, the cam 4.154
     """
 
+    made_of = ("chain", "move")
+
     def __init__(self, chain: Chain, move: Move) -> None:
         law = as_law(move.law)
         check_velocity(law)
@@ -205,6 +213,8 @@ class MoveResponse(Response):
 
 class _TurnResponse(Response):
     """A follower that a motion drives turn after turn; `at` is a cam angle in deg."""
+
+    made_of = ("chain", "motion", "rate_per_hour")
 
     @checked
     def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.hardware.followers import Places, RollerFollower, SwingingRoller, TranslatingRoller
 from cammotion.hardware.traced_profile import Traced
@@ -28,7 +29,7 @@ _NOISE, _ROUNDING = 10.0, 3e-5  # times the noise, and of the size: so far off a
 
 
 @dataclass(frozen=True, eq=False)
-class ProfileLift:
+class ProfileLift(Alike):
     """The lift that a measured profile gives its follower.
 
     `angle_deg` are even cam angles in deg from 0 up to 360, without it, and `position_mm` the
@@ -42,6 +43,11 @@ class ProfileLift:
     position_mm: Floats
     prime_radius_mm: float
     off_mm: float
+
+    def __repr__(self) -> str:
+        lift = f"{self.angle_deg.size} angles, up to {self.position_mm.max():.4g} mm"
+        circle = f"over a circle of {self.prime_radius_mm:.4g} mm"
+        return f"ProfileLift({lift} {circle}, off by {self.off_mm:.2g} mm)"
 
 
 @checked

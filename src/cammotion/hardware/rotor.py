@@ -72,6 +72,10 @@ class Rotor:
         """
         return 4 * _GRAVITY.number(gravity_m_per_s2) * self.inertia_kg_m2
 
+    def __repr__(self) -> str:
+        parts = shorten(", ".join(map(str, self.parts)), of=str)
+        return f"Rotor({parts}: {self.inertia_kg_m2:.4g} kg m²)"
+
     def __str__(self) -> str:
         rows = [(str(name), part.mass_kg, part.inertia_kg_m2) for name, part in self.parts.items()]
         rows.append(("together", self.mass_kg, self.inertia_kg_m2))

@@ -13,7 +13,7 @@ from cammotion.limits.spread import SpreadDistance, with_errors
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Quantity
+from cammotion.quantities import Quantity, shorten
 from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.rule import Rule
@@ -50,6 +50,9 @@ class Reserve:
     def deg(self) -> float:
         """The reserve in deg: the smaller one of early and late."""
         return min(self.early_deg, self.late_deg)
+
+    def __repr__(self) -> str:
+        return f"Reserve({self.deg:.4g} deg: {shorten(self.rule, of=str)})"
 
     def __str__(self) -> str:
         """Say it in words."""

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
@@ -19,7 +20,7 @@ _EVEN = 1e-6  # by such a share of their mean the steps of even angles may diffe
 
 @checked
 @dataclass(frozen=True, eq=False)
-class CamTable:
+class CamTable(Alike):
     """Positions of a follower over the cam angle, from a measurement, a drawing or a program.
 
     `angle_deg` are the cam angles in deg, which rise strictly; `position_mm` the positions in mm,

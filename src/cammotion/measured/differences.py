@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
@@ -24,7 +25,7 @@ ERROR = Quantity("reading error", "mm", example=0.01, low_included=True)
 
 
 @dataclass(frozen=True, eq=False)
-class Differences:
+class Differences(Alike):
     """Velocity in m/s and acceleration in m/s2 at some cam angles in deg, by finite differences.
 
     `velocity_weights` and `acceleration_weights` are arrays of three rows: what a mm of the point
@@ -36,6 +37,11 @@ class Differences:
     acceleration: Floats
     velocity_weights: Floats
     acceleration_weights: Floats
+
+    def __repr__(self) -> str:
+        velocity, acceleration = (abs(each).max() for each in (self.velocity, self.acceleration))
+        peaks = f"up to {velocity:.4g} m/s and {acceleration:.4g} m/s²"
+        return f"Differences({self.angle_deg.size} angles, {peaks})"
 
     def velocity_bound(self, error_mm: float) -> Floats:
         """Return by how much in m/s readings off by at most `error_mm` change each velocity."""

@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
@@ -24,7 +25,7 @@ _ANGLE = Quantity("cam angle", "deg", example=10, low=-1e6, high=1e6)
 
 
 @dataclass(frozen=True, eq=False)
-class Harmonics:
+class Harmonics(Alike):
     """Mean in mm of a cycle, and of each rank 1, 2 ... n/2 amplitude in mm and phase in deg.
 
     The k-th harmonic is amplitude cos(k angle - phase). `points` is n, the number of points.
@@ -35,6 +36,10 @@ class Harmonics:
     rank: Floats
     amplitude_mm: Floats
     phase_deg: Floats
+
+    def __repr__(self) -> str:
+        largest = self.amplitude_mm.max(initial=0.0)
+        return f"Harmonics({self.rank.size} of {self.points} points, up to {largest:.4g} mm)"
 
     @property
     def nyquist(self) -> float:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import CamTable
@@ -19,7 +20,7 @@ _DERIVATIVE = (0, 1, 2)
 
 
 @dataclass(frozen=True, eq=False)
-class SmoothedTable:
+class SmoothedTable(Alike):
     """The smoothing spline of a `table`, with its `amount` in rad^4.
 
     `position_mm` are its positions in mm at the table's angles, `error_mm` the root mean square of
@@ -33,7 +34,11 @@ class SmoothedTable:
     position_mm: Floats
     error_mm: float
     score_mm2: float
-    _smoother: Smoother = field(repr=False)
+    _smoother: Smoother = field(repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        count = self.position_mm.size
+        return f"SmoothedTable({count} points by {self.amount:.4g}, error {self.error_mm:.4g} mm)"
 
     def at(self, angle_deg: ArrayLike, rate_per_hour: float = 900, derivative: int = 0) -> Numbers:
         """Return the position in mm (or velocity in m/s, acceleration in m/s2) at a cam angle.
