@@ -71,6 +71,8 @@ def _class(hub: Hub, size: int) -> list[Finding]:
     servers, kernels = (median(each[part] for each in memory) for part in (SERVER, KERNEL))
     first = sorted(work.first_result_s for work in works)
     say(f"{size} students: server {servers:.0f} MB, kernel {kernels:.0f} MB of each")
+    busy = median(work.student.processor_s() for work in works)
+    say(f"  a processor is busy for {busy:.1f} s with each")
     say(f"  hub and proxy: {hub.memory_mb():.0f} MB")
     say(f"  first result after {first[0]:.0f} to {first[-1]:.0f} s, median {median(first):.0f} s")
     say(f"  the lesson to its end: {max(work.seconds for work in works):.0f} s, failures: {failed}")

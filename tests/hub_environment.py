@@ -1,7 +1,7 @@
 """The environment of a class server, made by the commands of docs/classroom.md.
 
-It is `.venv-hub`. REQUIRE_HUB=1 makes it; it needs root, since each student is an account of the
-system, and a Python that these accounts may run.
+It is `.venv-hub`. REQUIRE_HUB=1 makes it, and brings it up to date; it needs root, since each
+student is an account of the system, and a Python that these accounts may run.
 """
 
 import atexit

@@ -11,8 +11,7 @@ from urllib.parse import parse_qs, quote, urlsplit
 
 import requests
 import websocket
-from hub import Account, Hub, proportional_mb
-from lab import PATIENCE_SECONDS
+from hub import PATIENCE_SECONDS, Account, Hub, processor_s, proportional_mb
 
 PAUSE_SECONDS = 0.3
 SERVER, KERNEL = "jupyterhub-singleuser", "ipykernel_launcher"
@@ -40,7 +39,7 @@ class Student:
 
     def open(self, address: str) -> str:
         """Open a page of the hub, and wait for the server as a browser does; return its address."""
-        asked, end = address, time.monotonic() + 5 * PATIENCE_SECONDS
+        asked, end = address, time.monotonic() + PATIENCE_SECONDS
         while time.monotonic() < end:
             page = self.browser.get(asked, timeout=PATIENCE_SECONDS)
             if page.status_code == requests.codes.too_many_requests:
@@ -112,6 +111,10 @@ class Student:
             command: sum(map(proportional_mb, self.account.processes(command)))
             for command in (SERVER, KERNEL)
         }
+
+    def processor_s(self) -> float:
+        """Return how long the student's server and kernels have had a processor, in s."""
+        return sum(map(processor_s, self.account.processes()))
 
 
 class Kernel:

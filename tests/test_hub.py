@@ -5,9 +5,10 @@ The hub lives in an environment of its own, .venv-hub. REQUIRE_HUB=1 makes it.
 
 import json
 import os
+import re
 import signal
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
@@ -18,11 +19,10 @@ import pytest
 import requests
 import websocket
 from answering import answering, changed, numbers_of, read
-from hub import Hub, running_hub
-from hub_environment import ROOT, require_hub
+from hub import PATIENCE_SECONDS, Hub, running_hub
+from hub_environment import PAGE, ROOT, require_hub
 from hub_lesson import LESSON, Work, make_course, publish, run_cells, work_at_once
 from hub_student import KERNEL, SERVER
-from lab import PATIENCE_SECONDS
 
 STUDENTS, AT_ONCE = 3, 2
 MOST_MB = 350  # a student; the page says how much it is
@@ -73,15 +73,17 @@ def works(hub: Hub) -> list[Work]:
 
 
 def test_each_student_runs_the_lesson_to_its_end(
-    works: list[Work], capsys: pytest.CaptureFixture[str]
+    works: list[Work], record_property: Callable[[str, object], None]
 ) -> None:
     memory = [sum(work.student.memory_mb().values()) for work in works]
-    with capsys.disabled():
-        print(
-            f"\n{STUDENTS} students on a hub: {median(memory):.0f} MB each, first result after "
-            f"{max(work.first_result_s for work in works):.0f} s, all of {LESSON} after "
-            f"{max(work.seconds for work in works):.0f} s"
-        )
+    first, all_ = (
+        max(s) for s in zip(*((w.first_result_s, w.seconds) for w in works), strict=True)
+    )
+    record_property(
+        "measured",
+        f"{STUDENTS} students on a hub: {median(memory):.0f} MB each, first result after at most "
+        f"{first:.0f} s, all of {LESSON} after {all_:.0f} s",
+    )
     assert [work.errors for work in works] == [[]] * STUDENTS
     assert max(memory) < MOST_MB
 
@@ -253,6 +255,11 @@ def ends(account: Any, kernels: int) -> bool:
             return False
         time.sleep(0.1)
     return True
+
+
+def test_the_page_means_one_version() -> None:
+    assert len(set(re.findall(r"jupyterhub==[\d.]+", PAGE))) == 1
+    assert len(set(re.findall(r"nbgitpuller==[\d.]+", PAGE))) == 1
 
 
 def test_ci_requires_it() -> None:
