@@ -44,3 +44,11 @@ def pytest_runtest_teardown() -> None:
     """Close the pictures of each test: Matplotlib warns of more than twenty, whoever drew them."""
     if pyplot := sys.modules.get("matplotlib.pyplot"):
         pyplot.close("all")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say at the end what tests have measured, by `record_property("measured", ...)`."""
+    for report in terminalreporter.getreports("passed"):
+        for name, value in report.user_properties:
+            if name == "measured":
+                terminalreporter.write_line(str(value))

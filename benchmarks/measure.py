@@ -12,6 +12,7 @@ from accessibility import measure_accessibility
 from advice import measure_advice
 from animation import measure_animation
 from cams import measure_cams, measure_rival_cams
+from class_server import measure_hub
 from curves import measure_factors, measure_lines
 from dynamics import measure_residuals, measure_response
 from exercises import measure_exercises, measure_shown
@@ -37,6 +38,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "cams": measure_cams,
     "cams-rival": measure_rival_cams,
     "exercises": measure_exercises,
+    "hub": measure_hub,
     "import": measure_import,
     "install": measure_install,
     "law": measure_laws,

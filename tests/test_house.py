@@ -117,6 +117,16 @@ def test_importing_the_package_loads_no_heavy_library() -> None:
     assert not loaded & {"numpy", "sympy", "matplotlib", "ipywidgets", "scipy"}
 
 
+def test_what_a_lesson_loads_is_not_scipy() -> None:
+    """A second and 40 MB for each student of a class server: paid by those who solve something."""
+    code = (
+        "import cammotion, sys; every = [getattr(cammotion, n) for n in cammotion.__all__]; "
+        "assert 'sympy' in sys.modules; assert 'scipy' not in sys.modules"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+
+
 def test_every_public_name_is_there_and_is_documented() -> None:
     for name in cammotion.__all__:
         thing = getattr(cammotion, name)

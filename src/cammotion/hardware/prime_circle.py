@@ -7,7 +7,6 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
 
 from cammotion.arguments import checked
 from cammotion.bracketed import samples, summit
@@ -92,6 +91,8 @@ class _Asked:
         It is found among samples of the turn first, and then by turns: where is this prime circle
         worst, and which is the next that is good there?
         """
+        from scipy.optimize import brentq  # it takes a second to load, and 40 MB
+
         radius, step = self._among_samples()
         for _ in range(_ROUNDS):
             (worst, place), piece = summit(partial(self._excess_of, prime=radius), self._pieces)

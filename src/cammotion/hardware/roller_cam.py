@@ -6,7 +6,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial import cKDTree
 
 from cammotion.arguments import checked
 from cammotion.bracketed import Extreme, largest
@@ -193,6 +192,8 @@ class RollerCam(DiscCam):
         >>> cam.undercuts, cam.cut_away()
         ((), [])
         """
+        from scipy.spatial import cKDTree  # it takes a second to load, and 40 MB
+
         angles = np.arange(0, DEG_PER_TURN, _FINE_DEG)
         tree = cKDTree(self.pitch_mm(angles))
         nearest, _ = tree.query(self.profile_mm(angles, outer=outer))
