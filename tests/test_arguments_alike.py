@@ -35,8 +35,7 @@ WITHOUT_UNIT = {
     ),
     "of a motion law, which has none": "b c d end end_slopes places s start step ways x",
     "in the unit that is said beside it": (
-        "after amplitudes at_most before bound cycle high largest limit low peaks position value "
-        "weights"
+        "after at_most before bound cycle high largest limit low peaks position tried value weights"
     ),
     "arcs of the turn, always pairs in deg": "arc over still",
     "pairs of two quantities": "corners curves named points",

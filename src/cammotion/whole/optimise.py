@@ -89,7 +89,7 @@ class Optimised:
 
 @checked
 def optimise(  # noqa: PLR0913 - all but two are given by name
-    machine: TimingDiagram | Camshaft,
+    diagram: TimingDiagram | Camshaft,
     rules: Rule | Iterable[Rule],
     *,
     still: Mapping[str, Iterable[Arc]],
@@ -150,8 +150,8 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     3.37 to 0.88 N m
     """
     what, limit = one_of("quantity to minimise", minimise, _UNITS), _SECONDS.number(seconds)
-    diagram = machine.diagram if isinstance(machine, Camshaft) else machine
-    shaft = None if what == "peak" else _shaft(machine, what, weights)
+    shaft = None if what == "peak" else _shaft(diagram, what, weights)
+    diagram = diagram.diagram if isinstance(diagram, Camshaft) else diagram
     if shaft and what == "force":
         weights = {name: shaft.loads[name].mass_kg for name in still if name in shaft.loads}
     task = read_task(diagram, rules, still=still, weights=weights, at_most=at_most)
@@ -171,9 +171,9 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     return answer
 
 
-def _shaft(machine: TimingDiagram | Camshaft, what: str, weights: Any) -> Camshaft:
+def _shaft(given: TimingDiagram | Camshaft, what: str, weights: Any) -> Camshaft:
     """Return the shaft whose forces or torque are made small; raise InputError without one."""
-    if not isinstance(machine, Camshaft):
+    if not isinstance(given, Camshaft):
         raise InputError(
             f"A {what} needs to know what moves: give in place of the diagram a Camshaft with its "
             "loads, for example Camshaft(diagram, {'die': FollowerLoad(mass_kg=12)})."
@@ -183,7 +183,7 @@ def _shaft(machine: TimingDiagram | Camshaft, what: str, weights: Any) -> Camsha
             f"The weights are for peaks, and the {what} counts the masses of the loads: leave out "
             "the weights, or give minimise='peak'."
         )
-    return machine
+    return given
 
 
 def best_moves(task: Task, laws: Laws, seconds: float) -> TimingDiagram | None:
