@@ -7,13 +7,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+import shafts
 from crowds import LAWS, draw, keeps
 from machines import DOWN_DEG, RULE, make_diagram
 from scipy.optimize import differential_evolution
 
 import cammotion as cm
+from cammotion.laws.catalogue import as_law
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.whole.optimise import Optimised
+from cammotion.whole.shaft_torque import ShaftTorque, push
 
 STILL = {"mill": [DOWN_DEG], "die": [DOWN_DEG]}
 MASS_KG = {"mill": 40.0, "die": 12.0}
@@ -135,8 +138,8 @@ def test_of_a_list_each_move_gets_a_good_law() -> None:
 
 
 def test_springs_friction_process_and_parts_that_are_not_free_count() -> None:
-    loads = {"die": cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=2, preload_N=20)}
-    loads["mill"] = LOADS["mill"]
+    loads = {"die": cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=8, preload_N=50)}
+    loads["mill"] = cm.FollowerLoad(mass_kg=5)
     pressing = cm.ProcessForce(motion="die", from_deg=180, to_deg=205, force_N=0, last_N=600)
     shaft = cm.Camshaft(make_diagram(), loads, [pressing], {"die": 20})
     found = cm.optimise(shaft, RULE, still={"die": [DOWN_DEG]}, minimise="torque")
@@ -157,6 +160,20 @@ def test_springs_friction_process_and_parts_that_are_not_free_count() -> None:
         if not cm.find_violations(design, RULE):
             tried.append(largest(design, shaft))
     assert found.reached <= min(tried) * (1 + 1e-6)
+
+
+def test_what_the_search_reckons_with_is_what_the_shaft_says() -> None:
+    """Springs, friction and process, at the samples of all moves: those of a camshaft's torque."""
+    shaft = shafts.SHAFT
+    die = shaft.diagram["die"].moves
+    pushes = [push(shaft, "die", move, as_law(move.law), 40) for move in die]
+    moves = np.array([(move.from_deg, move.angle_deg) for move in die])
+    found = ShaftTorque(shaft, pushes, ["die"], 40).at_samples(moves)
+    mill = shaft.diagram["mill"].moves[0]
+    places = [start + angle * pushes[0].places for start, angle in moves]
+    places.append(mill.from_deg + mill.angle_deg * pushes[0].places)
+    expected = np.asarray(shaft.torque_N_m(np.concatenate(places)))
+    assert found[: len(expected)] == pytest.approx(expected, abs=1e-3 * np.abs(expected).max())
 
 
 def test_ranges_and_limits_are_kept() -> None:
