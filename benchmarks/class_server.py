@@ -18,7 +18,7 @@ from hub_lesson import make_course, work_at_once  # noqa: E402
 from hub_student import KERNEL, SERVER, Student  # noqa: E402
 
 CLASSES = (1, 5, 10, 20)
-MOST_MB, MOST_OURS_MB = 300, 40
+MOST_MB, MOST_OURS_MB = 300, 20
 STEPS = {
     "the kernel alone": "",
     "NumPy": "import numpy",

@@ -79,10 +79,12 @@ def test_each_student_runs_the_lesson_to_its_end(
     first, all_ = (
         max(s) for s in zip(*((w.first_result_s, w.seconds) for w in works), strict=True)
     )
+    busy = median(work.student.processor_s() for work in works)
     record_property(
         "measured",
-        f"{STUDENTS} students on a hub: {median(memory):.0f} MB each, first result after at most "
-        f"{first:.0f} s, all of {LESSON} after {all_:.0f} s",
+        f"{STUDENTS} students on a hub: {median(memory):.0f} MB each, a processor busy for "
+        f"{busy:.0f} s with each, first result after at most {first:.0f} s, all of {LESSON} after "
+        f"{all_:.0f} s",
     )
     assert [work.errors for work in works] == [[]] * STUDENTS
     assert max(memory) < MOST_MB
