@@ -11,6 +11,7 @@ from collections.abc import Callable
 from accessibility import measure_accessibility
 from advice import measure_advice
 from animation import measure_animation
+from browsers import measure_browsers, measure_browsers_ten
 from cams import measure_cams, measure_rival_cams
 from class_server import measure_hub
 from curves import measure_factors, measure_lines
@@ -35,6 +36,8 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "advice": measure_advice,
     "again": measure_again,
     "animation": measure_animation,
+    "browsers": measure_browsers,
+    "browsers-ten": measure_browsers_ten,
     "cams": measure_cams,
     "cams-rival": measure_rival_cams,
     "exercises": measure_exercises,

@@ -27,7 +27,11 @@ KEYS = {  # as WebDriver writes them
     "ArrowRight": "\ue014",
     "ArrowDown": "\ue015",
     "Tab": "\ue004",
+    "Escape": "\ue00c",
+    "Shift": "\ue008",
+    "Control": "\ue009",
 }
+EVENTS = ("log.entryAdded", "network.beforeRequestSent")
 
 
 @contextmanager
@@ -60,19 +64,30 @@ class FirefoxPage:
     def __init__(self, socket: websocket.WebSocket) -> None:
         self._socket = socket
         self._sent = 0
+        self.errors: list[str] = []
+        self.asked: list[str] = []
         self._command("session.new", capabilities={})
         self._page = self._command("browsingContext.create", type="tab")["context"]
+        self._command("session.subscribe", events=EVENTS, contexts=[self._page])
 
     def _command(self, method: str, **params: Any) -> Any:
-        """Return the answer to a command; what Firefox tells unasked is passed over."""
+        """Return the answer to a command; note what Firefox tells before that."""
         self._sent += 1
         self._socket.send(json.dumps({"id": self._sent, "method": method, "params": params}))
         answer: dict[str, Any] = {}
         while answer.get("id") != self._sent:
             answer = json.loads(self._socket.recv())
+            if answer["type"] == "event":
+                self._note(answer["method"], answer["params"])
         if answer["type"] == "error":
             raise RuntimeError(f"{method}: {answer['error']}: {answer['message']}")
         return answer["result"]
+
+    def _note(self, event: str, told: dict[str, Any]) -> None:
+        if event == "network.beforeRequestSent":
+            self.asked.append(told["request"]["url"])
+        elif told["level"] == "error":
+            self.errors.append(str(told["text"]))
 
     def goto(self, url: str) -> None:
         """Open an address and wait until all of it is loaded."""
@@ -92,8 +107,14 @@ class FirefoxPage:
         return json.loads(said["result"]["value"])
 
     def press(self, key: str) -> None:
-        """Press a key, and let it go, where the focus is."""
-        code = KEYS.get(key, key)
-        actions = [{"type": way, "value": code} for way in ("keyDown", "keyUp")]
+        """Press a key where the focus is, with others held down as in "Shift+Enter"."""
+        codes = [KEYS.get(name, name) for name in key.split("+")] if key != "+" else [key]
+        actions = [{"type": "keyDown", "value": code} for code in codes]
+        actions += [{"type": "keyUp", "value": code} for code in reversed(codes)]
         keyboard = {"type": "key", "id": "keyboard", "actions": actions}
         self._command("input.performActions", context=self._page, actions=[keyboard])
+
+    def resize(self, width: int, height: int) -> None:
+        """Give the page another size, in px."""
+        size = {"width": width, "height": height}
+        self._command("browsingContext.setViewport", context=self._page, viewport=size)

@@ -14,10 +14,10 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, sync_playwright
+from windows import ChromiumWindow, complaints
 
 ROOT = Path(__file__).parent.parent
 PATIENCE_SECONDS = 60
@@ -144,6 +144,18 @@ def running_browser() -> Iterator[Browser]:
 
 
 @contextmanager
+def calm(browser: Browser) -> Iterator[Browser]:
+    """Start another Chromium, of a reader whose system says that little should move.
+
+    What Playwright emulates instead does not reach into an image.
+    """
+    flags = [*CHROMIUM_FLAGS, "--force-prefers-reduced-motion"]
+    started = browser.browser_type.launch(executable_path=find_chromium(), args=flags)
+    yield started
+    started.close()
+
+
+@contextmanager
 def opened_lesson(home: Path, work: str, link: str, lesson: str) -> Iterator["LabPage"]:
     """Open a lesson by the starter's address and the link of notebook 00; do not run it."""
     require_chromium()
@@ -163,21 +175,15 @@ class LabPage:
 
     def __init__(self, browser: Browser, address: str) -> None:
         self.address = address
-        self.complaints: list[str] = []
-        self.page: Page = browser.new_context(viewport={"width": 1366, "height": 768}).new_page()
+        self.window = ChromiumWindow(browser)
+        self.page: Page = self.window.page
         self.page.set_default_timeout(PATIENCE_SECONDS * 1000)
-        self.page.on("console", lambda said: self._note(said.text, said.type == "error"))
-        self.page.on("pageerror", lambda error: self._note(str(error)))
-        self.page.on("request", lambda asked: self._note(asked.url, not self._is_local(asked.url)))
-        self.page.goto(address, wait_until="domcontentloaded")
+        self.window.goto(address)
 
-    def _note(self, text: str, matters: bool = True) -> None:
-        if matters:
-            self.complaints.append(text)
-
-    def _is_local(self, url: str) -> bool:
-        own = urlsplit(self.address)
-        return url.startswith((f"{own.scheme}://{own.netloc}/", "data:", "blob:"))
+    @property
+    def complaints(self) -> list[str]:
+        """What went wrong in the page, or was asked from elsewhere."""
+        return complaints(self.window, self.address)
 
     def _await(self, script: str, name: str) -> None:
         self.page.evaluate(IN_TIME % (script, PATIENCE_SECONDS, PATIENCE_SECONDS), name)

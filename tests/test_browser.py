@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterator
 
 import pytest
+from keyboard import Keyboard
 from lab import ROOT, LabPage, opened_lesson
 from playwright.sync_api import expect
 
@@ -88,6 +89,45 @@ def test_a_fresh_copy_shows_nothing_before_it_is_run(opened: LabPage) -> None:
     expect(opened.notebook.locator(".jp-CodeCell").first).to_be_visible()
     expect(opened.notebook.locator(".jp-OutputArea-output")).to_have_count(0)
     assert opened.troubles() == []
+
+
+def test_a_path_with_nothing_but_a_keyboard(opened: LabPage) -> None:
+    """From the opened page: a prediction, the first figure and its clock, the answer, a check."""
+    keys = Keyboard(opened)
+    guess = keys.run_to('cm.predict("02.fraction"')
+    keys.until("Tab", guess.get_by_role("textbox"))
+    keys.type("0.4")
+    keys.press("Enter")
+    keys.press("Tab")  # the arrow keys are the field's
+
+    cell = keys.run_to("cm.explore([h, h.diff(t)")
+    figure, said = cell.locator(".cm-figure"), cell.locator(".cm-said")
+    keys.until("Tab", figure.get_by_role("slider"))
+    before = said.inner_text()
+    keys.press("ArrowRight")
+    expect(said).not_to_have_text(before)
+    keys.until("Shift+Tab", figure.get_by_role("button", name="Play"))
+    keys.press("Space")
+    pause = figure.get_by_role("button", name="Pause")
+    expect(pause).to_be_focused()
+    before = said.inner_text()
+    expect(said).not_to_have_text(before)
+    keys.press("Space")
+    expect(pause).to_have_count(0)
+    keys.until("Tab", figure, "(element) => !element.contains(document.activeElement)")
+
+    reveal = keys.run_to("fraction_guess.reveal(")
+    expect(reveal).to_contain_text("You predicted 0.4:")
+    expect(reveal.locator("details")).to_have_attribute("open", "")
+
+    keys.run_to("answer_1 = None")
+    keys.press("Enter")
+    keys.press("ControlOrMeta+a")
+    keys.type("answer_1 = 5")
+    check = keys.run_to('cm.check("02.1"')
+    expect(check.get_by_role("status")).to_contain_text("02.1: Not yet.")
+    assert opened.troubles() == []
+    assert opened.complaints == []
 
 
 def test_all_cells_run(lesson: LabPage) -> None:

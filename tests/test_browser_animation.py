@@ -12,15 +12,7 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
-from lab import (
-    CHROMIUM_FLAGS,
-    ROOT,
-    LabPage,
-    find_chromium,
-    require_chromium,
-    running_browser,
-    running_lab,
-)
+from lab import ROOT, LabPage, calm, require_chromium, running_browser, running_lab
 from machines import RULE
 from PIL import Image
 from playwright.sync_api import Browser, Locator, Page, expect
@@ -51,6 +43,8 @@ after = cm.widest_move(before, "die", rule).diagram""",
 DESIGNS = (BEFORE, AFTER)
 ANGLES = (0, 75, 140, 205, 255, 330, 359)
 TOLERANCE_PX = 0.5
+IMAGES = sorted((ROOT / "notebooks" / "images").glob("*.svg"))
+MOVING_IMAGES = [path for path in IMAGES if "<animate" in path.read_text("utf-8")]
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 
 # Where the parts of the drawing are, in the page's pixels, and how large those of the drawing are.
@@ -182,34 +176,42 @@ def test_a_picture_moves_by_itself(browser: Browser) -> None:
     page.close()
 
 
-def test_a_picture_stands_still_for_a_reader_who_wants_that(browser: Browser) -> None:
-    """The wish is given as the system gives it: Chromium's own emulation stops at an image."""
-    flags = [*CHROMIUM_FLAGS, "--force-prefers-reduced-motion"]
-    calm = browser.browser_type.launch(executable_path=find_chromium(), args=flags)
-    try:
-        page = calm.new_page(viewport={"width": 900, "height": 700})
-        svg = animate({"overlap": AFTER, "too early": COLLIDING}, rules=RULE).svg
-        show_as_image(page, svg)
-        first, *others = frames_of(page, 3, 400)
-        assert all((first == other).all() for other in others)
-        # it is the machine at 0 deg: the same picture as with no animation elements in it
-        page.set_content("<body></body>")
-        page.evaluate(
-            """svg => {
-              const drawing = new DOMParser().parseFromString(svg, 'image/svg+xml');
-              drawing.querySelectorAll('animate, animateTransform').forEach(e => e.remove());
-              const image = new Image();
-              image.src = 'data:image/svg+xml,'
-                + encodeURIComponent(new XMLSerializer().serializeToString(drawing));
-              document.body.append(image);
-              return image.decode();
-            }""",
-            svg,
-        )
-        (still,) = frames_of(page, 1, 100)
-        assert (first == still).all()
-    finally:
-        calm.close()
+@pytest.fixture(scope="module")
+def calm_page(browser: Browser) -> Iterator[Page]:
+    with calm(browser) as started:
+        yield started.new_page(viewport={"width": 900, "height": 700})
+
+
+@pytest.mark.parametrize("path", MOVING_IMAGES, ids=lambda path: path.stem)
+def test_a_picture_of_a_lesson_stands_still_for_a_reader_who_wants_that(
+    calm_page: Page, path: Path
+) -> None:
+    show_as_image(calm_page, path.read_text("utf-8"))
+    first, later = frames_of(calm_page, 2, 400)
+    assert (first == later).all()
+
+
+def test_a_picture_stands_at_0_deg_for_a_reader_who_wants_that(calm_page: Page) -> None:
+    """It is the same picture as with no animation elements in it."""
+    svg = animate({"overlap": AFTER, "too early": COLLIDING}, rules=RULE).svg
+    show_as_image(calm_page, svg)
+    first, later = frames_of(calm_page, 2, 400)
+    assert (first == later).all()
+    calm_page.set_content("<body></body>")
+    calm_page.evaluate(
+        """svg => {
+          const drawing = new DOMParser().parseFromString(svg, 'image/svg+xml');
+          drawing.querySelectorAll('animate, animateTransform').forEach(e => e.remove());
+          const image = new Image();
+          image.src = 'data:image/svg+xml,'
+            + encodeURIComponent(new XMLSerializer().serializeToString(drawing));
+          document.body.append(image);
+          return image.decode();
+        }""",
+        svg,
+    )
+    (still,) = frames_of(calm_page, 1, 100)
+    assert (first == still).all()
 
 
 @pytest.fixture(scope="module")

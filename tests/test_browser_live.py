@@ -32,6 +32,8 @@ import cammotion as cm
 from cammotion.views.live import page
 from cammotion.views.live.figure import MIME
 
+NARROW_PX = 300  # what JupyterLab leaves for an output on a phone
+
 
 @pytest.fixture(scope="module")
 def chromium() -> Iterator[Browser]:
@@ -193,6 +195,23 @@ def test_the_pad_follows_the_mouse(chromium: Browser, tmp_path: Path) -> None:
     opened.mouse.move(10, 10)
     moved = [float(value.replace("−", "-")) for value in reader.evaluate(FIELDS)]
     assert moved == pytest.approx([0, 0], abs=1e-6)  # the corner of the simple harmonic law
+    opened.close()
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_notebook_on_a_phone_leaves_a_figure_little_room(
+    chromium: Browser, tmp_path: Path, name: str
+) -> None:
+    """And next to none while the page is laid out."""
+    opened = chromium.new_page(viewport={"width": NARROW_PX, "height": 740}, offline=True)
+    wrong: list[str] = []
+    opened.on("console", lambda said: wrong.append(said.text))
+    reader = Reader(opened.goto, opened.evaluate, opened.keyboard.press, tmp_path, built(name))
+    reader.open(name)
+    assert reader.evaluate(OUTSIDE) == []
+    opened.set_viewport_size({"width": 60, "height": 740})
+    reader.evaluate(WAIT, 100)
+    assert wrong == []
     opened.close()
 
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 from firefox import running_firefox
-from lab import require_chromium, running_browser
+from lab import calm, require_chromium, running_browser
 from playwright.sync_api import Browser, Page, expect
-from site_pages import PAGES, written
+from site_pages import PAGES, files, written
 
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
 from cammotion.teaching.lessons import PREDICTIONS, find_exercise
@@ -30,6 +30,8 @@ TOO_WIDE = """() => document.documentElement.scrollWidth > innerWidth
     .map((each) => each.outerHTML.slice(0, 120)).concat("the page itself")"""
 BROKEN = """() => [...document.images].filter((image) => image.complete && !image.naturalWidth)
   .map((image) => image.src)"""
+STATES = """() => [...document.querySelectorAll(".cm-angle, .cm-said")]
+  .map((each) => each.innerText)"""
 FOCUS = "(place) => document.querySelector(place).focus()"
 WHITE = "rgb(253, 252, 249)"
 
@@ -146,6 +148,25 @@ def test_a_drawing_that_moves_can_be_stopped(browser: Browser, reader: Reader) -
     current = page.locator(".moving img").first.evaluate("(image) => image.currentSrc")
     assert current.endswith("cam-still.svg")
     page.context.close()
+
+
+def test_nothing_plays_by_itself_for_a_reader_who_wants_that(browser: Browser) -> None:
+    played = [name for name in PAGES if b'data-module="player"' in files()[f"{name}.html"]]
+    with calm(browser) as started:
+        page = started.new_page()
+        for name in played:
+            page.goto((written() / f"{name}.html").as_uri())
+            assert page.evaluate(LIVES) == 0
+            expect(page.get_by_role("button", name="Play").first).to_be_visible()
+            expect(page.get_by_role("button", name="Pause")).to_have_count(0)
+            states = page.evaluate(STATES)
+            page.wait_for_timeout(200)
+            assert page.evaluate(STATES) == states
+        angle = page.locator("[data-module=player] .cm-angle").first
+        stands = angle.inner_text()
+        page.get_by_role("button", name="Play").first.press("Space")
+        expect(angle).not_to_have_text(stands)
+    assert len(played) > 1
 
 
 def test_numbers_are_answered_with_their_reasons(reader: Reader) -> None:

@@ -52,6 +52,8 @@ function render({ model, el }) {
     select.add(new Option(speedName(speed, cycle), speed));
   }
   select.value = model.get("speed");
+  // Notebook 7 takes the arrow keys before they get here, of all that does not say so itself
+  for (const control of [button, slider, select]) control.dataset.lmSuppressShortcuts = true;
   makeOwnIds(svg);
   svg.classList.remove("cm-still"); // the controls decide what moves here
   el.classList.add("cm-player", "cm-paper");

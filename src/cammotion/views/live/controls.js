@@ -1,5 +1,6 @@
 // What a live figure is put together from: elements, buttons, the rows of its controls, a legend.
 
+const LETTER_PX = 6.6; // of 13 px, on average and a little more
 const STYLES = [
   ["1", "none"],
   ["2", "7 3"],
@@ -24,6 +25,13 @@ const svg = (name, attributes, ...children) => {
   return element;
 };
 const text = (attributes, words) => svg("text", { "text-anchor": "middle", ...attributes }, words);
+/** The lines of a text that has so much room. */
+const wrapped = (words, px) =>
+  words.split(" ").reduce((lines, word) => {
+    const longer = [...lines.slice(-1), word].join(" ");
+    const isNew = !lines.length || longer.length * LETTER_PX > px;
+    return isNew ? [...lines, word] : [...lines.slice(0, -1), longer];
+  }, []);
 const write = (element, words) => {
   if (element.textContent !== words) element.textContent = words;
 };

@@ -208,9 +208,10 @@ class Panel {
     if (this.view.key === key) return;
     if (panel.equal) this.kept = [x.slice(0, 2), y.slice(0, 2)]; // a mechanism that turns hops not
     const top = 8,
-      below = panel.bare ? 8 : this.hasNumbers ? 44 : 10,
-      edge = panel.bare ? 8 : 74;
-    const room = width - edge - 14,
+      edge = panel.bare ? 8 : 74,
+      room = Math.max(width - edge - 14, 1), // a page that is being laid out may have none
+      label = this.hasNumbers ? wrapped(panel.x_label, room + 28) : [],
+      below = panel.bare ? 8 : label.length ? 29 + 15 * label.length : 10,
       shape = (y[1] - y[0]) / (x[1] - x[0]);
     const height = panel.equal ? Math.min(room * shape, TALLEST_PX) : panel.height;
     const across = panel.equal ? Math.min(room, height / shape) : room;
@@ -227,20 +228,18 @@ class Panel {
       bottom,
       X: axis(left, right, x),
       Y: axis(bottom, top, y),
+      label,
     };
     put(root, { height: bottom + below });
     put(this.hole, { x: left - 2, y: top - 2, width: across + 4, height: height + 4 });
     this.grid.replaceChildren(
       ...(panel.bare ? [] : this.frame()),
       ...panel.words.flatMap(([words, a, b]) =>
-        words
-          .split("\n")
-          .map((word, i, all) =>
-            text(
-              { x: this.view.X(a), y: this.view.Y(b) + 15 * (i - (all.length - 1) / 2) + 4 },
-              word,
-            ),
-          ),
+        words.split("\n").map((word, i, all) => {
+          const half = (word.length * LETTER_PX) / 2, // it stays in the picture
+            x = Math.max(Math.min(this.view.X(a), width - half), half);
+          return text({ x, y: this.view.Y(b) + 15 * (i - (all.length - 1) / 2) + 4 }, word);
+        }),
       ),
     );
   }
@@ -248,7 +247,7 @@ class Panel {
   frame() {
     const {
       panel,
-      view: { x, y, X, Y, left, right, top, bottom },
+      view: { x, y, X, Y, left, right, top, bottom, label },
     } = this;
     const across = steps(x),
       every = Math.ceil((across.length * 34) / (right - left));
@@ -259,12 +258,9 @@ class Panel {
         text({ x: left - 7, y: Y(value) + 4, "text-anchor": "end" }, plain(value)),
       ]),
       ...panel.y_label
-        .split(" in ")
+        .split(/ (?=in )/)
         .map((words, i) =>
-          text(
-            { x: -(top + bottom) / 2, y: 14 + 15 * i, transform: "rotate(-90)" },
-            i ? `in ${words}` : words,
-          ),
+          text({ x: -(top + bottom) / 2, y: 14 + 15 * i, transform: "rotate(-90)" }, words),
         ),
     ];
     if (!this.hasNumbers) return drawn;
@@ -273,7 +269,7 @@ class Panel {
       ...across
         .filter((_, i) => i % every === 0)
         .map((value) => text({ x: X(value), y: bottom + 17 }, plain(value))),
-      text({ x: (left + right) / 2, y: bottom + 36 }, panel.x_label),
+      ...label.map((words, i) => text({ x: (left + right) / 2, y: bottom + 36 + 15 * i }, words)),
     ];
   }
 

@@ -1,0 +1,136 @@
+"""Every notebook in Chromium and Firefox, in JupyterLab and Notebook 7, walked from end to end."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from pathlib import Path
+
+from findings import Finding, say
+from live import ROOT
+
+sys.path.append(str(ROOT / "tests"))
+
+from firefox import running_firefox
+from lab import free_port, own_folders, running_browser, running_lab, wait_for_address
+from walking import Walk
+from windows import ChromiumWindow, Window
+
+WORK = "work-benchmark"
+NOTEBOOK = "notebook>=7.6,<7.7"  # that of JupyterLab 4.6; it is no part of the workbook
+START = "00_start_here.ipynb"
+READY = r"(http://127\.0\.0\.1:\d+/tree\?token=\S+)"
+ROW = "{:<9} {:<11} {:<3} {:>5} {:>6} {:>9} {:>8}"
+TEN = 10
+
+
+def measure_browsers() -> list[Finding]:
+    """Walk through every notebook: two browsers, JupyterLab and Notebook 7 (asks PyPI for it)."""
+    return [finding for place in PLACES for finding in _walk_all(*place, rounds=1)]
+
+
+def measure_browsers_ten() -> list[Finding]:
+    """Walk through every notebook ten times in JupyterLab and Chromium: nothing may be chance."""
+    return _walk_all("Chromium", "JupyterLab", rounds=TEN)
+
+
+@contextmanager
+def running_notebook(home: Path, work: str) -> Iterator[str]:
+    """Start Notebook 7 on the learner's copies, beside the workbook's environment."""
+    laid = [sys.executable, str(ROOT / "workbook.py"), "setup", "--work", work]
+    subprocess.run(laid, check=True, stdout=sys.stderr)
+    installed = home / "notebook"
+    install = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", NOTEBOOK]
+    subprocess.run([*install, "--target", str(installed)], check=True, stdout=sys.stderr)
+    settings = installed / "share/jupyter/lab/schemas"  # JupyterLab's beside those of Notebook 7
+    shutil.copytree(Path(sys.prefix) / "share/jupyter/lab/schemas", settings, dirs_exist_ok=True)
+    log = home / "notebook.log"
+    with log.open("w") as output:
+        server = subprocess.Popen(
+            [
+                *(sys.executable, "-m", "notebook", "--no-browser", "--allow-root"),
+                *(f"--port={free_port()}", "--ServerApp.ip=127.0.0.1"),
+                *(f"--ServerApp.root_dir={ROOT}", "--ServerApp.port_retries=0"),
+                f"--JupyterNotebookApp.schemas_dir={settings}",
+                "--JupyterNotebookApp.expose_app_in_browser=True",
+            ],
+            env=os.environ
+            | own_folders(home)
+            | {
+                "PYTHONPATH": os.pathsep.join([str(installed), str(ROOT / "src")]),
+                "JUPYTER_PATH": str(installed / "share/jupyter"),
+                "JUPYTER_CONFIG_PATH": str(installed / "etc/jupyter"),
+            },
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        )
+    try:
+        address = wait_for_address(server, log, READY)
+        yield address.replace("/tree?", f"/notebooks/{work}/{START}?")
+    finally:
+        server.terminate()
+        server.wait(60)
+
+
+@contextmanager
+def _in_chromium(_: Path) -> Iterator[Window]:
+    with running_browser() as browser:
+        yield ChromiumWindow(browser)
+
+
+FRONT_ENDS = {"JupyterLab": running_lab, "Notebook 7": running_notebook}
+BROWSERS: dict[str, Callable[[Path], AbstractContextManager[Window]]] = {
+    "Chromium": _in_chromium,
+    "Firefox": running_firefox,
+}
+PLACES = [(browser, front_end) for browser in BROWSERS for front_end in FRONT_ENDS]
+
+
+def _walk_all(browser: str, front_end: str, *, rounds: int) -> list[Finding]:
+    """Walk through all notebooks so many times; return how much was found wrong in each."""
+    names = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
+    wrong = dict.fromkeys(names, 0)
+    say(ROW.format("browser", "front end", "nb", "moved", "played", "seconds", "findings"))
+    for _ in range(rounds):
+        with tempfile.TemporaryDirectory() as folder, _workbook(Path(folder), front_end) as address:
+            for name in names:
+                profile = Path(folder) / f"{browser}-{name}"
+                profile.mkdir()
+                with BROWSERS[browser](profile) as window:
+                    found = _walk(window, address.replace(START, name), f"{WORK}/{name}")
+                wrong[name] += len(found)
+    what = f"{browser}, {front_end}" + f", {rounds} rounds" * (rounds > 1)
+    return [Finding(f"{what}: findings in {name[:2]}", wrong[name], 0, "") for name in names]
+
+
+@contextmanager
+def _workbook(home: Path, front_end: str) -> Iterator[str]:
+    try:
+        with FRONT_ENDS[front_end](home, WORK) as address:
+            yield address
+    finally:
+        shutil.rmtree(ROOT / WORK, ignore_errors=True)
+
+
+def _walk(window: Window, address: str, path: str) -> list[str]:
+    """Walk through a notebook, say how it went, and return what was found."""
+    began = time.monotonic()
+    walk = Walk(window, f"{address}&reset", path)
+    try:
+        walk.take()
+    except Exception as error:  # the others are walked through all the same
+        walk.findings.append(f"not to its end: {str(error)[:200]}")
+    seconds = time.monotonic() - began
+    played = walk.moved.pop("clock", 0)
+    browser = type(window).__name__.removesuffix("Window").removesuffix("Page")
+    front_end = "JupyterLab" if "/lab/" in address else "Notebook 7"
+    counts = (walk.moved.total(), played, f"{seconds:.0f}", len(walk.findings))
+    say(ROW.format(browser, front_end, Path(path).name[:2], *counts))
+    for finding in walk.findings:
+        say(f"    {finding[:200]}")
+    return walk.findings
