@@ -20,6 +20,8 @@ class Keyboard:
 
     def until(self, key: str, wanted: Locator, is_so: str = HAS_FOCUS) -> None:
         """Press a key until something has the focus, or is so otherwise."""
+        if key.endswith("Tab"):
+            wanted.first.wait_for()  # what is not drawn yet would be passed by
         for _ in range(MOST_PRESSES):
             if wanted.count() and wanted.first.evaluate(is_so):
                 return

@@ -153,7 +153,7 @@ def test_a_drawing_that_moves_can_be_stopped(browser: Browser, reader: Reader) -
 def test_nothing_plays_by_itself_for_a_reader_who_wants_that(browser: Browser) -> None:
     played = [name for name in PAGES if b'data-module="player"' in files()[f"{name}.html"]]
     with calm(browser) as started:
-        page = started.new_page()
+        page = started.new_page(reduced_motion="null")  # the system's wish, not Playwright's
         for name in played:
             page.goto((written() / f"{name}.html").as_uri())
             assert page.evaluate(LIVES) == 0
