@@ -9,7 +9,6 @@ from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 from scipy.optimize import differential_evolution
 
 import cammotion as cm
-from cammotion.limits import linear
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.whole.optimise import Optimised, optimise
 
@@ -92,28 +91,6 @@ def test_it_says_where_each_move_is() -> None:
     assert "0.9429 m/s² (before: 4.1542)" in text
     assert "  rise over 163.267 deg from 353.366 deg, cycloidal" in text
     assert "  return over 115.447 deg from 305.000 deg, cycloidal" in text
-
-
-def test_the_bound_does_not_rest_on_the_word_of_a_solver(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With multipliers that are none it is poor, and never above what can be reached."""
-    best = optimise(make_diagram(), RULE, still=STILL)
-    right = linear.proved_bound
-    monkeypatch.setattr(
-        linear, "proved_bound", lambda p, b, rows, fixed: right(p, b, 0.9 * rows, 1.1 * fixed)
-    )
-    poor = optimise(make_diagram(), RULE, still=STILL, seconds=3)
-    assert poor.bound < 0.999 * best.bound
-    assert poor.reached >= best.reached * (1 - 1e-6)
-
-
-def test_with_too_little_time_the_bound_is_low_and_the_design_is_good() -> None:
-    crowd = draw(np.random.default_rng(7), 6)
-    short, long = (
-        optimise(crowd.diagram, crowd.rules, still=crowd.still, seconds=s) for s in (1e-3, 20)
-    )
-    assert short.bound <= long.bound * (1 + 1e-9)
-    assert long.reached == pytest.approx(long.bound, rel=1e-5)
-    assert short.reached >= long.bound * (1 - 1e-5)
 
 
 # By other ways

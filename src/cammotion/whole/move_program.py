@@ -83,16 +83,11 @@ def place(
     """
     program = MoveProgram(movers, apart)
     program.rows.cost[program.least] = -1.0
-    found = program.rows.solve_with_proof(seconds)
-    if found.bound is None or np.isinf(found.bound):
+    found = program.rows.solve(seconds)
+    if found.unknowns is None or found.bound is None:
         return None
-    x = found.unknowns
-    if x is None:  # the time was too short to search it through with a proof
-        x = program.rows.solve(seconds).unknowns
-    if x is None:
-        return None
-    program.settle(x)
-    return program.moves(program.widened(program.own, x)), -found.bound
+    program.settle(found.unknowns)
+    return program.moves(program.widened(program.own, found.unknowns)), -found.bound
 
 
 class MoveProgram:
@@ -131,11 +126,10 @@ class MoveProgram:
                 for one, it in zip(width, taken, strict=True):
                     rows.row([(one, 1.0), (it, -high)], -np.inf, 0.0)
             if all(costs):
+                own = rows.unknown(0.0, np.inf)
                 shares = [
                     (one, 1 / math.sqrt(cost)) for one, cost in zip(width, costs, strict=True)
                 ]
-                own = rows.unknown(0.0, high * max(share for _, share in shares))
-                rows.high[self.least] = min(rows.high[self.least], rows.high[own])
                 rows.row([*shares, (own, -1.0)], 0.0, np.inf)
                 rows.row([(own, 1.0), (self.least, -1.0)], 0.0, np.inf)
                 self.own.append(own)

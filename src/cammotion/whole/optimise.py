@@ -123,11 +123,10 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     place, and the best one is returned. No bound is known then; `tried` shows how far apart the
     low places are. The parts without a load have moves as wide as the others leave them.
 
-    Otherwise the answer is the best there is, not only the best of some tries: the program is
-    searched through (where the `seconds` are enough; `bound` tells), and that nothing is below the
-    bound is proved from the multipliers of each linear program, whatever a solver says of it. What
-    is found is checked before it is returned by `find_violations` and by its curves; raises
-    WrongAnswerError if that fails.
+    Otherwise the answer is the best there is, not only the best of some tries, as far as the solver
+    HiGHS can be trusted: it searches the program through, to a ten-thousandth (where the `seconds`
+    are enough; `bound` tells). What is found is checked before it is returned by `find_violations`
+    and by its curves; raises WrongAnswerError if that fails.
     Raises InputError for what is out of range, for a force or a torque without a Camshaft, for laws
     that do not rest at both ends, for an arc over which a part does not stand, and where no starts
     and angles keep the rules.
