@@ -1,6 +1,6 @@
-"""Environments of their own, to try places in that are not the workbook's own .venv.
+"""Environments of their own, beside the workbook's .venv, to try other places in.
 
-Their tools live in .venv-places. REQUIRE_PLACES=1 makes it.
+They are made with uv where it is on the PATH, in seconds, and else with pip.
 """
 
 import json
@@ -9,52 +9,44 @@ import shlex
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).parent.parent
-TOOLS = ROOT / ".venv-places"
-NEEDED = ("jupyter-repo2docker==2026.4.0", "uv>=0.9")
+ON_WINDOWS = os.name == "nt"
 VERSIONS = """
 import json, re
 from importlib.metadata import distributions
 print(json.dumps({re.sub("[-_.]+", "-", d.metadata["Name"]).lower(): d.version
                   for d in distributions()}))
 """
+Word = str | Path
 
 
-def require_tools() -> None:
-    """Install the tools if they are asked for; skip where they are neither asked for nor there."""
-    if os.environ.get("REQUIRE_PLACES") == "1":
-        run([sys.executable, "-m", "venv", str(TOOLS)], ROOT)
-        run([str(TOOLS / "bin" / "pip"), "install", "-q", *NEEDED], ROOT)
-    elif not (TOOLS / "bin" / "uv").exists():
-        pytest.skip(
-            f"NOT TESTED as on Binder and in Colab: there is no {TOOLS.name}. To make it: "
-            "REQUIRE_PLACES=1 python3 workbook.py test tests/test_binder.py tests/test_colab.py"
-        )
+def run(*command: Word, at: Path = ROOT, told: str = "", **variables: str) -> str:
+    """Run a command in a folder, and return all that it prints; fail with that if it fails.
 
-
-def run(command: list[str], folder: Path, **variables: str) -> str:
-    """Run a command, and return all that it prints; fail with that if it fails."""
+    It is `told` this text, and given these variables. All may read what it makes.
+    """
+    words = [str(word) for word in command]
     ran = subprocess.run(
-        command,
-        cwd=folder,
+        words,
+        cwd=at,
         env={name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | variables,
-        stdin=subprocess.DEVNULL,
+        umask=0o022,
+        input=told,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         encoding="utf-8",
         timeout=600,
     )
-    assert ran.returncode == 0, f"{shlex.join(command)}\n{ran.stdout}"
+    assert ran.returncode == 0, f"{shlex.join(words)}\n{ran.stdout}"
     return ran.stdout
 
 
 def copy_workbook(folder: Path) -> Path:
     """Copy what a commit of the workbook as it stands would hold, and return the copy."""
-    listed = run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], ROOT)
+    listed = run("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard")
     for name in filter(None, listed.split("\0")):
         if (ROOT / name).is_file():  # and not just deleted
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -62,22 +54,39 @@ def copy_workbook(folder: Path) -> Path:
     return folder
 
 
-class Fresh:
-    """An environment with nothing in it but pip."""
+class Environment:
+    """The environment in a folder; `make` brings it there, and up to date."""
 
     def __init__(self, folder: Path) -> None:
-        self.folder, self.programs = folder, folder / "bin"
-        self.uv = str(TOOLS / "bin" / "uv")
-        run([self.uv, "venv", "-q", "--seed", "-p", sys.executable, str(folder)], ROOT)
+        self.folder = folder
+        self.programs = folder / ("Scripts" if ON_WINDOWS else "bin")
 
-    def python(self, *arguments: str, at: Path, **variables: str) -> str:
+    def program(self, name: str) -> Path:
+        """Return the path of one of its programs."""
+        return self.programs / (f"{name}.exe" if ON_WINDOWS else name)
+
+    def make(self, python: Word = sys.executable) -> "Environment":
+        """Make it, with this Python and pip, if it is not there."""
+        if not self.program("python").exists():
+            uv = shutil.which("uv")
+            maker: Iterable[Word] = (
+                (uv, "venv", "-q", "--seed", "-p", python) if uv else (python, "-m", "venv")
+            )
+            run(*maker, self.folder)
+        return self
+
+    def install(self, *wanted: Word, at: Path = ROOT) -> None:
+        """Install what pip would by these words, in a folder."""
+        python, uv = self.program("python"), shutil.which("uv")
+        tool: Iterable[Word] = (python, "-m", "pip", "install")
+        if uv:  # as pip always does: compile, and take the package as it is now
+            as_pip = ("--compile-bytecode", "--reinstall-package", "cammotion")
+            tool = (uv, "pip", "install", "-p", python, *as_pip)
+        run(*tool, "-q", *wanted, at=at)
+
+    def python(self, *words: Word, at: Path, **variables: str) -> str:
         """Run its Python."""
-        return run([str(self.programs / "python"), *arguments], at, **variables)
-
-    def install(self, requirements: str, at: Path) -> None:
-        """Install a file of requirements as pip does, but from what uv has fetched before."""
-        python = str(self.programs / "python")
-        run([self.uv, "pip", "install", "-q", "-p", python, "-r", requirements], at)
+        return run(self.program("python"), *words, at=at, **variables)
 
     def versions(self) -> dict[str, str]:
         """Return what is installed, without pip and what came with it."""

@@ -19,7 +19,8 @@ from pathlib import Path
 from urllib.parse import quote
 
 import requests
-from hub_environment import PAGE, PLACE, proxy_of, run
+from environments import run
+from hub_environment import PAGE, PLACE, proxy_of
 from lab import free_port
 
 ROOT_UID = 0

@@ -16,8 +16,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from environments import ROOT, Environment, run
 
-ROOT = Path(__file__).parent.parent
 PAGE = (ROOT / "docs" / "classroom.md").read_text("utf-8")
 PLACE = "/opt/cammotion"  # on the page
 PYTHON_OF_ALL = Path("/usr/bin/python3")
@@ -61,15 +61,11 @@ def installed() -> Path:
         folder = Path(tempfile.mkdtemp(prefix="cammotion-hub-"))
         folder.chmod(0o755)
         atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    python = folder / "bin" / "python"
-    if not python.exists():
-        run(python_of_all(), "-m", "venv", "--without-pip", folder)
     pins = folder / "pins.txt"
+    environment = Environment(folder).make(python_of_all())
     lines = (ROOT / "environment.txt").read_text("utf-8").splitlines()
     pins.write_text("\n".join(line for line in lines if not line.startswith("-e")), "utf-8")
-    uv = shutil.which("uv") or get_uv(python)
-    options = ["-q", "--compile-bytecode", "--reinstall-package", "cammotion"]
-    run(uv, "pip", "install", *options, "-p", python, "-c", pins, *wanted())
+    environment.install("-c", pins, *wanted())
     run("npm", "install", "--silent", "--no-save", "--prefix", folder, PROXY)
     return folder
 
@@ -78,12 +74,6 @@ def wanted() -> list[str]:
     """Return what the page installs with pip."""
     (line,) = re.findall(r"^\S+/bin/python -m pip install -c \S+ (.+)$", PAGE, re.MULTILINE)
     return shlex.split(line)
-
-
-def get_uv(python: Path) -> Path:
-    """Put uv into the environment: pip takes several times as long for the rest."""
-    run(sys.executable, "-m", "pip", "--python", python, "install", "-q", "uv")
-    return python.with_name("uv")
 
 
 def python_of_all() -> Path:
@@ -100,18 +90,3 @@ def python_of_all() -> Path:
 def is_open(path: Path) -> bool:
     """Tell whether everybody may go there."""
     return path.exists() and all(one.stat().st_mode & OPEN for one in (path, *path.parents))
-
-
-def run(*command: str | Path, told: str = "") -> None:
-    """Run a command in the workbook's folder; fail with all that it said if it fails."""
-    words = [str(word) for word in command]
-    ran = subprocess.run(
-        words,
-        cwd=ROOT,
-        umask=0o022,  # students have to be able to read what is made here
-        input=told,
-        capture_output=True,
-        encoding="utf-8",
-        timeout=600,
-    )
-    assert ran.returncode == 0, f"{shlex.join(words)}\n{ran.stdout}{ran.stderr}"

@@ -12,8 +12,8 @@ from threading import Barrier
 from typing import Any
 
 from answering import Notebook, answering, changed, numbers_of
+from environments import run
 from hub import Hub
-from hub_environment import run
 from hub_student import Kernel, Student
 
 from starter import copies

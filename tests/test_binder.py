@@ -1,6 +1,7 @@
 """What repo2docker reads from .binder is followed in a fresh environment, and 02 runs in it.
 
-No image is built: repo2docker writes the Dockerfile, and its steps of ours are run here.
+No image is built: repo2docker writes the Dockerfile, and its steps of ours are run here. It lives
+in an environment of its own, .venv-binder. REQUIRE_PLACES=1 makes it.
 """
 
 import json
@@ -11,9 +12,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from environments import ROOT, TOOLS, Fresh, copy_workbook, require_tools, run
+from environments import ROOT, Environment, copy_workbook, run
 from packaging.requirements import Requirement
 
+BINDER = Environment(ROOT / ".venv-binder")
+READER = BINDER.program("jupyter-repo2docker")
+NEEDED = "jupyter-repo2docker==2026.4.0"
 PAGE = (ROOT / "docs" / "places.md").read_text("utf-8")
 PIP = '${KERNEL_PYTHON_PREFIX}/bin/pip install --no-cache-dir -r "'
 
@@ -31,26 +35,35 @@ class Binder:
 
     def __init__(self, folder: Path) -> None:
         self.home = copy_workbook(folder / "home")
-        reader = str(TOOLS / "bin" / "jupyter-repo2docker")
-        self.said = run([reader, "--debug", "--no-build", "."], self.home)
-        self.environment = Fresh(folder / "environment")
+        self.said = run(READER, "--debug", "--no-build", ".", at=self.home)
+        self.environment = Environment(folder / "environment").make()
         copied = self.said.index("COPY --chown=0:0 src/ ")
         for step in re.findall(r"^RUN (.*\.binder/.*)$", self.said[copied:], re.MULTILINE):
             self.follow(step)
 
     def follow(self, step: str) -> None:
-        """Run a step of the Dockerfile; what pip would install, uv does."""
-        programs = self.environment.programs
+        """Run a step of the Dockerfile; what pip would install, uv may."""
         if step.startswith(PIP):
-            self.environment.install(step.removeprefix(PIP).removesuffix('"'), at=self.home)
+            self.environment.install("-r", step.removeprefix(PIP).removesuffix('"'), at=self.home)
         else:
-            path = f"{programs}{os.pathsep}{os.environ['PATH']}"
-            run(["sh", "-c", step], self.home, PATH=path)
+            path = f"{self.environment.programs}{os.pathsep}{os.environ['PATH']}"
+            run("sh", "-c", step, at=self.home, PATH=path)
+
+
+def require_binder() -> None:
+    """Install Binder's reader if it is asked for; skip where it is neither asked for nor there."""
+    if os.environ.get("REQUIRE_PLACES") == "1":
+        BINDER.make().install(NEEDED)
+    elif not READER.exists():
+        pytest.skip(
+            f"NOT TESTED as on Binder: there is no {BINDER.folder.name}. To make it: "
+            "REQUIRE_PLACES=1 python3 workbook.py test tests/test_binder.py"
+        )
 
 
 @pytest.fixture(scope="module")
 def binder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Binder]:
-    require_tools()
+    require_binder()
     folder = tmp_path_factory.mktemp("binder")
     yield Binder(folder)
     shutil.rmtree(folder)  # half a gigabyte

@@ -19,8 +19,9 @@ import pytest
 import requests
 import websocket
 from answering import answering, changed, numbers_of, read
+from environments import ROOT
 from hub import PATIENCE_SECONDS, Hub, running_hub
-from hub_environment import PAGE, ROOT, require_hub
+from hub_environment import PAGE, require_hub
 from hub_lesson import LESSON, Work, make_course, publish, run_cells, work_at_once
 from hub_student import KERNEL, SERVER
 

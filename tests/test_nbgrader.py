@@ -8,25 +8,20 @@ import os
 import re
 import shlex
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 from answering import Change, Notebook, answering, changed, numbers_of, read, then
+from environments import ROOT, Environment, run
 
 import cammotion as cm
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.variants import machine_for
 
-ROOT = Path(__file__).parent.parent
 PAGE = (ROOT / "docs" / "teaching.md").read_text("utf-8")
 REQUIREMENT = re.findall(r"nbgrader==[\d.]+", PAGE)[0]
-ENVIRONMENT = ROOT / ".venv-nbgrader"
-PROGRAMS = ENVIRONMENT / ("Scripts" if os.name == "nt" else "bin")
-SUFFIX = ".exe" if os.name == "nt" else ""
-PYTHON = PROGRAMS / f"python{SUFFIX}"
+ENVIRONMENT = Environment(ROOT / ".venv-nbgrader")
 SECONDS_FOR_A_CELL = 8  # not the page's 30, to have done with the endless loop
 
 LESSONS = {number.split(".")[0] for number in EXERCISES}
@@ -41,40 +36,12 @@ GRADED = "01"  # the lesson that the class hands in
 def require_nbgrader() -> None:
     """Install nbgrader if it is asked for; skip where it is neither asked for nor there."""
     if os.environ.get("REQUIRE_NBGRADER") == "1":
-        install()
-    elif not (PROGRAMS / f"nbgrader{SUFFIX}").exists():
+        ENVIRONMENT.make().install("-r", "environment.txt", REQUIREMENT)
+    elif not ENVIRONMENT.program("nbgrader").exists():
         pytest.skip(
-            f"NOT TESTED with nbgrader: there is no {ENVIRONMENT.name}. To make it: "
+            f"NOT TESTED with nbgrader: there is no {ENVIRONMENT.folder.name}. To make it: "
             "REQUIRE_NBGRADER=1 python3 workbook.py test tests/test_nbgrader.py"
         )
-
-
-def install() -> None:
-    """Make the environment, or bring it up to date; this takes long only the first time."""
-    uv = shutil.which("uv")
-    if not PYTHON.exists():
-        no_pip = ["--without-pip"] if uv else []
-        run([sys.executable, "-m", "venv", *no_pip, str(ENVIRONMENT)], ROOT)
-    if not uv:  # the environment may have been made by uv, which leaves pip out
-        run([str(PYTHON), "-m", "ensurepip"], ROOT)
-    tool = [uv, "pip", "install", "-p"] if uv else []
-    tool += [str(PYTHON)] if uv else [str(PYTHON), "-m", "pip", "install"]
-    run([*tool, "-q", "-r", "environment.txt", REQUIREMENT], ROOT)
-
-
-def run(command: list[str], folder: Path, **environment: str) -> str:
-    """Run a command and return what it prints; fail with all that it said if it fails."""
-    ran = subprocess.run(
-        command,
-        cwd=folder,
-        env=os.environ | environment,
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        encoding="utf-8",
-        timeout=600,
-    )
-    assert ran.returncode == 0, f"{shlex.join(command)}\n{ran.stdout}{ran.stderr}"
-    return ran.stdout
 
 
 def block(containing: str) -> str:
@@ -92,7 +59,7 @@ class Course:
         own = ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR")
         self._environment = {name: str(folder / "own" / name) for name in own}
         # As in an activated environment: nbgrader looks for its alembic on the PATH.
-        self._environment["PATH"] = f"{PROGRAMS}{os.pathsep}{os.environ['PATH']}"
+        self._environment["PATH"] = f"{ENVIRONMENT.programs}{os.pathsep}{os.environ['PATH']}"
         config = block("get_config").replace("timeout = 30", f"timeout = {SECONDS_FOR_A_CELL}")
         assert f"timeout = {SECONDS_FOR_A_CELL}" in config
         (folder / "nbgrader_config.py").write_text(config, "utf-8")
@@ -106,7 +73,7 @@ class Course:
         """Run a command of the teacher's page, as it stands there."""
         assert re.search(rf"^{re.escape(command)}$|`{re.escape(command)}`", PAGE, re.MULTILINE)
         program, *arguments = shlex.split(command)
-        return run([str(PROGRAMS / program), *arguments], self.folder, **self._environment)
+        return run(ENVIRONMENT.program(program), *arguments, at=self.folder, **self._environment)
 
     def marks(self) -> dict[str, tuple[float, str]]:
         """Return what marks.py says of each student: the score, and whose numbers they are."""
