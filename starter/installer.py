@@ -34,6 +34,8 @@ def install_packages(step: str, whole: bool) -> None:
     tool += [str(VENV_PYTHON)] if uv else [str(VENV_PYTHON), "-m", "pip", "install", "--no-user"]
     # As pip always does: or what the package lays into .venv would stay as it was.
     tool += ["--reinstall-package", "cammotion"] if uv else []
+    # As pip always does, too: else warnings of what only tests need would be errors in them.
+    tool += ["--compile-bytecode"] if uv and whole else []
     time_needed = "uv" if uv else "pip (a few minutes, once)"
     print(f"{step} Installing about {total} packages with {time_needed} ...")
     run(

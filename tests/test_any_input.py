@@ -93,7 +93,7 @@ def made(calls: list[Recorded]) -> Iterator[object]:
     die, chain = cm.EXAMPLE.die, cm.tuned_mass(12, 0.02)
     results = [result for call in calls for result in call.made]
     results += [cm.StartResponse(chain, die, 2000), cm.SteadyResponse(chain, die, 2000)]
-    results.append(cm.Undercut(10, 20, 15, 0.1))
+    results += [cm.Undercut(10, 20, 15, 0.1), cm.EXAMPLE]
     for result in results:
         several = isinstance(result, tuple | cm.Improvements | cm.Flights)
         yield from [result, *result] if several else [result]
