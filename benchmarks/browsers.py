@@ -46,8 +46,10 @@ def running_notebook(home: Path, work: str) -> Iterator[str]:
     installed = home / "notebook"
     install = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", NOTEBOOK]
     subprocess.run([*install, "--target", str(installed)], check=True, stdout=sys.stderr)
-    settings = installed / "share/jupyter/lab/schemas"  # JupyterLab's beside those of Notebook 7
-    shutil.copytree(Path(sys.prefix) / "share/jupyter/lab/schemas", settings, dirs_exist_ok=True)
+    app = installed / "share/jupyter/lab"  # JupyterLab's schemas beside those of Notebook 7
+    for part in ("schemas", "themes"):
+        own = Path(sys.prefix) / "share/jupyter/lab" / part
+        shutil.copytree(own, app / part, dirs_exist_ok=True)
     log = home / "notebook.log"
     with log.open("w") as output:
         server = subprocess.Popen(
@@ -55,13 +57,13 @@ def running_notebook(home: Path, work: str) -> Iterator[str]:
                 *(sys.executable, "-m", "notebook", "--no-browser", "--allow-root"),
                 *(f"--port={free_port()}", "--ServerApp.ip=127.0.0.1"),
                 *(f"--ServerApp.root_dir={ROOT}", "--ServerApp.port_retries=0"),
-                f"--JupyterNotebookApp.schemas_dir={settings}",
                 "--JupyterNotebookApp.expose_app_in_browser=True",
             ],
             env=os.environ
             | own_folders(home)
             | {
                 "PYTHONPATH": os.pathsep.join([str(installed), str(ROOT / "src")]),
+                "JUPYTERLAB_DIR": str(app),
                 "JUPYTER_PATH": str(installed / "share/jupyter"),
                 "JUPYTER_CONFIG_PATH": str(installed / "etc/jupyter"),
             },

@@ -147,7 +147,8 @@ const walk = {
       slider = row.querySelector("input[type=range]") ?? field;
     const [low, high] = [Number(slider.min), Number(slider.max)];
     const wanted = [0.4, 0.6].map((part) => low + part * (high - low));
-    const [first] = wanted.filter((value) => Math.abs(value - parseFloat(field.value)) > 1e-9);
+    const isThere = (value) => Math.abs(value - parseFloat(field.value)) <= 1e-9; // not if empty
+    const first = wanted.find((value) => !isThere(value));
     if (slider.min === "") return field.value === "1" ? "2" : "1"; // a prediction may be kept
     return String(Number(first.toPrecision(3)));
   },
