@@ -10,6 +10,7 @@ import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from environments import ROOT, Environment, copy_workbook, run
@@ -91,7 +92,9 @@ def test_jupyter_finds_the_settings_of_the_package(binder: Binder) -> None:
 
 
 def test_the_link_opens_a_copy_that_tells_no_result(binder: Binder) -> None:
-    (opened,) = re.findall(r"mybinder\.org/\S+\?urlpath=lab/tree/([\w/.]+)", PAGE)
+    (link,) = re.findall(r"https://mybinder\.org/\S+", PAGE)
+    (path,) = parse_qs(urlsplit(link).query)["urlpath"]
+    opened = path.removeprefix("lab/tree/")
     cells = json.loads((binder.home / opened).read_text("utf-8"))["cells"]
     assert any(cell["cell_type"] == "code" for cell in cells)
     assert not any(cell.get("outputs") for cell in cells)

@@ -14,7 +14,7 @@ from cammotion.teaching.exercise import NumberExercise, Slip
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.variants import machine_for
 
-MANY = [EXAMPLE, machine_for(), *(machine_for(f"rounded {n}") for n in range(12))]
+MANY = [EXAMPLE, machine_for(), *(machine_for(f"rounded {n}") for n in range(60))]
 ASKED = re.compile(r", to (three|four) digits$")
 DIGITS = {"three": 3, "four": 4}
 

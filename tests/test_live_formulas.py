@@ -17,7 +17,7 @@ import cammotion as cm
 from cammotion.quantities import Floats
 from cammotion.views.live.figure import LiveFigure
 
-SETTINGS, SEARCHED, PLACES = 1000, 8, 4  # a search takes Python 100 times as long as a formula
+SETTINGS, SEARCHED, PLACES = 1000, 20, 4  # a search takes Python 100 times as long as a formula
 EXACT = 1e-12
 t, k, n, w = sp.symbols("t k n w", real=True)
 PIECES = sp.Piecewise((0, t < k), (sp.sin(t - k), t < k + n), (n, True))
@@ -190,7 +190,7 @@ def test_every_formula_in_a_page_and_in_python(figure: LiveFigure) -> None:
 
 
 def test_sentences_in_a_page_and_in_python(figure: LiveFigure) -> None:
-    cases = [case[:2] for case in random_cases(figure, 15, seed=7)]
+    cases = [case[:2] for case in random_cases(figure, 40, seed=7)]
     page = node.run(SAY, {"description": figure.description, "cases": cases})
     for (settings, pinned), said in zip(cases, page, strict=True):
         figure.settings, figure.pinned = settings, pinned

@@ -21,13 +21,7 @@ Arcs = dict[str, list[tuple[float, float]]]
 def whole(machine: Machine) -> None:
     """See that nothing beats the bound, and that the best diagram is as good as any found here."""
     diagram = machine.diagram
-    tracks = tracks_of(diagram)
-    rules = [rule for rule in machine.rules if worst_of([rule], tracks) < -NEAR_MM]
-    still = {
-        motion.name: arcs
-        for motion in diagram.motions
-        if motion.moves and (arcs := _stands(motion))
-    }
+    rules, still = _asked(machine)
     if not rules or not still:
         return
     try:
@@ -59,13 +53,7 @@ def torques(machine: Machine) -> None:
     The others are today's machine and the one with the least peak.
     """
     diagram, rng = machine.diagram, machine.rng
-    tracks = tracks_of(diagram)
-    rules = [rule for rule in machine.rules if worst_of([rule], tracks) < -NEAR_MM]
-    still = {
-        motion.name: arcs
-        for motion in diagram.motions
-        if motion.moves and (arcs := _stands(motion))
-    }
+    rules, still = _asked(machine)
     masses = {m.name: float(rng.uniform(1, 50)) for m in diagram.motions if not m.steps(1)}
     if not still or not masses:
         return
@@ -94,6 +82,19 @@ def _torque(diagram: TimingDiagram, masses: dict[str, float]) -> float:
             push = masses[name] * track.curve(2, angles) * per_s**2 / 1000
             total += push * track.curve(1, angles) * 180 / np.pi / 1000
     return float(np.abs(total).max())
+
+
+def _asked(machine: Machine) -> tuple[list[cm.ClearanceRule], Arcs]:
+    """Return the rules that a machine keeps, and where those of its motions rest that move."""
+    diagram = machine.diagram
+    tracks = tracks_of(diagram)
+    rules = [rule for rule in machine.rules if worst_of([rule], tracks) < -NEAR_MM]
+    still = {
+        motion.name: arcs
+        for motion in diagram.motions
+        if motion.moves and (arcs := _stands(motion))
+    }
+    return rules, still
 
 
 def _stands(motion: cm.Motion) -> list[tuple[float, float]]:
