@@ -45,18 +45,23 @@ def make_mill(
 def make_die(
     angle_deg: float = 55,
     *,
+    up_deg: float | None = None,
     stroke_mm: float = 50,
     down_deg: tuple[float, float] = DOWN_DEG,
     law: str | MotionLaw = "cycloidal",
 ) -> Motion:
-    """Return the die, down to do its work from one cam angle to another."""
+    """Return the die, down to do its work from one cam angle to another.
+
+    It comes down over an angle, and goes up over the same one, or over `up_deg`.
+    """
     start, end = down_deg
-    rest = 360 - 2 * angle_deg - (end - start)
+    up_deg = angle_deg if up_deg is None else up_deg
+    rest = 360 - angle_deg - up_deg - (end - start)
     return cm.motion(
         "die",
         cm.rise(stroke_mm, over_deg=angle_deg, law=law),
         cm.dwell(end - start),
-        cm.return_(stroke_mm, over_deg=angle_deg, law=law),
+        cm.return_(stroke_mm, over_deg=up_deg, law=law),
         *([cm.dwell(rest)] if rest > 0 else []),
         start_deg=start - angle_deg,
     )

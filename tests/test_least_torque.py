@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import shafts
 from crowds import LAWS, draw, keeps
-from machines import DOWN_DEG, RULE, make_diagram
+from machines import DOWN_DEG, RULE, make_diagram, make_die
 from scipy.optimize import differential_evolution
 
 import cammotion as cm
@@ -148,14 +148,7 @@ def test_springs_friction_process_and_parts_that_are_not_free_count() -> None:
     starts = [(down, up) for down in np.arange(55, 125, 5.0) for up in np.arange(55, 125, 5.0)]
     tried = []
     for down, up in starts:
-        die = cm.motion(
-            "die",
-            cm.rise(50, over_deg=down),
-            cm.dwell(100),
-            cm.return_(50, over_deg=up),
-            cm.dwell(260 - down - up),
-            start_deg=205 - down,
-        )
+        die = make_die(down, up_deg=up)
         design = make_diagram(make_diagram()["mill"], die)
         if not cm.find_violations(design, RULE):
             tried.append(largest(design, shaft))

@@ -117,14 +117,7 @@ def test_an_evolution_finds_nothing_better() -> None:
     def cost(x: Any) -> float:
         start, width, down, up = x
         mill = make_mill(width, middle_deg=start + width / 2)
-        die = cm.motion(
-            "die",
-            cm.rise(50, over_deg=down),
-            cm.dwell(100),
-            cm.return_(50, over_deg=up),
-            cm.dwell(260 - down - up),
-            start_deg=205 - down,
-        )
+        die = make_die(down, up_deg=up)
         design = make_diagram(mill, die)
         excess = sum(one.end_deg - one.start_deg for one in cm.find_violations(design, RULE))
         return peak(design) + excess
