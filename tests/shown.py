@@ -29,7 +29,7 @@ def numbers(text: str) -> list[float]:
 def answers(exercise: NumberExercise, machine: MillAndDie) -> list[float]:
     """Return all its slips, and numbers near and far."""
     right = exercise.solution(machine)
-    slips = [float(slip.answer(machine)) for slip in exercise.slips]
+    slips = [float(slip.leads_to(machine)) for slip in exercise.slips]
     return [*slips, *(right * times for times in TIMES)]
 
 

@@ -83,7 +83,7 @@ def test_every_carried_error_is_told_or_has_a_reason_of_its_own(exercise: Number
     told = set()
     for machine in MACHINES[:7]:
         for slip in exercise.carried:
-            value = slip.answer(machine)
+            value = slip.leads_to(machine)
             if math.isfinite(value) and not is_right(exercise, value, machine):
                 reason = say(exercise, value, machine)
                 assert not reason.startswith(unknown)
@@ -113,7 +113,7 @@ def test_what_nobody_would_go_on_with_is_nothing() -> None:
     )
     linked = link([first, second])["00.2"]
     assert isinstance(linked, NumberExercise)
-    assert all(math.isnan(slip.answer(EXAMPLE)) for slip in linked.carried)
+    assert all(math.isnan(slip.leads_to(EXAMPLE)) for slip in linked.carried)
     assert linked.judge(3, EXAMPLE).text.startswith("This is too large")
 
 
@@ -224,7 +224,7 @@ def test_a_known_slip_of_the_earlier_answer_says_more_than_its_number() -> None:
     assert isinstance(earlier, NumberExercise)
     assert isinstance(later, NumberExercise)
     slip = next(slip for slip in earlier.slips if "way round" in slip.reason)
-    given = slip.answer(machine)
+    given = slip.leads_to(machine)
     cm.check("03.3", given)
     said = cm.check("03.4", later.goes_on_from["03.3"](machine, given)).text
     assert slip.reason in said

@@ -106,7 +106,7 @@ def test_a_wrong_formula_is_told_why(formula: Any, said: str, capsys: Any) -> No
 def test_each_slip_in_the_formula_gets_its_own_reason(exercise: ExpressionExercise) -> None:
     assert len({slip.reason for slip in exercise.slips}) == len(exercise.slips) > 0
     for slip in exercise.slips:
-        assert say(exercise, slip.answer(NAMELESS), NAMELESS) == slip.reason
+        assert say(exercise, slip.leads_to(NAMELESS), NAMELESS) == slip.reason
 
 
 @each_formula

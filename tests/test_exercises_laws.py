@@ -308,7 +308,7 @@ def test_no_common_slip_is_taken_as_right_with_the_numbers_of_the_source() -> No
         for slip in getattr(exercise, "slips", ()):
             if "Cv = 2" in slip.reason or "the pause" in slip.reason:
                 continue  # the source has that, and no pause
-            assert exercise.judge(slip.answer(EXAMPLE), EXAMPLE).state == "wrong", slip.reason
+            assert exercise.judge(slip.leads_to(EXAMPLE), EXAMPLE).state == "wrong", slip.reason
 
 
 @pytest.mark.parametrize("name", LAW_CHOICES)
@@ -319,7 +319,7 @@ def test_no_common_slip_is_taken_as_right_for_any_law(name: str) -> None:
             exercise = EXERCISES[number]
             assert exercise.judge(exercise.solution(m), m).state == "right"
             for slip in getattr(exercise, "slips", ()):
-                assert exercise.judge(slip.answer(m), m).state == "wrong", (choice, slip.reason)
+                assert exercise.judge(slip.leads_to(m), m).state == "wrong", (choice, slip.reason)
 
 
 @pytest.mark.parametrize("m", FEW[:6], ids=lambda m: m.who or "source")

@@ -73,7 +73,7 @@ def test_two_digits_are_enough_unless_they_are_too_far_off_or_a_slips(
         if asked_digits(exercise, machine) > 2:
             two = rounded(right, 2)
             too_far = abs(two - right) > 0.012 * right
-            slips = {rounded(float(slip.answer(machine)), 2) for slip in exercise.slips}
+            slips = {rounded(float(slip.leads_to(machine)), 2) for slip in exercise.slips}
             half_way = rounded(right, 3) != pytest.approx(rounded(right, 2), rel=0.004)
             assert too_far or two in slips or half_way, machine.who
 
@@ -91,7 +91,7 @@ def test_nor_is_one_that_is_rounded_as_the_question_asks(exercise: NumberExercis
     for machine in MANY:
         right, digits = exercise.solution(machine), asked_digits(exercise, machine)
         for slip in exercise.slips:
-            value = float(slip.answer(machine))
+            value = float(slip.leads_to(machine))
             if value == pytest.approx(right, rel=1e-9 if digits < 4 else 1e-3):
                 continue
             assert not is_right(exercise, rounded(value, digits), machine), (machine.who, value)

@@ -45,7 +45,7 @@ def given_to(one: NumberExercise, machine: Any) -> Iterator[float]:
     Nobody's number lies on an edge to the last bit: those that do are moved off it.
     """
     dice = random.Random(one.number)  # noqa: S311 - the same numbers each time
-    ways = [float(slip.answer(machine)) for slip in (*one.slips, *one.carried[:4])]
+    ways = [float(slip.leads_to(machine)) for slip in (*one.slips, *one.carried[:4])]
     for value in filter(math.isfinite, (one.solution(machine), *ways)):
         for off in OFFS:
             near = value * (1 + dice.choice((-1, 1)) * off)

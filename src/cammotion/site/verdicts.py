@@ -8,10 +8,9 @@ Between two neighbours of these it says the same, so it is asked once there.
 import math
 import re
 from bisect import bisect
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.teaching.example import MillAndDie
@@ -45,12 +44,12 @@ class Verdicts:
 
 def table_of(exercise: NumberExercise, machine: MillAndDie) -> Verdicts:
     """Return what an exercise says to every number, asked about a machine."""
-    frozen, right = _frozen(exercise, machine), exercise.solution(machine)
-    edges = sorted({*_edges(frozen, right, machine)})
-    texts = [_text(frozen, place, machine) for place in _between(edges)]
+    edges = sorted({*_edges(exercise, machine)})
+    texts = [_text(exercise, place, machine) for place in _between(edges)]
     said = [*dict.fromkeys(texts)]
     kept = [n for n, (one, next_) in enumerate(pairwise(texts)) if one != next_]
     places = [said.index(texts[n]) for n in (*kept, len(texts) - 1)]
+    right = exercise.solution(machine)
     return Verdicts(right, tuple(edges[n] for n in kept), tuple(places), tuple(said))
 
 
@@ -58,26 +57,9 @@ def _text(exercise: NumberExercise, given: float, machine: MillAndDie) -> str:
     return _MEASURED.sub(_MARK, exercise.find_fault(given, machine))
 
 
-def _frozen(exercise: NumberExercise, machine: MillAndDie) -> NumberExercise:
-    """Return the exercise with all that it computes computed once."""
-
-    def frozen(slip: Slip) -> Slip:
-        return Slip(_constant(float(slip.answer(machine))), slip.reason)
-
-    return replace(
-        exercise,
-        answer=_constant(exercise.solution(machine)),
-        slips=tuple(map(frozen, exercise.slips)),
-        carried=tuple(map(frozen, exercise.carried)),
-    )
-
-
-def _constant(value: float) -> Callable[[MillAndDie], Any]:
-    return lambda _: value
-
-
-def _edges(exercise: NumberExercise, right: float, machine: MillAndDie) -> Iterator[float]:
+def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     """Yield every number at which something else may be said, and some more."""
+    right = exercise.solution(machine)
     slips = sorted(_numbers(exercise.slips, machine))
     carried = _numbers(exercise.carried, machine)
     ratios = [r * right for r in (*UNIT_RATIOS.get(exercise.unit, {}), *COMMON_RATIOS)]
@@ -96,7 +78,7 @@ def _edges(exercise: NumberExercise, right: float, machine: MillAndDie) -> Itera
 
 
 def _numbers(slips: Iterable[Slip], machine: MillAndDie) -> list[float]:
-    return [n for slip in slips if math.isfinite(n := float(slip.answer(machine)))]
+    return [n for slip in slips if math.isfinite(n := float(slip.leads_to(machine)))]
 
 
 def _beside(value: float, share: float) -> Iterator[float]:

@@ -72,7 +72,7 @@ def why_not(exercise: Exercise, machine: MillAndDie) -> str:
     low, high = _RANGES.get(exercise.unit, _ANY)
     if not low < right < high:
         return f"{right:g} is not between {low:g} and {high:g} {exercise.unit}"
-    wrong = (float(slip.answer(machine)) for slip in exercise.slips)
+    wrong = (float(slip.leads_to(machine)) for slip in exercise.slips)
     if any(math.isclose(value, right, rel_tol=_APART) for value in wrong):
         return f"a wrong way leads to {right:g}, or as good as that"
     return ""

@@ -4,6 +4,7 @@ import math
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, Literal
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
@@ -55,6 +56,16 @@ class Slip:
 
     answer: Callable[[MillAndDie], Any]
     reason: str
+
+    def leads_to(self, machine: MillAndDie) -> Any:
+        """Return what it leads to for a machine."""
+        return _led_to(self.answer, machine)
+
+
+@lru_cache(maxsize=4096)
+def _led_to(answer: Callable[[MillAndDie], Any], machine: MillAndDie) -> Any:
+    """Work out an answer once: each that is given is held against the right one and all slips."""
+    return answer(machine)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,7 +150,7 @@ class NumberExercise(Exercise):
 
     def solution(self, machine: MillAndDie) -> float:
         """Return the right number for a machine."""
-        return float(self.answer(machine))
+        return float(_led_to(self.answer, machine))
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a number is wrong; "" if it is right."""
@@ -166,7 +177,7 @@ class NumberExercise(Exercise):
     def _wrong(self, machine: MillAndDie) -> dict[float, str]:
         """Return the slips by what they lead to, but for those that lead to the right number."""
         right = self.solution(machine)
-        found = [(float(slip.answer(machine)), slip.reason) for slip in self.slips]
+        found = [(float(slip.leads_to(machine)), slip.reason) for slip in self.slips]
         return {
             value: reason
             for value, reason in reversed(found)
@@ -196,7 +207,7 @@ class NumberExercise(Exercise):
 
     def _first(self, slips: Iterable[Slip], given: float, machine: MillAndDie) -> str:
         """Return the reason of the first slip that leads to a number, "" if none does."""
-        return next((s.reason for s in slips if self._is(given, s.answer(machine))), "")
+        return next((s.reason for s in slips if self._is(given, s.leads_to(machine))), "")
 
     def _is(self, given: float, value: float) -> bool:
         return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)

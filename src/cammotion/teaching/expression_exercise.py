@@ -63,7 +63,7 @@ class ExpressionExercise(Exercise):
         if self._same(given, right):
             return ""
         for slip in self.slips:
-            wrong = slip.answer(machine)  # NaN where nobody goes this way
+            wrong = slip.leads_to(machine)  # NaN where nobody goes this way
             if wrong is not sympy.nan and self._same(given, self._values(wrong, places)):
                 return slip.reason
         return _constant_factor(given, right) or self._at_ends(answer, solution) or _ANOTHER

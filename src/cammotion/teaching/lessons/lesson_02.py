@@ -139,7 +139,7 @@ _PEAK_SLIPS = (
 def _of_the_force(slip: Slip) -> Slip:
     """Return what a slip in the acceleration becomes in the force."""
     return Slip(
-        lambda m: m.die_mass_kg * slip.answer(m),
+        lambda m: m.die_mass_kg * slip.leads_to(m),
         f"The mass is right, the acceleration is not. {slip.reason}",
     )
 

@@ -6,7 +6,7 @@ What has no closed form can still stand in an expression: `largest`, `place_of_l
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -142,8 +142,8 @@ class Formulas:
     def _compiled(self) -> Callable[..., Any]:
         """One function, of the list to be filled, settings and pinned settings, of all formulas."""
         body = "".join(
-            f"{'pointwise' * is_searched}(lambda x=0.0, y=0.0: {formula}),"
-            for formula, is_searched in zip(self._python, map(is_search, self._known), strict=True)
+            f"{self._called(expression)}(lambda x=0.0, y=0.0: {formula}),"
+            for expression, formula in zip(self._known, self._python, strict=True)
         )
         body = f"({body})"
         for number, quantity in reversed(list(enumerate(self._python_quantities))):
@@ -153,6 +153,13 @@ class Formulas:
         arguments = ["f", *ordered, *(name.replace("c", "p") for name in ordered)]
         symbols = [sp.Symbol(argument) for argument in arguments]
         return sp.lambdify(symbols, body, modules=[_FOUND_BY, vars(np)])  # type: ignore[no-any-return]
+
+    def _called(self, expression: sp.Expr) -> str:
+        """Return what a formula is handed to: a search takes one number, and its time."""
+        if not is_search(expression):
+            return ""
+        runs = {self.names.get(symbol) for symbol in expression.free_symbols} & {"x", "y"}
+        return "pointwise" if runs else "once"
 
     def _print(self, expression: sp.Expr) -> tuple[str, str]:
         """Return an expression in both languages."""
@@ -249,14 +256,31 @@ def _search(function: Callable[[Any], Any], low: float, high: float) -> tuple[fl
 
 def pointwise(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return a function that takes an array one number at a time, as a search has to."""
+    known = cache(function)
 
     def at(x: Any = 0.0, y: Any = 0.0) -> Any:
-        return function(x, y) if np.ndim(x) == 0 else np.array([function(each, y) for each in x])
+        return known(x, y) if np.ndim(x) == 0 else np.array([known(each, y) for each in x])
 
     return at
 
 
+def once(function: Callable[[], Any]) -> Callable[..., Any]:
+    """Return a function of x and y which is the same at all of them, and searches only once."""
+    known = cache(function)
+    return lambda x=0.0, y=0.0: known()  # noqa: ARG005 - formulas are called alike
+
+
+def select(conditions: list[Any], values: list[Any], default: float) -> Any:
+    """Return what `numpy.select` does; of single numbers, as a search asks for, much sooner."""
+    if any(isinstance(each, np.ndarray) for each in (*conditions, *values)):
+        return np.select(conditions, values, default)
+    chosen = (value for condition, value in zip(conditions, values, strict=True) if condition)
+    return np.float64(next(chosen, default))
+
+
 _FOUND_BY: dict[str, Callable[..., Any]] = {
+    "select": select,
+    "once": once,
     "pointwise": pointwise,
     "largest": find_largest,
     "place_of_largest": find_place_of_largest,
