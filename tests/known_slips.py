@@ -8,6 +8,7 @@ contain a match. Any file known_slips*.py with RIGHT, SOURCE and SLIPS is found 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy
@@ -67,6 +68,7 @@ def law_in_degrees(x: float) -> float:
     return x - math.sin(math.radians(2 * math.pi * x)) / (2 * math.pi)
 
 
+@cache
 def place(share: float, curve: Callable[[float], float] = law) -> float:
     """Return x at which a curve reaches a share, by halving."""
     low, high = 0.0, 1.0
@@ -81,6 +83,7 @@ def x_deep(m: MillAndDie, margin: float = -1) -> float:
     return place((m.wait_mm + margin * m.margin_mm) / stroke(m))
 
 
+@cache
 def widest(m: MillAndDie) -> float:
     """Return the widest angle of the die."""
     return later(m) / (1 - x_deep(m))

@@ -5,6 +5,7 @@ Nothing here knows of the package's laws, wheels or inertias, or of the slips th
 
 import math
 from collections.abc import Callable
+from functools import cache
 
 import mpmath
 from known_slips import KnownSlip
@@ -99,7 +100,12 @@ def entry(m: MillAndDie) -> float:
 
 def bent(m: MillAndDie, alpha: float, order: int = 2) -> float:
     """Return a derivative of the angle under which the wheel sees the pin, by differences."""
-    ratio = mpmath.sin(mpmath.pi / m.table.slots)
+    return seen_bent(m.table.slots, alpha, order)
+
+
+@cache
+def seen_bent(slots: int, alpha: float, order: int) -> float:
+    ratio = mpmath.sin(mpmath.pi / slots)
 
     def seen(angle: mpmath.mpf) -> mpmath.mpf:
         return mpmath.atan2(ratio * mpmath.sin(angle), 1 - ratio * mpmath.cos(angle))

@@ -5,6 +5,7 @@ Nothing here knows of the package's springs, laws or followers, or of the slips 
 
 import math
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 from known_slips import G, KnownSlip, law
@@ -35,6 +36,7 @@ def swings(m: MillAndDie) -> float:
     return math.prod(m.follower.ringing)
 
 
+@cache
 def pushed(m: MillAndDie) -> float:
     """Return how far the mass swings after the move, by integration over the time in moves."""
     w = 2 * math.pi * swings(m)
@@ -53,6 +55,7 @@ def pushed(m: MillAndDie) -> float:
     return m.follower.jump_mm * math.hypot(place - 1, velocity / w)
 
 
+@cache
 def arrows(m: MillAndDie, jumps: tuple[float, ...], w: float | None = None) -> float:
     """Return the length of the sum of the arrows of jumps, in mm."""
     w = w or 2 * math.pi * swings(m)
@@ -72,6 +75,7 @@ def time_s(m: MillAndDie, pressed_mm: float, factor: float = 2 * math.pi) -> flo
     return math.sqrt(m.follower.lifted_kg * m.follower.lift_mm / 1000 * factor / force)
 
 
+@cache
 def leaves(m: MillAndDie, pressed: float | None = None, more: float = 0) -> float:
     """Return the turns a minute above which it leaves: the least over the rise."""
     pressed = m.follower.pressed_mm if pressed is None else pressed
@@ -84,6 +88,7 @@ def leaves(m: MillAndDie, pressed: float | None = None, more: float = 0) -> floa
     return float(found.fun)
 
 
+@cache
 def at_the_hardest(m: MillAndDie) -> float:
     """Return how far the spring is pressed together at three quarters of the rise."""
     return m.follower.pressed_mm + m.follower.lift_mm * (0.75 + 1 / (2 * math.pi))
@@ -113,6 +118,7 @@ def in_a_row(m: MillAndDie) -> float:
 POLYNOMIAL = np.polynomial.Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
 
 
+@cache
 def wanted(m: MillAndDie, derivative: int = 0) -> float:
     """Return the mass's place in mm, or a derivative of it by the share of the time."""
     curve = POLYNOMIAL.deriv(derivative) if derivative else POLYNOMIAL
@@ -123,6 +129,7 @@ def w_of(m: MillAndDie) -> float:
     return 2 * math.pi * m.follower.wanted_swings
 
 
+@cache
 def end(m: MillAndDie) -> float:
     """Return the height of the cam's end of the spring in mm."""
     return wanted(m) + wanted(m, 2) / w_of(m) ** 2

@@ -5,6 +5,7 @@ Nothing here knows of the package's laws or of the slips that it recognises.
 
 import math
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 import sympy
@@ -32,11 +33,13 @@ def percent_less(one: float, other: float) -> float:
     return 100 * (1 - one / other)
 
 
+@cache
 def gentle(m: MillAndDie) -> float:
     """Return Ca of the law of 05.2 with the smaller peak."""
     return FACTORS[m.laws.compared[0]][1]
 
 
+@cache
 def harsh(m: MillAndDie) -> float:
     """Return Ca of the law of 05.2 with the larger peak."""
     return FACTORS[m.laws.compared[1]][1]
@@ -132,11 +135,13 @@ def trapezoid(x: float) -> float:
     return float(np.interp(x, y, s))
 
 
+@cache
 def deep(m: MillAndDie, curve: Callable[[float], float], margin: float = -1) -> float:
     """Return x at which the die is as deep as it may be by a law."""
     return place((m.wait_mm + margin * m.margin_mm) / stroke(m), curve)
 
 
+@cache
 def sine_widest(m: MillAndDie) -> float:
     """Return the widest angle of the die by the modified sine."""
     return later(m) / (1 - deep(m, sine))
@@ -147,6 +152,7 @@ def sine_peak(m: MillAndDie) -> float:
     return hard(m, sine_widest(m), SINE)
 
 
+@cache
 def deep_share(m: MillAndDie) -> float:
     """Return which share of its stroke the die may be deep."""
     return (m.wait_mm - m.margin_mm) / stroke(m)

@@ -71,7 +71,7 @@ def test_what_is_drawn_lies_within_the_panels(figure: LiveFigure) -> None:
             for panel, wanted in zip(panels, curves, strict=True):
                 low, high = (float(figure._now[end]()) for end in panel["y_limits"])
                 heights = drawn(figure, panel["lines"][0]["y"], X)
-                assert heights == pytest.approx(wanted, abs=1e-4)
+                assert np.abs(heights - wanted).max() <= 1e-4  # approx takes a minute for these
                 assert low <= heights.min() <= heights.max() <= high
 
 
