@@ -101,15 +101,20 @@ def recorded() -> list[Recorded]:
     known, calls = public(), []
     under_way: dict[FrameType, Recorded] = {}
 
-    def note(frame: FrameType, event: str, result: Any) -> None:
-        if event == "call" and frame.f_code in known and is_example(caller(frame)):
-            label, function = known[frame.f_code]
-            given = {name: frame.f_locals[name] for name in inspect.signature(function).parameters}
-            if function.__name__ == "__init__":  # a new object each time, not one that is changed
-                label, function = label.removesuffix(".__init__"), type(given.pop("self"))
-            calls.append(Recorded(label, function, given, []))
-            under_way[frame] = calls[-1]
-        elif event == "return" and (call := under_way.pop(frame, None)):
+    def called(frame: FrameType, _event: str, _: Any) -> Callable[..., Any] | None:
+        if frame.f_code not in known or not is_example(caller(frame)):
+            return None  # nothing within it is told, which would take a minute
+        label, function = known[frame.f_code]
+        given = {name: frame.f_locals[name] for name in inspect.signature(function).parameters}
+        if function.__name__ == "__init__":  # a new object each time, not one that is changed
+            label, function = label.removesuffix(".__init__"), type(given.pop("self"))
+        calls.append(Recorded(label, function, given, []))
+        under_way[frame] = calls[-1]
+        frame.f_trace_lines = False
+        return ended
+
+    def ended(frame: FrameType, event: str, result: Any) -> None:
+        if event == "return" and (call := under_way.pop(frame, None)):
             call.made.append(frame.f_locals["self"] if isinstance(call.function, type) else result)
 
     finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner(verbose=False)
@@ -117,12 +122,12 @@ def recorded() -> list[Recorded]:
         if module.name.endswith("__main__"):
             continue
         for test in finder.find(importlib.import_module(module.name)):
-            sys.setprofile(note)
+            sys.settrace(called)
             try:
                 with contextlib.redirect_stdout(io.StringIO()):
                     runner.run(test)
             finally:
-                sys.setprofile(None)
+                sys.settrace(None)
     return calls
 
 

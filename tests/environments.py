@@ -20,6 +20,7 @@ from importlib.metadata import distributions
 print(json.dumps({re.sub("[-_.]+", "-", d.metadata["Name"]).lower(): d.version
                   for d in distributions()}))
 """
+NOT_OURS = {"PYTHONPATH", "PYTHONDONTWRITEBYTECODE"}  # each process would compile all anew
 Word = str | Path
 
 
@@ -32,7 +33,7 @@ def run(*command: Word, at: Path = ROOT, told: str = "", **variables: str) -> st
     ran = subprocess.run(
         words,
         cwd=at,
-        env={name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | variables,
+        env={name: value for name, value in os.environ.items() if name not in NOT_OURS} | variables,
         umask=0o022,
         input=told,
         stdout=subprocess.PIPE,
@@ -75,12 +76,15 @@ class Environment:
             run(*maker, self.folder)
         return self
 
-    def install(self, *wanted: Word, at: Path = ROOT) -> None:
-        """Install what pip would by these words, in a folder."""
+    def install(self, *wanted: Word, at: Path = ROOT, for_others: bool = False) -> None:
+        """Install what pip would by these words, in a folder.
+
+        What is `for_others` is compiled, as pip does: they cannot. Else it is when it is imported.
+        """
         python, uv = self.program("python"), shutil.which("uv")
         tool: Iterable[Word] = (python, "-m", "pip", "install")
-        if uv:  # as pip always does: compile, and take the package as it is now
-            as_pip = ("--compile-bytecode", "--reinstall-package", "cammotion")
+        if uv:  # as pip always does, take the package as it is now
+            as_pip = ("--reinstall-package", "cammotion", *["--compile-bytecode"] * for_others)
             tool = (uv, "pip", "install", "-p", python, *as_pip)
         run(*tool, "-q", *wanted, at=at)
 

@@ -65,7 +65,7 @@ def installed() -> Path:
     environment = Environment(folder).make(python_of_all())
     lines = (ROOT / "environment.txt").read_text("utf-8").splitlines()
     pins.write_text("\n".join(line for line in lines if not line.startswith("-e")), "utf-8")
-    environment.install("-c", pins, *wanted())
+    environment.install("-c", pins, *wanted(), for_others=True)
     run("npm", "install", "--silent", "--no-save", "--prefix", folder, PROXY)
     return folder
 
