@@ -10,6 +10,14 @@ from nbval.plugin import IPyNbCell, IPyNbFile  # type: ignore[import-untyped]
 from starter.refresh import keep_as_png
 
 collect_ignore = ["tests/data"]
+# These take longest. They begin first, a browser beside what reckons, and all end together.
+LONG = (
+    *("test_browser", "test_live_formulas", "test_browser_site", "test_exercises_shown"),
+    *("test_hub", "test_least_peak", "test_nbgrader", "test_any_input", "test_browser_notebooks"),
+    *("test_least_torque", "test_browser_lesson_03", "06_how_good_can_it_get", "test_responses"),
+    *("test_browser_animation", "test_exercises_answers", "test_browser_live", "test_again"),
+    *("test_colab", "test_fresh", "test_browser_player", "test_binder", "test_report"),
+)
 # What a test answers is nobody's progress; in a folder of copies it is kept all the same.
 os.environ["CAMMOTION_PROGRESS"] = "off"
 
@@ -31,6 +39,12 @@ def pytest_itemcollected(item: pytest.Item) -> None:
             return compare(outputs, *rest, **named)
 
         item.compare_outputs = compare_stored
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put first what takes longest."""
+    places = {name: place for place, name in enumerate(LONG)}
+    items.sort(key=lambda item: places.get(item.path.stem, len(LONG)))
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

@@ -1,6 +1,6 @@
 """Make a handout of lessons, to be printed: `python docs/handout.py 02` writes `02_....html`.
 
-The pages need no network and run no script: formulas are pictures, and what a lesson folds away
+The pages need no network and run no script: formulas are MathML, and what a lesson folds away
 stays folded. Answers to exercises are not in them.
 """
 
@@ -9,26 +9,15 @@ import base64
 import re
 import shutil
 from html import escape, unescape
-from io import BytesIO
 from pathlib import Path
 
 from bs4 import BeautifulSoup
-from matplotlib.font_manager import FontProperties
-from matplotlib.mathtext import math_to_image
 from nbconvert import HTMLExporter
+
+from cammotion.site.formulas import mathml
 
 LESSONS = Path(__file__).parents[1] / "notebooks"
 FORMULA = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.DOTALL)
-FONT = FontProperties(size=12, math_fontfamily="stix")
-PLAIN = [  # what the drawing of formulas does not know, in words that it knows
-    (r"\\tfrac(?![a-zA-Z])", r"\\frac"),
-    (r"\\displaystyle(?![a-zA-Z])", ""),
-    (r"\\le(?![a-zA-Z])", r"\\leq"),
-    (r"\\ge(?![a-zA-Z])", r"\\geq"),
-    (r"\\frac\s*(\d)\s*(\d)", r"\\frac{\1}{\2}"),
-    (r"\\sqrt\s*(\d)", r"\\sqrt{\1}"),
-    (r"\s+", " "),
-]
 STYLE = """
 @page { size: A4; margin: 18mm }
 body { font: 11.5pt/1.45 serif; max-width: 44em; margin: auto; padding: 0 }
@@ -38,7 +27,7 @@ table { border-collapse: collapse } th, td { border: 1px solid #999; padding: 2p
 pre { font-size: 9pt; white-space: pre-wrap; margin: 0.6em 0 }
 .input pre { background: #f2f2f2; padding: 4px 8px }
 pre, img, table, details { break-inside: avoid }
-.formula { max-height: none } .display { display: block; margin: 0.7em auto }
+math[display=block] { margin: 0.7em 0 }
 .prompt, .anchor-link { display: none }
 """
 
@@ -50,23 +39,8 @@ def as_data(picture: Path) -> str:
 
 
 def formula(match: re.Match[str]) -> str:
-    """Return a formula of LaTeX as a picture in HTML, on the line of its text."""
-    tex = unescape((match[1] or match[2]).strip())
-    plain = tex
-    for pattern, words in PLAIN:
-        plain = re.sub(pattern, words, plain)
-    if match[1]:
-        plain = plain.replace(r"\frac", r"\dfrac")
-    buffer = BytesIO()
-    depth = math_to_image(f"${plain.strip()}$", buffer, prop=FONT, dpi=72, format="svg")
-    image = BeautifulSoup("", "html.parser").new_tag(
-        "img",
-        alt=tex,
-        src="data:image/svg+xml;base64," + base64.b64encode(buffer.getvalue()).decode("ascii"),
-        style=f"vertical-align: {-depth:.2f}pt",
-    )
-    image["class"] = "formula display" if match[1] else "formula"
-    return str(image)
+    """Return a formula of LaTeX as MathML, on a line of its own where it stands so."""
+    return mathml(unescape((match[1] or match[2]).strip()), block=bool(match[1]))
 
 
 def handout(lesson: Path) -> str:
@@ -80,8 +54,8 @@ def handout(lesson: Path) -> str:
         image["src"] = as_data(lesson.parent / str(image["src"]))
     for text in page.find_all(string=FORMULA):
         if not text.find_parent(["pre", "code", "svg", "title"]):
-            pictured = FORMULA.sub(formula, escape(text, quote=False))
-            text.replace_with(BeautifulSoup(pictured, "html.parser"))
+            written = FORMULA.sub(formula, escape(text, quote=False))
+            text.replace_with(BeautifulSoup(written, "html.parser"))
     return str(page).replace("</head>", f"<style>{STYLE}</style></head>", 1)
 
 

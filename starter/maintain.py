@@ -9,7 +9,11 @@ from starter.paths import ROOT, VENV_PYTHON
 FRESH = ROOT / "tests" / "run_fresh.py"
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
 # Two or more files of tests at a time, each file in one process: its fixtures are made once.
-IN_PARALLEL = ("-n", "auto", "--maxprocesses", "4", "--dist", "loadfile")
+# They keep the order of conftest.py.
+IN_PARALLEL = (
+    *("-n", "auto", "--maxprocesses", "4"),
+    *("--dist", "loadfile", "--no-loadscope-reorder"),
+)
 
 
 def test(arguments: list[str]) -> int:

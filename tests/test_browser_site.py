@@ -19,7 +19,7 @@ LIVES = """async () => {
   const wait = () => new Promise((resolve) => setTimeout(resolve, 25));
   for (const place of document.querySelectorAll("[data-module]")) {
     place.scrollIntoView(); // what is lazy is loaded
-    for (let i = 0; i < 200 && !("lives" in place.dataset); i++) await wait();
+    for (let i = 0; i < 2400 && !("lives" in place.dataset); i++) await wait(); // a minute
   }
   return [...document.querySelectorAll("[data-module]:not([data-lives])")].length;
 }"""
