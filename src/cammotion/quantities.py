@@ -98,6 +98,8 @@ class Quantity:
 
     def number(self, value: Any) -> float:
         """Return `value`, a single number, as a float; raises InputError like `array`."""
+        if type(value) is float and self._inside(value):
+            return value  # the usual one takes no detour
         array = self.array(value)
         if array.ndim:
             raise InputError(
@@ -173,11 +175,10 @@ class Quantity:
             f"not {shorten(value)}: give {meant}."
         )
 
-    def _inside(self, array: Floats) -> NDArray[np.bool_]:
-        above = array >= self.low if self.low_included else array > self._least
-        size = np.abs(array)
-        inside: NDArray[np.bool_] = above & (array <= self.high) & (size <= 1 / _TINY)
-        return inside
+    def _inside(self, value: Any) -> Any:
+        """Return whether a float is in the range, or of an array which of its numbers are."""
+        above = value >= self.low if self.low_included else value > self._least
+        return above & (value <= self.high) & (abs(value) <= 1 / _TINY)
 
     def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:
         position = tuple(int(i) for i in np.argwhere(~inside)[0])

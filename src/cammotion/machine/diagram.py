@@ -93,7 +93,8 @@ class TimingDiagram:
         cammotion.InputError: The motion 'die' is another one in the diagram: put this one into it \
 first, with_motion(...), or give the name.
         """
-        own = self.motions[self.names.index(one_of("motion", name_of(motion), self.names))]
+        names = self.names
+        own = self.motions[names.index(one_of("motion", name_of(motion), names))]
         if isinstance(motion, Motion) and motion != own:
             raise InputError(
                 f"The motion {shorten(own.name)} is another one in the diagram: put this one into "
