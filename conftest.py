@@ -60,7 +60,8 @@ def pytest_runtest_teardown() -> None:
         pyplot.close("all")
 
 
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+# in quotes: pytest 8 does not show this name
+def pytest_terminal_summary(terminalreporter: "pytest.TerminalReporter") -> None:
     """Say at the end what tests have measured, by `record_property("measured", ...)`."""
     for report in terminalreporter.getreports("passed"):
         for name, value in report.user_properties:
