@@ -105,7 +105,8 @@ USES = uses()
 def is_quantity(hint: Any) -> bool:
     """Whether it is a number, and not only a whole one, which counts something."""
     is_any = hint in (ArrayLike, ArrayLike | None)
-    return is_any or (float in kinds(hint) and "float" in str(hint))
+    text = str(hint).replace(str(ArrayLike), "")  # in which some NumPys spell out float
+    return is_any or (float in kinds(hint) and "float" in text)
 
 
 def is_kind_of(one: type, other: type) -> bool:

@@ -2,12 +2,11 @@
 
 import re
 from collections.abc import Collection
-from html import escape
+from html import escape, unescape
 from pathlib import PurePosixPath
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
-from bs4 import BeautifulSoup
 from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 
 from cammotion.site.formulas import mathml
@@ -54,7 +53,7 @@ class Prose(IPythonRenderer):
 
     def image(self, text: str, url: str, title: str | None = None) -> str:  # noqa: ARG002
         """Return a drawing of the workbook with its words."""
-        words = BeautifulSoup(text, "html.parser").get_text()
+        words = unescape(_TAG.sub("", text))
         is_first = not self._pictures.shared
         return self._pictures.drawing(PurePosixPath(url).name, words, is_first=is_first)
 
