@@ -26,6 +26,7 @@ from cammotion.whole.shaft_torque import Push, ShaftTorque, push
 _STARTS = 16
 _LEAST_PEAK, _TODAY = 0, 1  # the first starts
 _COARSE, _FINE = 16, 120  # samples of each move, at first and in the end
+_SEARCHED = 0.75  # of the time; the rest is for polishing
 _POLISHED = 3  # starts that are polished
 _ROUNDS, _LAST = 40, 1e-7
 _PART_DEG = 10.0  # in such parts of a turn all numbers are of one size
@@ -58,7 +59,7 @@ def least_torque(
     None if no moves keep all rules. The first start has the least peak, and the second, if it is
     allowed, is the machine of today; no answer is worse than one of them.
     """
-    search, end = _Search(shaft, task, movers), monotonic() + seconds
+    search, end = _Search(shaft, task, movers), monotonic() + _SEARCHED * seconds
     starts, lows = _Starts(task, movers, apart), list[_Low]()
     found: list[tuple[float, TimingDiagram]] = []
 
