@@ -47,11 +47,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: places.get(item.path.stem, len(LONG)))
 
 
-def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Let an example ask about the machine without a name, whoever was asked before."""
-    session = sys.modules.get("cammotion.teaching.session")
-    if session and isinstance(item, pytest.DoctestItem):
-        session.variant("")
+def pytest_runtest_setup() -> None:
+    """Let a test begin as a kernel does: no name given, no hint shown, whatever ran before."""
+    if session := sys.modules.get("cammotion.teaching.session"):
+        session._SESSION = session.Session(session.Store(session.find_place))
 
 
 def pytest_runtest_teardown() -> None:
