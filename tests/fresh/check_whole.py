@@ -11,7 +11,8 @@ from fresh.sampling import track_of, tracks_of, worst_of
 
 NEAR_MM = 1e-5
 NEAR = 1e-4  # of an acceleration, as a share
-NEAR_TORQUE, TINY, STEP_DEG = 1e-2, 1e-9, 0.01  # what samples may miss
+NEAR_TORQUE, TINY = 1e-2, 1e-9  # what samples may miss
+STEP_DEG, IN_A_MOVE = 0.01, 4001  # also in one of a degree, with a jump at its largest velocity
 SECONDS, TORQUE_S = 4.0, 3.0
 LONG_DEG = 0.5
 NEAR_DEG = 1e-6
@@ -75,9 +76,12 @@ def torques(machine: Machine) -> None:
 
 def _torque(diagram: TimingDiagram, masses: dict[str, float]) -> float:
     """Return the largest torque of masses in N m, among close samples."""
-    angles = np.arange(0, 360, STEP_DEG) + STEP_DEG / 3
+    tracks = tracks_of(diagram)
+    moves = [piece for track in tracks.values() for piece in track.pieces if piece.law]
+    within = [np.linspace(piece.from_deg, piece.to_deg, IN_A_MOVE) % 360 for piece in moves]
+    angles = np.concatenate([np.arange(0, 360, STEP_DEG) + STEP_DEG / 3, *within])
     per_s, total = diagram.rate_per_hour / 10, np.zeros(len(angles))
-    for name, track in tracks_of(diagram).items():
+    for name, track in tracks.items():
         if name in masses:
             push = masses[name] * track.curve(2, angles) * per_s**2 / 1000
             total += push * track.curve(1, angles) * 180 / np.pi / 1000

@@ -9,7 +9,14 @@ import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
 from cammotion.quantities import InputError, shorten
-from cammotion.views.live.expressions import NOW, as_condition, as_curve, as_expression, shortly
+from cammotion.views.live.expressions import (
+    NOW,
+    as_condition,
+    as_curve,
+    as_expression,
+    parts_of,
+    shortly,
+)
 from cammotion.views.live.formulas import Formulas
 from cammotion.views.live.parts import (
     Box,
@@ -137,8 +144,9 @@ class Describer:
 
     def _joints_of(self, expression: sp.Expr) -> Iterable[sp.Expr]:
         """Return where the variable passes from one piece of an expression to the next."""
-        relations = expression.atoms(sp.core.relational.Relational)
-        for relation in sorted(relations, key=sp.default_sort_key):  # a set has no order
+        parts = parts_of(expression)
+        relations = [part for part in parts if isinstance(part, sp.core.relational.Relational)]
+        for relation in sorted(relations, key=sp.default_sort_key):
             difference = relation.lhs - relation.rhs
             slope = difference.diff(self.variable)
             if slope != 0 and self.variable not in slope.free_symbols:

@@ -69,19 +69,37 @@ def shortly(expression: Any) -> str:
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
 
 
+def parts_of(expression: sp.Basic) -> dict[sp.Basic, None]:
+    """Return all that an expression is made of, itself too; what comes again is walked only once.
+
+    SymPy's `atoms` and `has` walk through each repetition, which in a long formula are most.
+    """
+    parts: dict[sp.Basic, None] = {}
+    left = [expression]
+    while left:
+        part = left.pop()
+        if part not in parts:
+            parts[part] = None
+            left.extend(part.args)
+    return parts
+
+
 def check_computable(expression: sp.Basic) -> None:
     """Raise InputError for what no formula can be made of, whatever its functions are."""
-    for undone in expression.atoms(*_UNDONE):
+    parts = parts_of(expression)
+    for undone in (part for part in parts if isinstance(part, _UNDONE)):
         raise InputError(
             f"{shortly(undone)} is not worked out, and a live figure cannot do that: call .doit() "
             "on the expression, and look whether it has become a formula."
         )
-    if expression.has(sp.I, sp.zoo):
+    if sp.I in parts or sp.zoo in parts:
         raise InputError(
             f"{shortly(expression)} is not real: a live figure draws real numbers only, take "
             "its real part or its magnitude."
         )
-    for atom in expression.atoms() | expression.atoms(sp.core.expr.AtomicExpr):
+    for atom in (
+        part for part in parts if not part.args or isinstance(part, sp.core.expr.AtomicExpr)
+    ):
         if not isinstance(atom, _ATOMS):
             raise InputError(
                 f"A live figure cannot compute {shortly(atom)}, which is in "

@@ -6,8 +6,9 @@ from typing import Any, ClassVar
 import sympy as sp
 from sympy.printing.jscode import JavascriptCodePrinter
 from sympy.printing.numpy import NumPyPrinter
+from sympy.utilities.iterables import sift
 
-from cammotion.views.live.expressions import NOW
+from cammotion.views.live.expressions import NOW, parts_of
 
 _LONG_CONSTANT = 6  # parts, from which on a number is shorter than its formula
 
@@ -24,7 +25,17 @@ class SearchBase(sp.Function):  # type: ignore[misc]
 
 def is_search(expression: sp.Basic) -> bool:
     """Return whether there is something to search for in an expression."""
-    return bool(expression.atoms(SearchBase))
+    return any(isinstance(part, SearchBase) for part in parts_of(expression))
+
+
+def _folded(expression: sp.Expr) -> sp.Expr:
+    """Return a product or sum whose constant parts are one number, if that is shorter."""
+    constants, others = sift(expression.args, lambda part: part.is_number, binary=True)
+    length = sum(1 for part in constants for _ in sp.preorder_traversal(part))
+    if length < _LONG_CONSTANT or not others:
+        return expression
+    number = expression.func(*constants).evalf(17)
+    return expression.func(number, *others, evaluate=False) if number.is_Float else expression
 
 
 class _Printer:
@@ -37,6 +48,7 @@ class _Printer:
         settings = {"strict": True, "order": "none"}
         super().__init__(settings | self._own_settings)  # type: ignore[call-arg]
         self.names, self.known = dict(names), known
+        self._printed: dict[sp.Basic, str] = {}  # with these names: much comes more than once
         (self.variable,) = (symbol for symbol, name in names.items() if name == "x")
 
     _own_settings: ClassVar[dict[str, Any]] = {}
@@ -50,7 +62,11 @@ class _Printer:
         if number is not None:
             moves = ",y" * (NOW in expression.free_symbols)
             return self._call.format(number, self.names[self.variable] + moves)
-        return str(super()._print(expression, **kwargs))  # type: ignore[misc]
+        if not is_whole:
+            return str(super()._print(expression, **kwargs))  # type: ignore[misc]
+        if expression not in self._printed:
+            self._printed[expression] = str(super()._print(expression, **kwargs))  # type: ignore[misc]
+        return self._printed[expression]
 
     def _print_Symbol(self, symbol: sp.Symbol) -> str:  # noqa: N802 - SymPy's way to be asked
         return str(self.names[symbol])
@@ -60,12 +76,13 @@ class _Printer:
     def _print_SearchBase(self, search: SearchBase) -> str:  # noqa: N802
         function, *others = search.args
         (symbol,) = function.variables
-        outside = dict(self.names)
-        self.names[symbol] = f"z{len(outside)}"
+        outside = self.names, self._printed
+        self.names, self._printed = dict(self.names), {}
+        self.names[symbol] = f"z{len(self.names)}"
         body = self._arrow.format(self.names[symbol], self._print(function.expr))
         if is_search(function.expr):
             body = self._nested.format(body)
-        self.names = outside
+        self.names, self._printed = outside
         return f"{search.code}({', '.join([body, *map(self._print, others)])})"
 
     def _print_Mod(self, mod: sp.Mod) -> str:  # noqa: N802 - the % of JavaScript keeps the sign
@@ -73,18 +90,10 @@ class _Printer:
         return f"({self._print(value - turn * sp.floor(value / turn))})"
 
     def _print_Mul(self, product: sp.Mul) -> str:  # noqa: N802
-        return str(super()._print_Mul(self._folded(product, as_Add=False)))  # type: ignore[misc]
+        return str(super()._print_Mul(_folded(product)))  # type: ignore[misc]
 
     def _print_Add(self, total: sp.Add, order: Any = None) -> str:  # noqa: N802
-        return str(super()._print_Add(self._folded(total, as_Add=True), order=order))  # type: ignore[misc]
-
-    def _folded(self, expression: sp.Expr, **which: bool) -> sp.Expr:
-        """Return a product or sum with what is constant in it as one number, if that is shorter."""
-        constant, other = expression.as_independent(*expression.free_symbols, **which)
-        if sum(1 for _ in sp.preorder_traversal(constant)) < _LONG_CONSTANT:
-            return expression
-        number = constant.evalf(17)
-        return expression.func(number, other, evaluate=False) if number.is_Float else expression
+        return str(super()._print_Add(_folded(total), order=order))  # type: ignore[misc]
 
     def _print_NumberSymbol(self, number: sp.NumberSymbol) -> str:  # noqa: N802
         return repr(float(number))
