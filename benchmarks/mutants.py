@@ -34,6 +34,7 @@ TESTS = ROOT / "tests"
 LEFT_OUT = ("teaching/lessons/", "__init__.py", "__init__.pyi")
 SLOW = ("browser", "nbgrader", "notebook", "solutions", "conftest")
 _PASSED, _NOT_RUN = 0, (4, 5)  # exit codes of pytest
+_WHOLE = 6  # times as long as the nearest tests the quick suite may take: half an hour alone
 FEW, NEAREST = 3, 6  # test files: with fewer, those of the importers count too; at most so many
 SOLVING = {"laws", "machine", "limits", "exchange"}  # the rooms that random machines try
 NOT_COPIED = (".git", ".venv*", "work", "work-*", "__pycache__", ".*_cache", ".hypothesis")
@@ -246,7 +247,7 @@ class Bench:
         """Whether all quick tests pass while nothing is broken."""
         copy = self.free.get()
         try:
-            return self._run(copy, _relative(quick_tests())) == _PASSED
+            return self._run(copy, _relative(quick_tests()), _WHOLE * self.seconds) == _PASSED
         finally:
             self.free.put(copy)
 
@@ -256,11 +257,14 @@ class Bench:
         broken = copy / mutant.path.relative_to(ROOT)
         try:
             broken.write_text(mutant.text, encoding="utf-8")
-            steps: dict[Fate, tuple[str, ...]] = {"died near": mutant.tests}
+            steps: list[tuple[Fate, tuple[str, ...], float]] = [
+                ("died near", mutant.tests, self.seconds)
+            ]
             if not self.near_only:
-                steps["died in the quick suite"] = _relative(quick_tests())
-            for fate, tests in steps.items():
-                code = self._run(copy, tests)
+                whole = _relative(quick_tests()), _WHOLE * self.seconds
+                steps.append(("died in the quick suite", *whole))
+            for fate, tests, seconds in steps:
+                code = self._run(copy, tests, seconds)
                 if code != _PASSED:
                     return "took too long" if code is None else fate
             return "lives"
@@ -268,7 +272,7 @@ class Bench:
             broken.write_text(mutant.whole, encoding="utf-8")
             self.free.put(copy)
 
-    def _run(self, copy: Path, tests: Iterable[str]) -> int | None:
+    def _run(self, copy: Path, tests: Iterable[str], seconds: float) -> int | None:
         """Run tests in a copy; return pytest's exit code, None if it takes too long."""
         environment = {
             **os.environ,
@@ -286,7 +290,7 @@ class Bench:
         )
         self.running.add(process)
         try:
-            code = process.wait(self.seconds)
+            code = process.wait(seconds)
             if code in _NOT_RUN:
                 raise RuntimeError(f"pytest cannot run {tests} (exit code {code})")
             return code
@@ -316,7 +320,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, help="which ones (0)")
     parser.add_argument("--only", default="", help="a word that the path of the file contains")
     parser.add_argument("--near-only", action="store_true", help="leave out the quick suite")
-    parser.add_argument("--seconds", type=float, default=600, help="longest time of a test run")
+    parser.add_argument("--seconds", type=float, default=600, help="for the nearest tests (600)")
     parser.add_argument("--processes", type=int, default=2, help="at a time (2)")
     return parser.parse_args()
 

@@ -3,6 +3,7 @@
 Shared by the test and the benchmark.
 """
 
+import re
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -14,6 +15,7 @@ from typing import Any
 from answering import Notebook, answering, changed, numbers_of
 from environments import run
 from hub import Hub
+from hub_environment import PAGE
 from hub_student import Kernel, Student
 
 from starter import copies
@@ -50,6 +52,8 @@ def make_course(folder: Path) -> Path:
     course = folder / "cam-class"
     course.mkdir()
     copies.lay_missing(course)
+    (ignored,) = re.findall(r"^printf .* > \.gitignore$", PAGE, re.MULTILINE)
+    run("sh", "-c", ignored, at=course)
     git(course, "init", "--quiet", "--initial-branch=main")
     publish(course)
     return course

@@ -19,7 +19,7 @@ import pytest
 import requests
 import websocket
 from answering import answering, changed, numbers_of, read
-from environments import ROOT
+from environments import ROOT, run
 from hub import PATIENCE_SECONDS, Hub, running_hub
 from hub_environment import PAGE, require_hub
 from hub_lesson import LESSON, Work, make_course, publish, run_cells, work_at_once
@@ -258,6 +258,18 @@ def ends(account: Any, kernels: int) -> bool:
             return False
         time.sleep(0.1)
     return True
+
+
+def test_what_is_the_teachers_own_does_not_come_to_the_class(tmp_path: Path) -> None:
+    course = make_course(tmp_path)
+    (course / "progress.json").write_text("{}", "utf-8")
+    (course / "02_maximum_acceleration.ipynb").write_text("changed", "utf-8")
+    publish(course)
+    held = run("git", "-C", course, "ls-files").splitlines()
+    assert "00_start_here.ipynb" in held
+    assert "notebooks/data/pad_press.csv" in held or "data/pad_press.csv" in held
+    assert not [name for name in held if "progress" in name or "solutions" in name]
+    assert "changed" in run("git", "-C", course, "show", "HEAD:02_maximum_acceleration.ipynb")
 
 
 def test_the_page_means_one_version() -> None:

@@ -8,6 +8,7 @@ from itertools import pairwise
 import follower_pictures
 import numpy as np
 import pytest
+import sympy as sp
 from machines import Array
 from scipy.integrate import quad, solve_ivp
 from test_claims import says
@@ -30,12 +31,18 @@ def by_law(name: str, n: float) -> float:
 
 
 @cache
+def acceleration(name: str) -> Callable[[float], float]:
+    """Return A of a law, for one number at a time: ten times as fast as the law itself."""
+    return sp.lambdify(cm.x, cm.LAWS[name].a, "math")  # type: ignore[no-any-return]
+
+
+@cache
 def peak(name: str, n: float, damping: float = 0.02) -> tuple[float, float]:
     """Return the largest accelerations of the mass during the move and after it, step by step."""
-    law, w = cm.LAWS[name], 2 * math.pi * n
+    a, w = acceleration(name), 2 * math.pi * n
 
     def rates(at: float, state: Array) -> list[float]:
-        given = float(law(min(max(at, 0.0), 1.0), derivative=2)) if at < 1 else 0.0
+        given = a(max(at, 0.0)) if at < 1 else 0.0
         return [state[1], -given - 2 * damping * w * state[1] - w**2 * state[0]]
 
     most, state = [], np.zeros(2)

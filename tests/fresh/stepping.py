@@ -91,12 +91,16 @@ class Row:
         count = len(self.masses)
         state = np.concatenate([away, rates])
         found = np.empty((len(times), 2 * count))
+        units = np.eye(2 * count)
+        moved = [self.pushes(each[:count], each[count:]) / self.masses for each in units]
+        matrix = np.vstack([units[count:], np.transpose(moved)])
         atol = RTOL * size * np.repeat([1.0, swings_of(self)], count)
         for low, high, given in drives:
 
             def rate(at: float, state: Array, given: Any = given) -> Array:
-                push = self.pushes(state[:count], state[count:]) / self.masses
-                return np.concatenate([state[count:], push - given(at)])
+                changes = matrix @ state
+                changes[count:] -= given(at)
+                return changes
 
             inside = np.flatnonzero((times >= low) & (times < high))
             for at, stop in pairwise([low, *times[inside], high]):
@@ -104,9 +108,7 @@ class Row:
                     state = _step(rate, at, stop, state, atol)
                 found[inside[times[inside] == stop]] = state
         found[times >= drives[-1][1]] = state
-        away, rates = found[:, :count], found[:, count:]
-        moved = [self.pushes(*each) / self.masses for each in zip(away, rates, strict=True)]
-        return found, np.array(moved), state
+        return found, found @ matrix[count:].T, state
 
 
 def _step(rate: Any, low: float, high: float, state: Array, atol: Array) -> Array:
