@@ -55,8 +55,14 @@ class Recorded:
     arguments: dict[str, Any]
     made: list[Any]
 
+    def with_values(self, given: Mapping[str, Any]) -> Any:
+        """Make the call with some arguments exchanged by others of their kind."""
+        bound = inspect.signature(self.function).bind_partial()
+        bound.arguments.update({**self.arguments, **given})
+        return self.function(*bound.args, **bound.kwargs)
+
     def with_value(self, parameter: str, value: Any) -> Any:
-        """Make the call with one argument exchanged."""
+        """Make the call with one argument exchanged, by anything."""
         bound = inspect.signature(self.function).bind_partial()
         bound.arguments.update({**self.arguments, parameter: value})
         kind = bound.signature.parameters[parameter].kind

@@ -10,15 +10,19 @@ import pickle
 import time
 import traceback
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 import pytest
 from any_input import ODD, Recorded, recorded
 from crowds import draw
 from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.text import Text
 
 import cammotion as cm
+from cammotion.rules.rule import Rule
 
 SEED, SECONDS = 20261127, 30
 SLOWEST_S = 20
@@ -80,6 +84,56 @@ def test_every_public_name_with_arguments_is_tried(calls: list[Recorded]) -> Non
         name for name in cm.__all__ if callable(getattr(cm, name)) and name[0].islower()
     } - {"x"}
     assert functions - tried - APART == set()
+
+
+def names_in(value: object) -> set[str]:
+    """Return the names of the motions of diagrams that stand somewhere in an argument."""
+    if isinstance(value, cm.Camshaft | cm.Machine):
+        return {*value.diagram.names}
+    if isinstance(value, Mapping):
+        return names_in([*value.values()])
+    if isinstance(value, list | tuple):
+        return {name for each in value for name in names_in(each)}
+    return {*value.names} if isinstance(value, cm.TimingDiagram) else set()
+
+
+def respelled(value: Any, names: set[str]) -> Any:
+    """Return an argument with the names of motions in capitals."""
+    if isinstance(value, str):
+        return value.upper() if value in names else value
+    if isinstance(value, Rule):
+        return value.renamed({name: name.upper() for name in value.motions})
+    if isinstance(value, Mapping):
+        return {respelled(key, names): respelled(each, names) for key, each in value.items()}
+    if type(value) in (list, tuple):
+        return type(value)(respelled(each, names) for each in value)
+    return value
+
+
+def said_of(result: Any) -> object:
+    """Return what can be seen of a result."""
+    if isinstance(result, Axes):
+        words = [text.get_text() for text in result.figure.findobj(Text)]
+        return words, [np.asarray(line.get_xydata()).tolist() for line in result.lines]
+    return getattr(result, "text", None) or repr(result)
+
+
+def test_names_may_be_in_any_case(
+    calls: list[Recorded], tmp_path: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each example whose arguments name motions of a diagram, with these names in capitals."""
+    monkeypatch.chdir(str(tmp_path))
+    tried = set()
+    for call in calls:
+        names = names_in([*call.arguments.values()])
+        given = {name: value for name, value in call.arguments.items() if name != "self"}
+        other = respelled(given, names)
+        is_named = repr(other) != repr(given)
+        if is_named and call.made and call.name != "write_chart":  # which writes into a folder
+            assert said_of(call.with_values(other)) == said_of(call.with_values({})), call.name
+            tried.add(call.name)
+        plt.close("all")
+    assert len(tried) > 15, tried
 
 
 SHOWN = 150

@@ -1,6 +1,7 @@
 """Forces and torque of a camshaft, against sums over samples and the balance of energy."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -52,6 +53,15 @@ def test_in_a_turn_the_shaft_pays_for_process_and_friction_alone() -> None:
     free = cm.Camshaft(SHAFT.diagram, SHAFT.loads)
     assert free.mean_torque_N_m == pytest.approx(0, abs=1e-12)
     assert free.rms_torque_N_m > 1
+
+
+def test_a_force_of_the_process_may_name_its_mechanism_in_any_case() -> None:
+    pressing = cm.ProcessForce(motion="DIE", from_deg=190, to_deg=205, force_N=5000)
+    shaft = cm.Camshaft(SHAFT.diagram, SHAFT.loads, process=[pressing])
+    same = cm.Camshaft(SHAFT.diagram, SHAFT.loads, process=[replace(pressing, motion="die")])
+    assert shaft == same
+    free = cm.Camshaft(SHAFT.diagram, SHAFT.loads)
+    assert abs(shaft.peak_torque().value) > 2 * abs(free.peak_torque().value)
 
 
 @examples(25)

@@ -226,3 +226,9 @@ def test_a_rule_in_another_case_is_one_of_the_machine() -> None:
     assert machines[0].rules == (RULE,)
     found, known = map(cm.improvements, machines)
     assert [one.after for one in found] == [one.after for one in known]
+
+
+def test_still_arcs_that_are_given_twice_are_refused() -> None:
+    twice = {"die": [(205, 305)], "Die": [(0, 10)]}
+    with pytest.raises(cm.InputError, match="twice for the motion 'die', as 'die' and as 'Die'"):
+        cm.Machine("press", cm.EXAMPLE.diagram, (), twice)

@@ -67,6 +67,12 @@ def test_a_force_is_balanced_by_masses() -> None:
     assert forces[0] == pytest.approx(forces[1], rel=1e-5)
     assert found.reached == max(forces)
     assert repr(found).startswith(f"{found.reached:.4f} N (before: ")
+    shaft = cm.Camshaft(make_diagram(), {n: cm.FollowerLoad(mass_kg=kg) for n, kg in mass.items()})
+    for still in (STILL, {name.upper(): arcs for name, arcs in STILL.items()}):
+        assert optimise(shaft, RULE, still=still, minimise="force").design == found.design
+    light = cm.Camshaft(make_diagram(), {"die": cm.FollowerLoad(mass_kg=12)})
+    with pytest.raises(cm.InputError, match="There is no load of a motion 'mill'"):
+        optimise(light, RULE, still=STILL, minimise="force")
 
 
 def test_a_limit_for_one_part_is_kept() -> None:

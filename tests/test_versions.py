@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -11,7 +12,7 @@ from machines import RULE, die_mm, make_diagram, make_die, make_mill
 from matplotlib import pyplot as plt
 
 import cammotion as cm
-from cammotion.versions import Comparison, Effect
+from cammotion.versions.comparison import Comparison, Effect
 from cammotion.views.pictures import PictureFigure, describe
 
 mpl.use("agg")
@@ -149,3 +150,57 @@ def test_one_that_came_and_nothing_else() -> None:
     ax = cm.plot_comparison(found)
     assert len(ax.lines) == 3
     assert len(ax.figure.axes) == 1
+
+
+def die_like(
+    *, start: float = 150, at_mm: float = 0, law: str | cm.MotionLaw = "cycloidal"
+) -> cm.TimingDiagram:
+    """Return the example with another die: other angles, elsewhere, or by another law."""
+    die = cm.motion(
+        "die",
+        *(cm.rise(50, over_deg=55, law=law), cm.dwell(100)),
+        *(cm.return_(50, over_deg=55), cm.dwell(150)),
+        start_deg=start,
+        start_mm=at_mm,
+    )
+    return BEFORE.with_motion(die)
+
+
+def mill_like(*moves: Any, stops: int = 24, at_mm: float = 0) -> cm.TimingDiagram:
+    mill = cm.indexing_motion("mill", *moves, cm.dwell(210), stops=stops, start_mm=at_mm)
+    return BEFORE.with_motion(mill)
+
+
+NAMESAKE = cm.MotionLaw("cycloidal", 3 * cm.x**2 - 2 * cm.x**3)
+INDEX = cm.rise(100, over_deg=150)
+
+
+@pytest.mark.parametrize(
+    ("after", "told"),
+    [
+        (die_like(start=150.04), "150 to 205 deg, 50 mm, cycloidal → 150.04 to 205.04 deg"),
+        (die_like(start=150.00002), "→ 150.00002 to 205.00002 deg"),
+        (die_like(at_mm=10), "die, position before the rise: 0 mm → 10 mm"),
+        (die_like(law=NAMESAKE), "cycloidal (another law of this name)"),
+        (mill_like(INDEX, stops=20), "mill, stops: 24 → 20"),
+        (mill_like(INDEX, at_mm=30), "mill, position before the rise: 0 mm → 30 mm"),
+        (mill_like(cm.return_(100, over_deg=150)), "mill, move: 0 to 150 deg, 100 mm, cycloidal, "),
+    ],
+)
+def test_small_changes_and_those_of_one_name_are_told(after: cm.TimingDiagram, told: str) -> None:
+    assert told in str(cm.compare(BEFORE, after).changes[0])
+
+
+@pytest.mark.parametrize("after", [die_like(start=510), mill_like(INDEX, at_mm=300)])
+def test_the_same_counted_in_another_way_is_no_change(after: cm.TimingDiagram) -> None:
+    assert cm.compare(BEFORE, after, RULE).changes == ()
+
+
+def test_a_name_in_another_case_is_the_same_motion() -> None:
+    after = BEFORE.with_motion(cm.Motion("Die", make_die(100).segments))
+    same = make_diagram(make_mill(), make_die(100))
+    found, as_before = (cm.compare(BEFORE, diagram, RULE) for diagram in (after, same))
+    assert found.changes == as_before.changes
+    assert found.effects == as_before.effects
+    shafts = cm.compare(cm.Camshaft(BEFORE, LOADS), cm.Camshaft(after, LOADS))
+    assert {each.of for each in shafts.effects} == {"die", "mill", "camshaft"}

@@ -85,7 +85,7 @@ from .teaching.example import EXAMPLE, MillAndDie
 from .teaching.printed_limits import PRINTED_LIMITS, PrintedLimits
 from .teaching.session import again, ask, check, choose, hint, predict, progress, variant
 from .teaching.setup_check import check_setup
-from .versions import compare
+from .versions.comparison import compare
 from .views.animation.leaving import FollowerAnimation, animate_follower
 from .views.animation.picture import animate
 from .views.cam_plots import plot_cam

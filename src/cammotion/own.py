@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Any
 
 from cammotion.arguments import checked
-from cammotion.limits.corridors import check_stands, still_arcs
+from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, shorten
@@ -47,12 +47,7 @@ class Machine:
             )
         if self.rules:
             object.__setattr__(self, "rules", every_rule(self.diagram, self.rules))
-        found: dict[str, tuple[Arc, ...]] = {}
-        for name, given in self.still.items():
-            motion, anything = self.diagram[name], given
-            found[motion.name] = tuple(still_arcs(motion, anything))
-            check_stands(motion, list(found[motion.name]))
-        object.__setattr__(self, "still", found)
+        object.__setattr__(self, "still", arcs_by_name(self.diagram, self.still))
 
     @cached_property
     def violations(self) -> tuple[Violation, ...]:

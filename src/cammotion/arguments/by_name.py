@@ -22,7 +22,7 @@ def by_name(  # noqa: PLR0913 - the last two by their names
 
     A name may be in any case. `one_for_all` lets a single value be that of every name. `what` is
     given, in the plural, and `of` what a name names, for the sentence. Raises InputError for what
-    is not given by names, for an unknown name, and what `read` raises.
+    is not given by names, for a name that is unknown or there twice, and what `read` raises.
 
     >>> by_name("weights", {"Die": "12"}, ["mill", "die"], float, "weights={'die': 12}")
     {'die': 12.0}
@@ -32,10 +32,22 @@ def by_name(  # noqa: PLR0913 - the last two by their names
     if given is None:
         return {}
     if isinstance(given, Mapping):
-        return {one_of(of, name, names): read(value) for name, value in given.items()}
+        called = [(one_of(of, name, names), name) for name in given]
+        for number, (own, name) in enumerate(called):
+            if (before := dict(called[:number]).get(own)) is not None:
+                raise InputError(
+                    f"The {what} are given twice for the {of} {own!r}, as {shorten(before)} and as "
+                    f"{shorten(name)}: leave one of them out."
+                )
+        return {own: read(given[name]) for own, name in called}
     if one_for_all:
         return dict.fromkeys(names, read(given))
     raise InputError(
         f"The {what} are {shorten(given)}: give them by the name of each {of}, for example "
         f"{example}."
     )
+
+
+def as_given(value: Any) -> Any:
+    """Return what is given: for what is read later, with others beside it."""
+    return value

@@ -77,9 +77,8 @@ class Camshaft(Alike):
             raise InputError(
                 f"The forces of the process are {shorten(forces)}: give a list of ProcessForce."
             )
-        object.__setattr__(self, "process", process)
-        for force in process:
-            self._loaded(force.motion)
+        spelled = (replace(force, motion=self._loaded(force.motion)) for force in process)
+        object.__setattr__(self, "process", tuple(spelled))
         object.__setattr__(self, "inertia_kg_m2", _INERTIA.number(self.inertia_kg_m2))
         for name in self.loads:
             self._check_motion(name)

@@ -13,19 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cammotion.limits.bands import ROUNDING_MM, Band, check_agree, make_band
-from cammotion.machine.arcs import ROUNDING_DEG, Arc, intersect, unwrap
-from cammotion.machine.arcs import arcs as as_set
+from cammotion.limits.standing import check_stands, pair_of, still_arcs
+from cammotion.machine.arcs import ROUNDING_DEG, Arc, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.motions import Motion
-from cammotion.machine.segments import CAM_ANGLE, POSITION
-from cammotion.quantities import Floats, InputError, listed, shorten
+from cammotion.machine.segments import POSITION
+from cammotion.quantities import Floats, InputError
 from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import Condition, Moving
 from cammotion.rules.rule import Rule
 
-_ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
 _SLACK_DEG = 10 * ROUNDING_DEG  # ends of arcs that are nearer to each other are one node
 
 Flags = NDArray[np.bool_]
@@ -205,49 +203,6 @@ def of_places(
     return tuple(found)
 
 
-def still_arcs(motion: Motion, still: Any) -> list[Arc]:
-    """Return the still arcs as pairs of floats in deg.
-
-    Raises InputError for what is no list of them, and for one that is not longer than nothing and
-    shorter than a turn.
-    """
-    given = [*listed(still)]
-    if not given:
-        raise InputError(
-            f"The arcs over which the {motion.name} has to stand are {shorten(still)}: give at "
-            "least one, for example still=[(205, 305)]."
-        )
-    pairs = [_pair(arc, "A still arc", _ARCS) for arc in given]
-    arcs = [(CAM_ANGLE.number(start), CAM_ANGLE.number(end)) for start, end in pairs]
-    for start, end in arcs:
-        if not start < end < start + DEG_PER_TURN:
-            raise InputError(
-                f"The still arc goes from {start:g} to {end:g} deg; it has to end after it begins "
-                "and within a turn: give, for example, (205, 305)."
-            )
-    return arcs
-
-
-def check_stands(motion: Motion, still: list[Arc]) -> None:
-    """Raise InputError for a still arc over which the motion moves."""
-    moves = as_set((move.from_deg, move.to_deg) for move in motion.moves)
-    for start, end in still:
-        for first, last in unwrap(intersect(as_set([(start, end)]), moves)):
-            raise InputError(
-                f"In the still arc from {start:g} to {end:g} deg the {motion.name} moves, from "
-                f"{first:g} to {last:g} deg; a still arc is one over which it stands: give one of "
-                "its dwells."
-            )
-
-
-def _pair(given: Any, what: str, fix: str) -> tuple[float, float]:
-    try:
-        first, second = given
-    except (TypeError, ValueError):
-        raise InputError(f"{what} is {shorten(given)}: give {fix}.") from None
-    return first, second
-
-
 def travel_ends(travel_mm: Any) -> tuple[float, float]:
     """Return the lower and the upper end of a travel in mm, infinite for None.
 
@@ -255,7 +210,9 @@ def travel_ends(travel_mm: Any) -> tuple[float, float]:
     """
     if travel_mm is None:
         return -np.inf, np.inf
-    ends = _pair(travel_mm, "The travel", "its lower and its upper end in mm, for example (0, 50)")
+    ends = pair_of(
+        travel_mm, "The travel", "its lower and its upper end in mm, for example (0, 50)"
+    )
     low, high = (POSITION.number(end) for end in ends)
     if low >= high:
         raise InputError(

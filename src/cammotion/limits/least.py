@@ -24,10 +24,11 @@ from functools import cached_property
 
 import numpy as np
 
-from cammotion.limits.corridors import Corridor, corridor, of_places, still_arcs, travel_ends
+from cammotion.limits.corridors import Corridor, corridor, of_places, travel_ends
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import GridMotion
 from cammotion.limits.programs import from_above, from_below
+from cammotion.limits.standing import still_arcs
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
 from cammotion.arguments import checked
-from cammotion.machine.diagram import TimingDiagram, name_of
+from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import POSITION
@@ -50,7 +50,8 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     """
     if not designs:
         raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
-    name = name_of(motion)
+    first = next(iter(designs.values()))
+    name = first[motion].name
     start, span = still[1], (still[0] - still[1]) % DEG_PER_TURN
     if not span:
         raise InputError(
@@ -60,8 +61,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
     if ax is None:
         ax = blank_axes(7.5, 5.4 if with_acceleration else 3.4)
-    names = next(iter(designs.values())).names
-    called = dict(zip(names, labels(names), strict=True)).get(name, "")
+    called = dict(zip(first.names, labels(first.names), strict=True))[name]
     style_axes(ax, "", f"height y of the {called} in mm")
     lower = _add_below(ax) if with_acceleration else ax
     for number, (label, (title, design)) in enumerate(

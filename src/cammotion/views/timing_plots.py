@@ -125,12 +125,12 @@ def plot_clearance(
     named = designs if isinstance(designs, Mapping) else {"": designs}
     if not named:
         raise InputError("There is no design to draw: give a TimingDiagram, or several by name.")
-    for diagram in named.values():
-        as_rules(diagram, rule)
+    first = next(iter(named.values()))
+    spelled = [as_rules(diagram, rule)[0] for diagram in named.values()]
+    rule = spelled[0]
     if ax is None:
         ax = blank_axes(7.5, 4.6)
     across, up = rule.only_while, rule.when
-    first = next(iter(named.values()))
     called = dict(zip(first.names, labels(first.names), strict=True))
     style_axes(
         ax,

@@ -14,7 +14,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
-from cammotion.versions import Comparison, Effect
+from cammotion.versions.comparison import Comparison, Effect
 from cammotion.views.displacement import curve_angles, displacement
 from cammotion.views.lanes import LANE_INCHES, LANE_SHARE, name_rows, room_inches
 from cammotion.views.named import readable

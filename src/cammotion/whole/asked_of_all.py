@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from cammotion.arguments.by_name import by_name
-from cammotion.limits.corridors import check_stands, even_nodes, still_arcs, travel_ends
+from cammotion.arguments.by_name import as_given, by_name
+from cammotion.limits.corridors import even_nodes, travel_ends
+from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
@@ -123,7 +124,7 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
 ) -> Task:
     """Return what is asked of the parts; raises InputError for what makes no sense."""
     given = as_rules(diagram, rules)
-    arcs = by_name("still arcs", still, diagram.names, as_given, "{'die': [(205, 305)]}")
+    arcs = arcs_by_name(diagram, still)
     if not arcs:
         raise InputError(
             "No part is free: give still arcs of at least one, for example "
@@ -137,8 +138,7 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
     task = Task(diagram, (), ())
     parts = []
     for name in names:
-        motion, found = diagram[name], tuple(still_arcs(diagram[name], arcs[name]))
-        check_stands(motion, list(found))
+        motion, found = diagram[name], arcs[name]
         _check_begins_at_a_stop(motion, found)
         if motion.is_indexing and travels.get(name) is not None:
             raise InputError(
@@ -171,8 +171,3 @@ def _of_interest(rules: Iterable[ClearanceRule], names: Iterable[str]) -> tuple[
     """Return the rules in which some of these parts have a share."""
     own = set(names)
     return tuple(rule for rule in rules if {rule.when.motion, rule.only_while.motion} & own)
-
-
-def as_given(value: Any) -> Any:
-    """Return what is given, for a reader of its own."""
-    return value

@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from cammotion.arguments.by_name import by_name
+from cammotion.arguments.by_name import as_given, by_name
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, shorten
-from cammotion.whole.asked_of_all import FREE, Task, as_given
+from cammotion.whole.asked_of_all import FREE, Task
 
 _REST = 1e-9  # of the mean velocity: a law that is slower at its ends rests there
 

@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 
 from cammotion.arguments import checked
-from cammotion.drive.camshaft import Camshaft
+from cammotion.drive.camshaft import LOADED, Camshaft
 from cammotion.laws.catalogue import as_law
 from cammotion.limits.faults import Asked, find_faults
+from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -152,7 +153,8 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     shaft = None if what == "peak" else _shaft(diagram, what, weights)
     diagram = diagram.diagram if isinstance(diagram, Camshaft) else diagram
     if shaft and what == "force":
-        weights = {name: shaft.loads[name].mass_kg for name in still if name in shaft.loads}
+        loads = {name: one_of(LOADED, name, shaft.loads) for name in arcs_by_name(diagram, still)}
+        weights = {name: shaft.loads[load].mass_kg for name, load in loads.items()}
     task = read_task(diagram, rules, still=still, weights=weights, at_most=at_most)
     named = unit or _UNITS[what]
     if shaft and what == "torque":

@@ -166,9 +166,12 @@ def _map(
     )
 
 
-def checked_contact(diagram: Any, rule: Any, contact_mm: Any) -> float:
-    """Return where the die would touch; raise InputError for a rule that cannot be explored."""
-    as_rules(diagram, rule)
+def checked_contact(diagram: Any, rule: Any, contact_mm: Any) -> tuple[ClearanceRule, float]:
+    """Return the rule as the diagram spells its names, and where the die would touch.
+
+    Raises InputError for a rule that cannot be explored.
+    """
+    (rule,) = as_rules(diagram, rule)
     contact = Quantity("position of contact", "mm", example=20, low=-math.inf).number(contact_mm)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
     shapes = [segment.kind for segment in die.moves] == ["rise", "return"] and mill.is_indexing
@@ -194,4 +197,4 @@ def checked_contact(diagram: Any, rule: Any, contact_mm: Any) -> float:
             "looks for one place only: give laws that do not, or ask widest_move."
         )
     check_rests((die, mill))
-    return contact
+    return rule, contact

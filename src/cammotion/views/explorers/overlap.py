@@ -51,7 +51,7 @@ def explore_overlap(
     >>> print(figure.text.splitlines()[0])
     die: 124.84 deg, from 80.163 to 205 deg, a_max = 0.806 m/s² = 0.194 × 4.154
     """
-    contact = checked_contact(diagram, rule, contact_mm)
+    rule, contact = checked_contact(diagram, rule, contact_mm)
     in_full = full_names(diagram, rule.when.motion, rule.only_while.motion)
     diagram, rule = short_diagram(diagram), short_rule(diagram, rule)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]

@@ -45,7 +45,7 @@ def explore_ways(diagram: TimingDiagram, rule: ClearanceRule) -> LiveFigure:
     >>> print(figure.text.splitlines()[0])
     die: rise 140 deg from 65 deg on, work 100 deg, return 120 deg, rest 0 deg
     """
-    checked_contact(diagram, rule, rule.when.limit_mm)
+    rule, _ = checked_contact(diagram, rule, rule.when.limit_mm)
     in_full = full_names(diagram, rule.when.motion, rule.only_while.motion)
     diagram, rule = short_diagram(diagram), short_rule(diagram, rule)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]

@@ -1,44 +1,21 @@
 """Two versions of a machine side by side: what was changed, and what it cost or gained."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import zip_longest
 
 from cammotion.arguments import checked
 from cammotion.drive.camshaft import Camshaft
-from cammotion.laws.catalogue import as_law
 from cammotion.limits.reserves import reserves
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
 from cammotion.rules.rule import Rule
 from cammotion.shown import as_table
+from cammotion.versions.changes import NONE, SAME, Change, changes, pairs
 
-_SAME = 1e-9  # by such a share two numbers may differ and be one
-_NONE = "–"
 _HEADING = ("of", "what", "before", "after", "change")
 _PEAKS = {"velocity": "m/s", "acceleration": "m/s²", "jerk": "m/s³"}
-
-
-@dataclass(frozen=True)
-class Change:
-    """What one version has in another way than the other, in words; "–" is what it lacks.
-
-    `of` is a motion, or "machine" for its rate.
-    """
-
-    of: str
-    what: str
-    before: str
-    after: str
-
-    def __str__(self) -> str:
-        """Say it in words."""
-        return f"{self.of}, {self.what}: {self.before} → {self.after}"
 
 
 @dataclass(frozen=True)
@@ -57,7 +34,7 @@ class Effect:
     @property
     def times(self) -> float | None:
         """How many times what it was it is; None for no number, for 0 and for infinity."""
-        if self.before is None or self.after is None or abs(self.before) < _SAME:
+        if self.before is None or self.after is None or abs(self.before) < SAME:
             return None
         times = self.after / self.before
         return times if math.isfinite(times) and math.isfinite(self.before) else None
@@ -67,7 +44,7 @@ class Effect:
         """Whether the two numbers differ by more than rounding."""
         if self.before is None or self.after is None:
             return self.before is not self.after
-        return not math.isclose(self.before, self.after, rel_tol=_SAME, abs_tol=_SAME)
+        return not math.isclose(self.before, self.after, rel_tol=SAME, abs_tol=SAME)
 
     def __str__(self) -> str:
         """Say it in words."""
@@ -143,70 +120,20 @@ def compare(
             "both as Camshafts, or shaft.diagram of the one."
         )
     one, other = (each.diagram if isinstance(each, Camshaft) else each for each in (before, after))
-    given = every_rule(one, rules) if rules != () else ()
-    every_rule(other, given)
-    effects = [*_peaks(one, other), *_of_rules(one, other, given)]
+    spelled = [every_rule(each, rules) if rules != () else () for each in (one, other)]
+    effects = [*_peaks(one, other), *_of_rules((one, other), spelled)]
     if shafts:
         effects += _of_shafts(*shafts)
-    return Comparison(one, other, given, tuple(_changes(one, other)), tuple(effects))
-
-
-def _changes(before: TimingDiagram, after: TimingDiagram) -> Iterator[Change]:
-    if not math.isclose(before.rate_per_hour, after.rate_per_hour, rel_tol=_SAME):
-        rates = (f"{diagram.rate_per_hour:.6g} pieces/h" for diagram in (before, after))
-        yield Change("machine", "rate", *rates)
-    for name in _names(before, after):
-        versions = [d[name] if name in d.names else None for d in (before, after)]
-        if None in versions:
-            yield Change(name, "motion", *map(_whole, versions))
-            continue
-        old, new = (motion.moves for motion in versions if motion)
-        for one, other in zip_longest(old, _turned(old, new)):
-            said = [_NONE if move is None else _said(move) for move in (one, other)]
-            if said[0] != said[1]:
-                yield Change(name, (one or other).kind, *said)
-
-
-def _whole(motion: Motion | None) -> str:
-    """Return in words a motion that one of the versions lacks."""
-    if motion is None:
-        return _NONE
-    count = len(motion.moves)
-    return f"{count or 'no'} move{'' if count == 1 else 's'}"
-
-
-def _names(before: TimingDiagram, after: TimingDiagram) -> list[str]:
-    return list(dict.fromkeys([*before.names, *after.names]))
-
-
-def _turned(old: tuple[Segment, ...], new: tuple[Segment, ...]) -> tuple[Segment, ...]:
-    """Return the new moves in such an order that each stands beside the old one that it was."""
-    if len(old) != len(new) or not new:
-        return new
-    orders = [new[n:] + new[:n] for n in range(len(new))]
-    return min(orders, key=lambda order: sum(map(_apart, old, order)))
-
-
-def _apart(one: Segment, other: Segment) -> float:
-    """Return how far the middles of two moves are from each other in deg, and if they are alike."""
-    way = (one.from_deg + one.to_deg - other.from_deg - other.to_deg) / 2
-    half = DEG_PER_TURN / 2
-    return abs((way + half) % DEG_PER_TURN - half) + (one.kind != other.kind) * DEG_PER_TURN
-
-
-def _said(move: Segment) -> str:
-    start = move.from_deg % DEG_PER_TURN
-    angles = f"{start:.4g} to {start + move.angle_deg:.4g} deg"
-    return f"{angles}, {abs(move.change_mm):.6g} mm, {as_law(move.law).name}"
+    return Comparison(one, other, spelled[0], tuple(changes(one, other)), tuple(effects))
 
 
 def _peaks(before: TimingDiagram, after: TimingDiagram) -> Iterator[Effect]:
     """Yield the peaks of the motions that are other ones now."""
-    for name in _names(before, after):
+    for name, *motions in pairs(before, after):
         for what, unit in _PEAKS.items():
             peaks = (
-                getattr(diagram, f"peak_{what}")(name) if name in diagram.names else None
-                for diagram in (before, after)
+                getattr(diagram, f"peak_{what}")(motion.name) if motion else None
+                for diagram, motion in zip((before, after), motions, strict=True)
             )
             found = Effect(name, f"peak {what}", unit, *peaks)
             if found.is_change:
@@ -214,25 +141,29 @@ def _peaks(before: TimingDiagram, after: TimingDiagram) -> Iterator[Effect]:
 
 
 def _of_rules(
-    before: TimingDiagram, after: TimingDiagram, rules: tuple[Rule, ...]
+    versions: Sequence[TimingDiagram], rules: Sequence[tuple[Rule, ...]]
 ) -> Iterator[Effect]:
-    """Yield what each rule has left, be it changed or not."""
-    rooms = [find_clearances(diagram, rules) for diagram in (before, after)]
-    left = [{found.rule: found.deg for found in reserves(d, rules)} for d in (before, after)]
-    for rule, old, new in zip(rules, *rooms, strict=True):
-        of = rule.name or str(rule)
+    """Yield what each rule has left, be it changed or not; each version spells them its own way."""
+    both = [*zip(versions, rules, strict=True)]
+    rooms = [find_clearances(diagram, spelled) for diagram, spelled in both]
+    left = [{found.rule: found.deg for found in reserves(*each)} for each in both]
+    for old, new in zip(*rooms, strict=True):
+        of = old.rule.name or str(old.rule)
         yield Effect(of, "clearance", "mm", old.clearance_mm, new.clearance_mm)
-        yield Effect(of, "reserve", "deg", left[0][rule], left[1][rule])
+        yield Effect(of, "reserve", "deg", left[0][old.rule], left[1][new.rule])
 
 
 def _of_shafts(before: Camshaft, after: Camshaft) -> Iterator[Effect]:
     """Yield the peak forces, and what the shaft is asked."""
-    for name in dict.fromkeys([*before.loads, *after.loads]):
-        forces = (
-            abs(shaft.peak_force(name).value) if name in shaft.loads else None
-            for shaft in (before, after)
-        )
-        yield Effect(name, "peak force", "N", *forces)
+    for name, *motions in pairs(before.diagram, after.diagram):
+        forces = [
+            abs(shaft.peak_force(motion.name).value)
+            if motion and motion.name in shaft.loads
+            else None
+            for shaft, motion in zip((before, after), motions, strict=True)
+        ]
+        if forces != [None, None]:
+            yield Effect(name, "peak force", "N", *forces)
     both = before, after
     yield Effect("camshaft", "peak torque", "N m", *(abs(s.peak_torque().value) for s in both))
     yield Effect("camshaft", "rms torque", "N m", *(s.rms_torque_N_m for s in both))
@@ -240,7 +171,7 @@ def _of_shafts(before: Camshaft, after: Camshaft) -> Iterator[Effect]:
 
 
 def _number(value: float | None) -> str:
-    return _NONE if value is None else f"{0.0 if abs(value) < _SAME else value:.4g}"
+    return NONE if value is None else f"{0.0 if abs(value) < SAME else value:.4g}"
 
 
 def _share(times: float | None) -> str:

@@ -1,0 +1,72 @@
+"""Still arcs: over which cam angles a motion has to stand where it does."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from cammotion.arguments.by_name import as_given, by_name
+from cammotion.machine.arcs import Arc, intersect, unwrap
+from cammotion.machine.arcs import arcs as as_set
+from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import CAM_ANGLE
+from cammotion.quantities import InputError, listed, shorten
+
+_ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
+
+
+def arcs_by_name(diagram: TimingDiagram, still: Any) -> dict[str, tuple[Arc, ...]]:
+    """Return the still arcs that are given by the names of motions, as pairs of floats in deg.
+
+    Raises InputError for what is not given by names, and for an arc over which its motion moves.
+    """
+    example = "still={'die': [(205, 305)]}"
+    given = by_name("still arcs", still, diagram.names, as_given, example)
+    found = {name: tuple(still_arcs(diagram[name], arcs)) for name, arcs in given.items()}
+    for name, arcs in found.items():
+        check_stands(diagram[name], arcs)
+    return found
+
+
+def still_arcs(motion: Motion, still: Any) -> list[Arc]:
+    """Return the still arcs as pairs of floats in deg.
+
+    Raises InputError for what is no list of them, and for one that is not longer than nothing and
+    shorter than a turn.
+    """
+    given = [*listed(still)]
+    if not given:
+        raise InputError(
+            f"The arcs over which the {motion.name} has to stand are {shorten(still)}: give at "
+            "least one, for example still=[(205, 305)]."
+        )
+    pairs = [pair_of(arc, "A still arc", _ARCS) for arc in given]
+    arcs = [(CAM_ANGLE.number(start), CAM_ANGLE.number(end)) for start, end in pairs]
+    for start, end in arcs:
+        if not start < end < start + DEG_PER_TURN:
+            raise InputError(
+                f"The still arc goes from {start:g} to {end:g} deg; it has to end after it begins "
+                "and within a turn: give, for example, (205, 305)."
+            )
+    return arcs
+
+
+def check_stands(motion: Motion, still: Sequence[Arc]) -> None:
+    """Raise InputError for a still arc over which the motion moves."""
+    moves = as_set((move.from_deg, move.to_deg) for move in motion.moves)
+    for start, end in still:
+        for first, last in unwrap(intersect(as_set([(start, end)]), moves)):
+            raise InputError(
+                f"In the still arc from {start:g} to {end:g} deg the {motion.name} moves, from "
+                f"{first:g} to {last:g} deg; a still arc is one over which it stands: give one of "
+                "its dwells."
+            )
+
+
+def pair_of(given: Any, what: str, fix: str) -> tuple[float, float]:
+    """Return the two of a pair; raise InputError for what is none."""
+    try:
+        first, second = given
+    except (TypeError, ValueError):
+        raise InputError(f"{what} is {shorten(given)}: give {fix}.") from None
+    return first, second
