@@ -22,6 +22,9 @@ OF_OTHERS = (
     "noUi-handle",  # of ipywidgets' slider, which only the setup check of 00 shows: has no name
     "Canceled future for",  # JupyterLab, of what it still asked a kernel that has ended
 )
+OF_NOTEBOOK_7 = (  # 7.6.5 says it on its home page too, in an empty folder, in Chromium and Firefox
+    "Cannot read properties of undefined (reading 'schema')",
+)
 
 
 @dataclass
@@ -46,7 +49,8 @@ class Walk:
             self.findings.append(finding)
 
     def _note(self, what: str, texts: list[str]) -> None:
-        ours = [text for text in texts if not any(known in text for known in OF_OTHERS)]
+        others = OF_OTHERS if "/lab/" in self.address else OF_OTHERS + OF_NOTEBOOK_7
+        ours = [text for text in texts if not any(known in text for known in others)]
         self.findings += [f"{what}: {text}" for text in ours]
 
     def open(self) -> None:
