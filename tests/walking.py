@@ -24,7 +24,7 @@ OF_OTHERS = (
 )
 OF_NOTEBOOK_7 = (  # 7.6.5 says it on its home page too, in an empty folder, in Chromium and Firefox
     "Cannot read properties of undefined (reading 'schema')",
-    "can't access property \"schema\"",
+    'can\'t access property "schema"',
 )
 
 
