@@ -23,6 +23,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import islice
 from pathlib import Path
 from queue import SimpleQueue
 from typing import Any, Literal
@@ -66,13 +67,33 @@ Fate = Literal["died near", "died in the quick suite", "took too long", "lives"]
 
 @dataclass(frozen=True)
 class Mutant:
-    """A file with one place changed."""
+    """A file with one place changed: the bytes from `start` to `end`."""
 
     path: Path
     line: int
-    whole: str
-    text: str
+    raw: bytes
+    start: int
+    end: int
+    new: str
     tests: tuple[str, ...] = ()
+
+    @property
+    def whole(self) -> str:
+        """The file as it was."""
+        return self.raw.decode()
+
+    @property
+    def text(self) -> str:
+        """The file with the change."""
+        return (self.raw[: self.start] + self.new.encode() + self.raw[self.end :]).decode()
+
+    @property
+    def is_python(self) -> bool:
+        """Whether the file can still be read."""
+        with contextlib.suppress(SyntaxError):
+            ast.parse(self.text)
+            return True
+        return False
 
     @property
     def name(self) -> str:
@@ -88,18 +109,15 @@ class Mutant:
 
 
 def mutants_of(path: Path) -> Iterator[Mutant]:
-    """Yield every mutant of a file that still is Python."""
-    source = path.read_text(encoding="utf-8")
-    raw, tree = source.encode(), ast.parse(source)
+    """Yield every mutant of a file; some may no longer be Python."""
+    raw = path.read_bytes()
+    tree = ast.parse(raw)
     starts = np.cumsum([0, *(len(line) for line in raw.splitlines(keepends=True))])
     for node in _nodes(tree):
         for old, new in _changes(node):
             start = starts[old.lineno - 1] + old.col_offset
             end = starts[old.end_lineno - 1] + old.end_col_offset
-            text = (raw[:start] + new.encode() + raw[end:]).decode()
-            with contextlib.suppress(SyntaxError):
-                ast.parse(text)
-                yield Mutant(path, old.lineno, source, text)
+            yield Mutant(path, old.lineno, raw, start, end, new)
 
 
 def _nodes(tree: ast.AST) -> Iterator[Any]:
@@ -329,9 +347,9 @@ def main() -> int:
     """Try the mutants and print what lives."""
     options = parse_arguments()
     every = [mutant for path in files() if options.only in str(path) for mutant in mutants_of(path)]
-    count = min(options.count, len(every))
-    chosen = np.random.default_rng(options.seed).choice(len(every), count, replace=False)
-    mutants = [replace(m, tests=near_tests(m.path)) for m in (every[n] for n in chosen)]
+    order = np.random.default_rng(options.seed).permutation(len(every))
+    chosen = islice((every[n] for n in order if every[n].is_python), options.count)
+    mutants = [replace(mutant, tests=near_tests(mutant.path)) for mutant in chosen]
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.processes) as pool:
         bench = Bench(Path(folder), options.processes, options.seconds, options.near_only)
@@ -340,8 +358,8 @@ def main() -> int:
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
             bench.stop()
-    died = count - fates["lives"]
-    print(f"Of {count} mutants out of {len(every)}, {died} died: {dict(fates)}")
+    died = len(mutants) - fates["lives"]
+    print(f"Of {len(mutants)} mutants out of {len(every)}, {died} died: {dict(fates)}")
     return 1 if fates["lives"] else 0
 
 
