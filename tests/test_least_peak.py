@@ -222,6 +222,14 @@ def test_parts_that_can_stand_need_no_push() -> None:
     assert found.gap == 0
 
 
+def test_what_never_moves_has_the_least_peak_there_is() -> None:
+    table = cm.motion("table", cm.dwell(360))
+    for others in ([], [cm.EXAMPLE.mill]):
+        diagram = cm.TimingDiagram([table, *others], 2000)
+        found = cm.least_peak(diagram, [], still={"table": [(0, 300)]}, seconds=2)
+        assert (found.bound, found.reached, found.gap) == (0, 0, 0)
+
+
 def test_a_move_shorter_than_a_cell_is_seen() -> None:
     """The turret has 4 deg, between two of 60 nodes; alone it needs a = 4 h / t^2."""
     turret = cm.indexing_motion("turret", cm.rise(9, over_deg=4), cm.dwell(356), stops=3)

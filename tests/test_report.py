@@ -1,5 +1,6 @@
 """The report of a machine: whole or not at all, true by its own tables, quick and small."""
 
+import math
 import re
 import subprocess
 import sys
@@ -43,6 +44,22 @@ def test_a_program_that_knows_only_the_tables_agrees(pads: cm.Report) -> None:
     )
     assert ran.stdout == "The report agrees with its tables.\n", ran.stdout + ran.stderr
     assert "cammotion" not in CHECKER.read_text("utf-8").split('"""')[2]
+
+
+def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
+    hard = cm.indexing_motion("mill", cm.rise(100, over_deg=40), cm.dwell(320), stops=24)
+    still = {"die": [(205, 305)]}
+    machine = cm.Machine("press", PRESS.diagram.with_motion(hard), PRESS.rules, still)
+    page = cm.write_report(machine, tmp_path).page.read_text("utf-8")
+    text = " ".join(BeautifulSoup(page, "html.parser").get_text(" ").split())
+    assert "With all moves of die balanced the largest peak is 15.71 m/s², today 15.71." in text
+    (low, reached, above) = re.findall(
+        r"No motions of die can have a largest peak below ([\d.]+) m/s², so that the design, with "
+        r"([\d.]+), is at most (\d+) % above the best",
+        text,
+    )[0]
+    assert float(low) < float(reached) < 2
+    assert int(above) == math.ceil(100 * (float(reached) / float(low) - 1))
 
 
 def test_the_checker_sees_a_wrong_peak(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

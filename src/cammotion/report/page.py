@@ -58,10 +58,11 @@ def _summary(found: Findings) -> str:
         today, then = machine.peaks[machine.hardest], max(found.improved.peaks.values())
         faster = of_rate(machine.diagram.rate_per_hour, today, then)
         rate = faster.rpartition(" = ")[2]
+        whose = f" of {free}" if (free := _free(machine, "")) else ""
         said_rate = f" At the peak of today that is {rate}" if " = " in faster else ""
         said.append(
             paragraph(
-                f"With all moves balanced the largest peak is {short(then)} m/s², today "
+                f"With all moves{whose} balanced the largest peak is {short(then)} m/s², today "
                 f"{short(today)}."
                 f"{said_rate}"
             )
@@ -72,14 +73,21 @@ def _summary(found: Findings) -> str:
     return "".join(said)
 
 
+def _free(machine: Machine, all_of_them: str) -> str:
+    """Return the parts that have still arcs by name, or in words if these are all that move."""
+    moving = (motion.name for motion in machine.diagram.motions if motion.moves)
+    return all_of_them if {*moving} == {*machine.free} else " and ".join(machine.free)
+
+
 def _bound(found: Findings) -> str:
     """Return in a sentence how near the design is to what no motions can be below."""
     least = found.least
     if least is None:
         return ""
     low = math.floor(least.bound * 10_000) / 10_000
-    sentence = f"No motions of these parts can have a largest peak below {low:.4f} m/s²"
-    reached = max(found.improved.peaks.values())
+    whose = _free(found.machine, "these parts")
+    sentence = f"No motions of {whose} can have a largest peak below {low:.4f} m/s²"
+    reached = max(found.improved.peaks[name] for name in least.parts)
     if least.bound > 0 and math.isfinite(reached):
         above = math.ceil(100 * (reached / least.bound - 1))
         sentence += f", so that the design, with {reached:.4f}, is at most {above} % above the best"

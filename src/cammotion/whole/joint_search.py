@@ -64,6 +64,8 @@ class Search:
 
     def rounds(self, end: float) -> Iterator[Best]:
         """Yield the best so far after each round, until the grid is as fine as it gets."""
+        if not self.reached:  # nothing moves, and nothing is below that
+            return
         for task in self._hardest():
             now, grid = monotonic(), _Grid(self, task)
             until, idle, bound = now + _SHARE * (end - now), 0, self.best.bound
