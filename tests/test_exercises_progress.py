@@ -324,3 +324,22 @@ def test_an_unknown_exercise_is_refused_with_the_known_ones(call: Any, number: A
 def test_an_exercise_without_options_is_no_choice() -> None:
     with pytest.raises(cm.InputError, match=r"has no options to choose from: use ask\('01\.1'\)"):
         cm.choose("01.1")
+
+
+def test_what_was_right_for_a_name_is_right_when_the_name_comes_back(work: Path) -> None:
+    def right(who: str) -> None:
+        machine = cm.variant(who)
+        cm.check("01.1", EXERCISES["01.1"].solution(machine))
+
+    right("Anna")
+    cm.variant("Ben")
+    cm.check("01.1", 1)
+    assert line_of("01.1").startswith("not yet")
+    cm.variant("anna ")
+    assert line_of("01.1").startswith("right")
+    cm.check("01.1", 1)  # what was right once stays right
+    assert line_of("01.1").startswith("right")
+    right("Ben")
+    restart()
+    assert all(line_of("01.1").startswith("right") for who in ("Anna", "Ben") if cm.variant(who))
+    assert read_file(work)["exercises"]["01.1"]["right"] == ["anna", "ben"]

@@ -36,7 +36,7 @@ def test_each_reason_is_counted_by_its_short_name(work: Path) -> None:
         short_name(EXERCISES["01.1"].slips[1].reason): 1,  # type: ignore[attr-defined]
         NO_ANSWER: 2,
     }
-    assert set(record) == {"state", "tries", "who", "slips", "given"}  # no text of ours
+    assert set(record) == {"state", "tries", "who", "slips", "given", "right"}  # no text of ours
     assert record["given"] == 140  # the last number, for what goes on from it
     for _ in range(2):
         cm.check("01.4", "a")

@@ -16,7 +16,7 @@ from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Quest
 from cammotion.teaching.places import GRADING, find_place
 from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.shown.choosing import show_answer
-from cammotion.teaching.store import Record, Store, count, counts
+from cammotion.teaching.store import Record, Store, count, counts, right_for
 from cammotion.teaching.variants import machine_for
 
 _FRESH = 'cm.again("{}") asks it with fresh numbers.'
@@ -52,9 +52,11 @@ class Session:
 
         def change(before: Record) -> Record:
             nonlocal was_right
-            is_same_who = before.get("who") == who
-            was_right = before.get("state") == "right" and is_same_who
+            is_same_who, right = before.get("who") == who, right_for(before)
+            was_right = who in right
             changes: Record = {"who": who, "state": "right" if was_right else verdict.state}
+            if changes["state"] == "right":
+                changes["right"] = sorted({*right, who})
             if score is not None:
                 best = before.get("best") if is_same_who else None
                 changes["best"] = min(score, best) if isinstance(best, float) else score
@@ -79,6 +81,12 @@ class Session:
     def record(self, number: str) -> Record:
         """Return what is kept of an exercise."""
         return self.store.records("exercises").get(number, {})
+
+    def outcomes(self) -> tuple[Outcome, ...]:
+        """Return how each exercise stands; it is right if it once was for the name of now."""
+        who, records = self.machine.who.casefold(), self.store.records("exercises")
+        kept = ((number, records.get(number, {})) for number in EXERCISES)
+        return tuple(Outcome.of(n, each, is_right=who in right_for(each)) for n, each in kept)
 
     def choice(self, number: str) -> str | None:
         """Return the letter that was chosen, None if none was."""
@@ -259,9 +267,7 @@ def progress() -> Progress:
     >>> progress().text.splitlines()[0]  # doctest: +ELLIPSIS
     '... exercises are right.'
     """
-    records = _SESSION.store.records("exercises")
-    lines = tuple(Outcome.of(number, records.get(number, {})) for number in EXERCISES)
-    return Progress(lines, _SESSION.store.complaint, _SESSION.store.where)
+    return Progress(_SESSION.outcomes(), _SESSION.store.complaint, _SESSION.store.where)
 
 
 def _judge(number: str, answer: Any) -> Feedback:

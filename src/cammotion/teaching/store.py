@@ -4,6 +4,7 @@ The file is `progress.json`; `places` says in which folder. It holds records by 
 fields that are not known are left as they are:
 
 exercises    "01.1": state; tries; hints, the furthest one; who, whose numbers were asked for;
+             right, the names for whose numbers it was right;
              given, the last number; choice, a letter; slips, how often each reason was given, by
              its short name; again, the rows with fresh numbers
 predictions  "01.half": text, as it was typed
@@ -206,6 +207,13 @@ def _write(content: Content, file: Path) -> None:
         Path(part).replace(file)
     finally:
         _remove_parts(file.parent, part)
+
+
+def right_for(record: Record) -> set[str]:
+    """Return the names for whose numbers an exercise was right, "" for those of no name."""
+    kept = record.get("right")
+    names = {name for name in kept if isinstance(name, str)} if isinstance(kept, list) else set()
+    return names | {str(record.get("who"))} if record.get("state") == "right" else names
 
 
 def count(record: Any, field: str) -> int:
