@@ -163,7 +163,7 @@ class Quantity:
             return array.astype(np.float64, copy=False)
         if array.size == 0:
             return np.empty(0)
-        if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
+        if array.dtype.kind == "O" and all(is_real(item) for item in array.flat):
             return np.array([_as_float(item) for item in array.flat]).reshape(array.shape)
         typed = typed_numbers(value)
         sensible = [each for each in typed if self._inside(np.array(float(each)))] or typed
@@ -263,7 +263,8 @@ def _is_usual(number: float) -> bool:
     return not math.isfinite(number) or number == 0 or _TINY <= abs(number) <= 1 / _TINY
 
 
-def _is_real(item: object) -> bool:
+def is_real(item: object) -> bool:
+    """Whether something is one real number, of Python, NumPy or a library; True is none."""
     is_number = isinstance(item, numbers.Real | Decimal)
     return is_number and not isinstance(item, (bool, np.bool_))
 
