@@ -193,6 +193,16 @@ class Quantity:
         )
 
 
+def keep_numbers(owner: object, **readers: Callable[[Any], float]) -> None:
+    """Let fields of a frozen dataclass be the numbers that they are read as.
+
+    So what is computed from them need not know of `Decimal`, `Fraction` or NumPy. A reader is
+    `number` or `whole` of a Quantity; raises InputError like these.
+    """
+    for field, read in readers.items():
+        object.__setattr__(owner, field, read(getattr(owner, field)))
+
+
 def one_of(
     what: str,
     name: Any,
