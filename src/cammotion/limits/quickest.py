@@ -62,7 +62,8 @@ def quickest_move(
     0.2445 s, 48.90 deg, Ca = 4.782
     >>> rise = cm.rise(move.stroke_mm, over_deg=move.angle_deg, law=move.law)
     """
-    stroke = STROKE.number(stroke_mm) / MM_PER_M
+    stroke_mm = STROKE.number(stroke_mm)
+    stroke = stroke_mm / MM_PER_M
     v, j = _limit(_VELOCITY, velocity_m_per_s), _limit(_JERK, jerk_m_per_s3)
     a = _ACCELERATION.number(acceleration_m_per_s2)
     times = _times(stroke, v, a, j)
