@@ -4,6 +4,7 @@ What comes of the calls that fit is short, equal to what is made of the same, an
 """
 
 import contextlib
+import dataclasses
 import inspect
 import io
 import pickle
@@ -11,6 +12,8 @@ import time
 import traceback
 import warnings
 from collections.abc import Iterator, Mapping
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -134,6 +137,48 @@ def test_names_may_be_in_any_case(
             tried.add(call.name)
         plt.close("all")
     assert len(tried) > 15, tried
+
+
+def test_a_number_of_any_kind_makes_the_same_thing(calls: list[Recorded]) -> None:
+    """A dataclass keeps and computes the same, with a Decimal or a Fraction for each number."""
+    found, tried = [], set()
+    for call in calls:
+        if not (dataclasses.is_dataclass(call.function) and call.made):
+            continue
+        for name, value in call.arguments.items():
+            if not is_measured(call, name) or isinstance(value, bool):
+                continue
+            usual, text = computed(call.made[0]), str(value)
+            tried.add(type(call.made[0]).__name__)
+            for number in (Decimal(text), Fraction(text)):
+                if computed(call.with_value(name, number)) != usual:
+                    found.append(f"{call.name}({name}={number!r})")
+    assert not found, "\n".join(found)
+    assert tried > {"Disc", "Indexer", "Move", "OwnInertia", "PointMasses", "ProcessForce"}
+
+
+def is_measured(call: Recorded, name: str) -> bool:
+    """Whether an argument is a number; what of a live figure is an expression stays as it is."""
+    value, module = call.arguments[name], call.function.__module__
+    return isinstance(value, int | float) and not (
+        module.startswith("cammotion.views.live") and name != "height"
+    )
+
+
+def computed(thing: Any) -> list[object]:
+    """Return all that a thing keeps and computes without being asked with an argument."""
+    kept = [field.name for field in dataclasses.fields(thing)]
+    values: list[object] = []
+    for name in {*kept, *dir(type(thing))}:
+        if name.startswith("_"):
+            continue
+        try:
+            value = getattr(thing, name)
+        except cm.InputError as refused:
+            value = str(refused)
+        if not callable(value):
+            values.append((name, type(value), repr(value).partition(" at 0x")[0]))
+    return sorted(values, key=repr)
 
 
 SHOWN = 150

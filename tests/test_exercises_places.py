@@ -143,6 +143,17 @@ def test_a_hub_can_name_the_folder(
     assert [*(tmp_path / "share").iterdir()] == []
 
 
+def test_the_home_of_nobody_can_hold_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(SWITCH, "~nobody-of-this-name/course")
+    go_to(tmp_path / "share", monkeypatch)
+    said = cm.check("01.1", 70).text
+    assert "it cannot be written in ~nobody-of-this-name/course. The variable" in said
+    assert cm.progress().right == 1
+    assert not [*tmp_path.rglob(FILE)]
+
+
 def test_the_folder_of_copies_goes_before_what_is_named(
     work: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -159,6 +159,26 @@ def test_a_file_that_cannot_be_read_is_kept_aside(work: Path, content: bytes) ->
     assert cm.progress().note == ""
 
 
+@pytest.mark.parametrize("place", ["pathlib.Path.read_bytes", "pathlib.Path.exists"])
+def test_what_cannot_be_read_for_now_is_left_and_tried_again(
+    work: Path, monkeypatch: pytest.MonkeyPatch, place: str
+) -> None:
+    cm.check("01.1", 70)
+    kept = (work / FILE).read_bytes()
+    restart()
+    with monkeypatch.context() as broken:
+        broken.setattr(place, refuse(OSError(errno.ESTALE, "Stale file handle")))
+        assert "could not be read (Stale file handle)" in cm.progress().note
+        assert "could not be written (Stale" in cm.check("01.2", 0.3846).text
+    assert (work / FILE).read_bytes() == kept
+    assert cm.progress().right == 2
+    assert "could not be read" not in cm.progress().note
+    assert cm.check("02.4", 1.331).note == ""
+    restart()
+    assert cm.progress().right == 3
+    assert files_in(work) == [FILE]
+
+
 def test_a_folder_in_the_place_of_the_file(work: Path) -> None:
     (work / FILE).mkdir()
     assert "was kept as" in cm.check("01.1", 70).text

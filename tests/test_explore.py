@@ -3,6 +3,8 @@
 import functools
 import math
 from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -278,6 +280,24 @@ def test_what_a_figure_is_not_set_to(done: Callable[[LiveFigure], object], said:
         done(figure)
     assert_is_a_sentence(str(refused.value))
     assert figure.values == {k: 0.5}
+
+
+HALVES = [Decimal("0.5"), Fraction(1, 2), np.float32(0.5), np.float16(0.5), np.array(0.5)]
+
+
+@pytest.mark.parametrize("half", HALVES, ids=lambda half: type(half).__name__)
+def test_a_number_of_any_kind_is_drawn_as_it_is(half: Any) -> None:
+    def made(it: Any) -> dict[str, Any]:
+        return explore(b * t * k, (t, 0, it), {k: (it, 1)}, values={b: it}).description
+
+    assert made(half) == made(0.5)
+
+
+@pytest.mark.parametrize("three", [np.int8(3), np.array(3)])
+def test_a_whole_number_stays_one(three: Any) -> None:
+    assert (
+        explore(t * k, values={k: three}).description == explore(t * k, values={k: 3}).description
+    )
 
 
 def assert_is_a_sentence(words: str) -> None:

@@ -11,7 +11,6 @@ import cammotion as cm
 from cammotion.views.live.figure import LiveFigure
 
 LAWS = ("modified sine", "cycloidal", "modified trapezoid", "3-4-5 polynomial")
-CORNERS = [(8, 0.75, 450), (24, 0.3, 50), (4, 1.5, 300)]
 n, t_m, r_s = sp.symbols("n t_m r_s", positive=True)
 
 

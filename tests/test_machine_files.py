@@ -55,6 +55,17 @@ def test_a_table_pasted_from_a_spreadsheet_has_tabs() -> None:
     assert cm.machine_from_text(pasted) == cm.machine_from_text(TABLE)
 
 
+@pytest.mark.parametrize("separator", [";", "\t", ","])
+@pytest.mark.parametrize("title", ["My press", "My press; as it is, 2000/h", "by\tus\n\n", "1,5\n"])
+def test_the_heading_says_what_separates_the_cells_and_not_a_title(
+    title: str, separator: str
+) -> None:
+    table = TABLE.replace(";", separator)
+    machine = cm.machine_from_text(f"{title}\n{table}")
+    assert machine == cm.machine_from_text(table)
+    assert machine.rules == cm.machine_from_text(TABLE).rules
+
+
 def test_dwells_may_be_left_out_but_not_one_of_several() -> None:
     complete = cm.machine_from_text("\n".join(FULL))
     moves = cm.machine_from_text("\n".join([FULL[0], FULL[1], FULL[3]]))

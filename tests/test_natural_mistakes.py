@@ -119,6 +119,18 @@ def test_a_number_of_any_kind_is_one(angle: Any) -> None:
     assert ANY.peak_acceleration(Fraction(50), angle, 2000) == cm.peak_acceleration(50, 55, 2000)
 
 
+@pytest.mark.parametrize("kind", [Fraction, Decimal])
+def test_a_number_of_any_kind_can_stand_in_a_sentence(kind: Any) -> None:
+    with pytest.raises(cm.InputError, match=r"The quickest move of 50 mm takes 0\.2236 s"):
+        cm.quickest_move(kind(50), acceleration_m_per_s2=kind(4), rate_per_hour=kind(20_000))
+    with pytest.raises(cm.InputError, match="with 150 deg and 1 mm to spare"):
+        cm.widest_move(DIAGRAM, "die", RULE, reserve_deg=kind(150), reserve_mm=kind(1))
+    quarter = kind(1) / 4
+    assert cm.scca(quarter, 2 * quarter, quarter).name == "SCCA(0.25, 0.5, 0.25)"
+    with pytest.raises(cm.InputError, match=r"0\.25 \+ 1 \+ 0\.25, add up to 1\.5"):
+        cm.scca(quarter, kind(1), quarter)
+
+
 def test_an_array_of_objects_that_are_numbers_is_one_of_numbers() -> None:
     given = np.array([50, Fraction(55)], dtype=object)
     assert cm.peak_acceleration(50, given, 2000).tolist() == [

@@ -151,6 +151,10 @@ def test_a_cam_with_the_quickest_move(tmp_path: Path) -> None:
             {"jerk_m_per_s3": 1e30},
             r"largest jerk is 1e\+30 m/s3, which the move needs for less than",
         ),
+        (
+            {"acceleration_m_per_s2": 1e6, "velocity_m_per_s": 0.001},
+            r"acceleration is 1e\+06 m/s2, .* less than a millionth .* for example 18 m/s2",
+        ),
         ({"stroke_mm": 0}, "stroke is 0 mm"),
         ({"rate_per_hour": 20_000}, "takes 0.2236 s, and a turn .* only 0.18 s: .* at most 16100"),
     ],
@@ -160,3 +164,9 @@ def test_what_is_no_move(given: dict[str, float], said: str) -> None:
         cm.quickest_move(
             **{"stroke_mm": 50, "acceleration_m_per_s2": 4, "rate_per_hour": 2000} | given
         )
+
+
+def test_the_acceleration_that_is_given_for_an_example_will_do() -> None:
+    move = cm.quickest_move(50, acceleration_m_per_s2=18, velocity_m_per_s=0.001, rate_per_hour=1)
+    assert move.peak_acceleration == pytest.approx(18)
+    assert move.peak_velocity == pytest.approx(0.001)

@@ -161,3 +161,11 @@ def test_bad_limits(limits: dict[str, float], said: str) -> None:
         cm.rate_limits(SHAFT, **limits)
     with pytest.raises(cm.InputError, match="asked of a diagram, which has no masses"):
         cm.rate_limits(SEQUENTIAL, force_N=3)
+
+
+@pytest.mark.parametrize("limits", [{"force_N": 5}, {"torque_N_m": 5}, {"force_N": {"die": 5}}])
+def test_a_camshaft_without_loads_has_no_force_to_limit(limits: dict[str, Any]) -> None:
+    bare = cm.Camshaft(SEQUENTIAL, {})
+    with pytest.raises(cm.InputError, match=r"asked of a camshaft without loads: give .* loads"):
+        cm.rate_limits(bare, **limits)
+    assert cm.rate_limits(bare, acceleration_m_per_s2=4)

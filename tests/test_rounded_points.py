@@ -2,6 +2,7 @@
 
 import itertools
 import warnings
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 from test_sampled import uneven
 
 import cammotion as cm
-from cammotion.measured.from_points import step_of
+from cammotion.measured.from_points import law_from_points, step_of
 
 PLACES = np.linspace(0, 1, 361)
 CYCLOID = PLACES - np.sin(2 * np.pi * PLACES) / (2 * np.pi)
@@ -193,6 +194,28 @@ def test_a_table_knows_its_step() -> None:
 def test_a_rough_choice_of_smoothing_is_warned_of() -> None:
     with pytest.warns(UserWarning, match=r"take more smoothing, or points with more digits"):
         cm.law_from_points(PLACES, ROUNDED, fit="smooth", smoothing=1e-12)
+
+
+RISE = cm.CamTable(np.arange(361.0), (50 * CYCLOID).round(2), step_mm=0.01)
+WAVE = (25 - 25 * np.cos(2 * np.pi * PLACES[:-1])).round(1)
+TURN = cm.CamTable(np.arange(360.0), WAVE, step_mm=0.1, is_cycle=True)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: cm.law_from_points(PLACES, ROUNDED),
+        lambda: law_from_points(PLACES, ROUNDED),
+        lambda: cm.law_from_table(RISE),
+        lambda: cm.law_from_table(table=RISE, name="cam"),
+        lambda: cm.motion_from_table("cam", TURN),
+    ],
+)
+def test_the_line_that_is_warned_of_is_the_callers(make: FunctionType) -> None:
+    with pytest.warns(UserWarning, match="That alone changes") as told:
+        make()
+    (where,) = {(each.filename, each.lineno) for each in told}
+    assert where == (__file__, make.__code__.co_firstlineno)
 
 
 def test_a_law_from_points_keeps_no_rounding_when_it_is_changed() -> None:

@@ -163,7 +163,7 @@ class Quantity:
             return array.astype(np.float64, copy=False)
         if array.size == 0:
             return np.empty(0)
-        if array.dtype.kind == "O" and all(_is_real(item) for item in array.flat):
+        if array.dtype.kind == "O" and all(is_real(item) for item in array.flat):
             return np.array([_as_float(item) for item in array.flat]).reshape(array.shape)
         typed = typed_numbers(value)
         sensible = [each for each in typed if self._inside(np.array(float(each)))] or typed
@@ -191,6 +191,16 @@ class Quantity:
             f"The {self.name} is {number:g}{self._unit}{where}; it has to be a "
             f"{kind}{self.allowed}: give {self._example}."
         )
+
+
+def keep_numbers(owner: object, **readers: Callable[[Any], float]) -> None:
+    """Let fields of a frozen dataclass be the numbers that they are read as.
+
+    So what is computed from them need not know of `Decimal`, `Fraction` or NumPy. A reader is
+    `number` or `whole` of a Quantity; raises InputError like these.
+    """
+    for field, read in readers.items():
+        object.__setattr__(owner, field, read(getattr(owner, field)))
 
 
 def one_of(
@@ -263,7 +273,8 @@ def _is_usual(number: float) -> bool:
     return not math.isfinite(number) or number == 0 or _TINY <= abs(number) <= 1 / _TINY
 
 
-def _is_real(item: object) -> bool:
+def is_real(item: object) -> bool:
+    """Whether something is one real number, of Python, NumPy or a library; True is none."""
     is_number = isinstance(item, numbers.Real | Decimal)
     return is_number and not isinstance(item, (bool, np.bool_))
 

@@ -5,7 +5,10 @@ import inspect
 import re
 import sys
 import typing
+import warnings
 from collections.abc import Callable, Mapping, Sequence
+from itertools import takewhile
+from traceback import walk_stack
 from typing import Any, TypeVar
 
 from cammotion.arguments.signatures import readable
@@ -55,6 +58,14 @@ def bind(
     except TypeError:
         wrong = _wrong(signature, title, args, kwargs)
     raise CallError(f"{wrong} Write {title}({', '.join(map(_shown, _own(signature)))}).")
+
+
+def warn(text: str) -> None:
+    """Warn of what was given, in the line outside of the package that has called it."""
+    frames = (frame for frame, _ in walk_stack(inspect.currentframe()))
+    names = (f"{frame.f_globals.get('__name__')}." for frame in frames)
+    inside = takewhile(lambda name: name.startswith(_PACKAGE), names)
+    warnings.warn(text, UserWarning, stacklevel=1 + len([*inside]))
 
 
 def _is_dressed(function: Any) -> bool:

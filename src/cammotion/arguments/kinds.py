@@ -3,18 +3,16 @@
 import functools
 import inspect
 import math
-import numbers
 import types
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from decimal import Decimal
 from typing import Any, TypeVar
 
 import numpy as np
 
 from cammotion.arguments.calls import bind, called
 from cammotion.arguments.signatures import readable
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, is_real, shorten
 
 T = TypeVar("T", bound=Callable[..., Any])
 _Reader = Callable[[Any], Any]  # returns what it takes a value for; raises TypeError if it can't
@@ -159,7 +157,7 @@ def _item(hint: Any) -> _Item:
 
 
 def _number(value: Any) -> float:
-    if isinstance(value, bool | np.bool_) or not isinstance(value, numbers.Real | Decimal):
+    if not is_real(value):
         raise TypeError
     try:
         is_finite = math.isfinite(value)

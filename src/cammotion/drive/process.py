@@ -10,7 +10,7 @@ from cammotion.machine.diagram import name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE
-from cammotion.quantities import Numbers, Quantity, plain
+from cammotion.quantities import Numbers, Quantity, keep_numbers, plain
 
 _FORCE = Quantity("force of the process", "N", example=400, low=-math.inf)
 
@@ -37,11 +37,10 @@ class ProcessForce:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "motion", name_of(self.motion))
-        for angle in (self.from_deg, self.to_deg):
-            CAM_ANGLE.number(angle)
+        ends = {"from_deg": CAM_ANGLE.number, "to_deg": CAM_ANGLE.number}
+        forces = [name for name in ("force_N", "last_N") if getattr(self, name) is not None]
+        keep_numbers(self, **ends, **dict.fromkeys(forces, _FORCE.number))
         PART_ANGLE.number(self.to_deg - self.from_deg)
-        for force in (self.force_N, self.last_N):
-            _FORCE.number(0 if force is None else force)
 
     def at(self, angle_deg: ArrayLike) -> Numbers:
         """Return the force in N at a cam angle in deg, 0 outside of the arc."""

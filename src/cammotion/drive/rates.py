@@ -96,10 +96,11 @@ def rate_limits(
     motions = shaft.diagram if shaft else as_diagram(diagram)
     found = list(_accelerations(motions, acceleration_m_per_s2))
     if force_N is not None or torque_N_m is not None:
-        if shaft is None:
+        if shaft is None or not shaft.loads:
+            without = "a camshaft without loads" if shaft else "a diagram, which has no masses"
             raise InputError(
-                "A limit of force or torque is asked of a diagram, which has no masses: give a "
-                "Camshaft, for example Camshaft(diagram, {'die': FollowerLoad(mass_kg=12)})."
+                f"A limit of force or torque is asked of {without}: give a Camshaft with loads, "
+                "for example Camshaft(diagram, {'die': FollowerLoad(mass_kg=12)})."
             )
         found += _forces(shaft, force_N)
         found += [] if torque_N_m is None else [_torque(shaft, _TORQUE.number(torque_N_m))]

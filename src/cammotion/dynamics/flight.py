@@ -29,7 +29,6 @@ _CLOSE_DEG = 1e-10  # a step that is no longer has arrived
 _MOST_STEPS = 100_000
 _FINE_DEG = 0.25  # between places of a flight that are looked at for the widest gap
 _FEWEST = 65
-_NOTHING = 1e-12  # of the travel: a gap that rounding makes
 
 
 class Fall:

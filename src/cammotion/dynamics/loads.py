@@ -12,7 +12,7 @@ from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, Numbers, Quantity, plain
+from cammotion.quantities import Floats, Numbers, Quantity, keep_numbers, plain
 
 MASS = Quantity("mass of the follower", "kg", example=12)
 STIFFNESS = Quantity("stiffness of the spring", "N/mm", example=5, low_included=True)
@@ -46,13 +46,13 @@ class FollowerLoad:
     weight_N: float = 0.0  # noqa: N815
 
     def __post_init__(self) -> None:
-        for name, quantity in (
-            ("mass_kg", MASS),
-            ("stiffness_N_per_mm", STIFFNESS),
-            ("preload_N", PRELOAD),
-            ("weight_N", WEIGHT),
-        ):
-            object.__setattr__(self, name, quantity.number(getattr(self, name)))
+        keep_numbers(
+            self,
+            mass_kg=MASS.number,
+            stiffness_N_per_mm=STIFFNESS.number,
+            preload_N=PRELOAD.number,
+            weight_N=WEIGHT.number,
+        )
 
     @checked
     def force_N(self, motion: Motion, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:  # noqa: N802

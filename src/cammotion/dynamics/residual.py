@@ -18,7 +18,6 @@ from cammotion.quantities import InputError, Numbers, Quantity, plain
 RATIO = Quantity("period ratio tm/Tn", "", example=4, high=1000)
 DAMPING_RATIO = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
 _RESONANT = 1e8  # times the stroke
-_ROUNDING = 1e-9  # deg
 
 
 def residual_vibration(

@@ -12,17 +12,14 @@ _QUOTE = "'"
 _ODD = ("=", "+", "-", "@", _QUOTE)  # a spreadsheet reckons with a cell that begins so
 
 
-def cut_rows(file: str, text: str) -> tuple[list[list[str]], str]:
-    """Return the rows of a table, cut into cells, and the sign that separates the cells.
+def cut_rows(file: str, text: str, separator: str) -> list[list[str]]:
+    """Return the rows of a table, cut into cells.
 
-    That is the semicolon where the first line has one, or a tab, else the comma. `file` is the name
-    to tell in the InputError for what cannot be cut.
+    `file` is the name to tell in the InputError for what cannot be cut.
     """
-    first = text.partition("\n")[0]
-    separator = next((sign for sign in ";\t" if sign in first), ",")
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     try:
-        return list(reader), separator
+        return list(reader)
     except csv.Error as wrong:
         raise InputError(
             f"Line {reader.line_num} of {file} cannot be cut into cells ({wrong}): look for a "

@@ -15,6 +15,7 @@ KEY = "motion"
 """A word of the heading: the row that has it is the heading."""
 
 _SEARCHED = 30  # rows in which a heading is looked for
+_SIGNS = ";\t,"
 
 
 @dataclass(frozen=True)
@@ -69,8 +70,17 @@ def open_source(path: str | Path) -> Source:
 
 def from_text(name: str, text: str) -> Source:
     """Return the table that a text is."""
-    rows, separator = cut_rows(name, text)
+    separator = _separator(text)
+    rows = cut_rows(name, text, separator)
     return Source(name, rows, "Line", "." if separator == "," else "")
+
+
+def _separator(text: str) -> str:
+    """Return the sign between the cells of the heading; without one, that of the first line."""
+    lines = text.split("\n", _SEARCHED)[:_SEARCHED]
+    plain = (line.replace('"', "") for line in lines)
+    found = (sign for line in plain for sign in _SIGNS if is_heading(line.split(sign)))
+    return next(found, next((sign for sign in _SIGNS if sign in lines[0]), ","))
 
 
 def _from_book(name: str, content: bytes) -> Source:

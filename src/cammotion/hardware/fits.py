@@ -20,12 +20,12 @@ from cammotion.hardware.iso_286 import (
     SYMMETRIC,
     UPPER,
 )
-from cammotion.quantities import InputError, Quantity, one_of, shorten
+from cammotion.quantities import InputError, Quantity, keep_numbers, one_of, shorten
 
 Kind = Literal["clearance", "transition", "interference"]
 
 _DIAMETER = Quantity("diameter", "mm", example=40, high=STEPS_MM[-1])
-DEVIATION = Quantity("deviation", "µm", example=-9, low=-1e6, high=1e6)
+_DEVIATION = Quantity("deviation", "µm", example=-9, low=-1e6, high=1e6)
 _LETTERS = (*UPPER, SYMMETRIC, *LOWER)
 _UNITS = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100}
 _POWERS = {  # um = factor * mm ** power, with the sign of the deviation
@@ -118,10 +118,9 @@ class Limits:
     lower_um: float
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "diameter_mm", _DIAMETER.number(self.diameter_mm))
-        for name in ("upper_um", "lower_um"):
-            number = DEVIATION.number(getattr(self, name))
-            object.__setattr__(self, name, int(number) if number.is_integer() else number)
+        keep_numbers(
+            self, diameter_mm=_DIAMETER.number, upper_um=read_deviation, lower_um=read_deviation
+        )
 
     def __repr__(self) -> str:
         """Write it as a drawing does."""
@@ -269,6 +268,12 @@ def _step(diameter_mm: float) -> int:
     """Return the number of the step that a diameter lies in."""
     diameter = _DIAMETER.number(diameter_mm)
     return next(at for at, high in enumerate(STEPS_MM) if diameter <= high)
+
+
+def read_deviation(value: Any) -> float:
+    """Return a deviation in um, an int where it is whole; raises InputError for what is none."""
+    number = _DEVIATION.number(value)
+    return int(number) if number.is_integer() else number
 
 
 def _checked_grade(grade: Any) -> int:

@@ -17,7 +17,7 @@ from cammotion.hardware.disc_cam import (
 from cammotion.hardware.envelope import Lift, points
 from cammotion.hardware.followers import PRIME
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, Numbers, plain
+from cammotion.quantities import Floats, Numbers, keep_numbers, plain
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class FlatFacedCam(DiscCam):
 
     def __post_init__(self) -> None:
         check_motion(self.motion)
-        object.__setattr__(self, "base_radius_mm", PRIME.number(self.base_radius_mm))
+        keep_numbers(self, base_radius_mm=PRIME.number)
 
     def profile_mm(self, angle_deg: ArrayLike) -> Floats:
         """Return the points (x, y) in mm that touch the face, in an array (..., 2)."""

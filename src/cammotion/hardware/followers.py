@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.quantities import Floats, InputError, Quantity, keep_numbers
 
 Places = NDArray[np.complex128]
 
@@ -72,8 +72,7 @@ class TranslatingRoller(RollerFollower):
     offset_mm: float = 0.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "radius_mm", ROLLER.number(self.radius_mm))
-        object.__setattr__(self, "offset_mm", OFFSET.number(self.offset_mm))
+        keep_numbers(self, radius_mm=ROLLER.number, offset_mm=OFFSET.number)
 
     def place(self, lift_mm: Floats, prime_radius_mm: Any) -> tuple[Places, Places, Places]:
         """Return where the roller's centre is, its way there, and how that turns: not at all."""
@@ -107,9 +106,7 @@ class SwingingRoller(RollerFollower):
     pivot_mm: float
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "radius_mm", ROLLER.number(self.radius_mm))
-        object.__setattr__(self, "arm_mm", ARM.number(self.arm_mm))
-        object.__setattr__(self, "pivot_mm", PIVOT.number(self.pivot_mm))
+        keep_numbers(self, radius_mm=ROLLER.number, arm_mm=ARM.number, pivot_mm=PIVOT.number)
 
     def place(self, lift_mm: Floats, prime_radius_mm: Any) -> tuple[Places, Places, Places]:
         """Return where the roller's centre is, its way there, and how that turns by the mm."""

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
-from cammotion.quantities import Numbers, Quantity, plain
+from cammotion.quantities import Numbers, Quantity, keep_numbers, plain
 
 _SLOTS = Quantity("number of slots", "", example=8, low=3, high=60, low_included=True)
 _DERIVATIVE = Quantity("derivative", "", example=1, high=2, low_included=True)
@@ -43,7 +43,7 @@ class Geneva:
     slots: int
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "slots", _SLOTS.whole(self.slots))
+        keep_numbers(self, slots=_SLOTS.whole)
 
     @property
     def ratio(self) -> float:

@@ -24,7 +24,7 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.piece import Piece, bisect
 from cammotion.machine.kinematics import ANGLE
-from cammotion.quantities import Floats, InputError, Numbers, Quantity
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers
 
 _INERTIA = Quantity("inertia", "kg m2", example=38.5)
 _STOPS = Quantity("number of stops", "", example=8, low=2, low_included=True)
@@ -62,12 +62,15 @@ class Indexer:
 
     def __post_init__(self) -> None:
         if not isinstance(self.turns, Rotor):
-            _INERTIA.number(self.turns)
-        _STOPS.whole(self.stops)
-        _TIME.number(self.time_s)
-        _FRICTION.number(self.friction_N_m)
-        _WORK.number(self.work_N_m)
-        _SAFETY.number(self.safety)
+            keep_numbers(self, turns=_INERTIA.number)
+        keep_numbers(
+            self,
+            stops=_STOPS.whole,
+            time_s=_TIME.number,
+            friction_N_m=_FRICTION.number,
+            work_N_m=_WORK.number,
+            safety=_SAFETY.number,
+        )
         object.__setattr__(self, "law", as_law(self.law))
         if not math.isfinite(self._law.Ca):
             raise InputError(
@@ -78,7 +81,7 @@ class Indexer:
     @property
     def inertia_kg_m2(self) -> float:
         """The moment of inertia of what turns, in kg m2."""
-        return self.turns.inertia_kg_m2 if isinstance(self.turns, Rotor) else float(self.turns)
+        return self.turns.inertia_kg_m2 if isinstance(self.turns, Rotor) else self.turns
 
     @property
     def step_rad(self) -> float:
@@ -213,7 +216,8 @@ class Indexer:
         >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).impact_rad_per_s(0.02):.4f} rad/s")
         0.0286 rad/s
         """
-        gap = math.radians(_BACKLASH.number(backlash_deg)) / self.step_rad
+        backlash = _BACKLASH.number(backlash_deg)
+        gap = math.radians(backlash) / self.step_rad
         if not self.braking:
             return 0.0
         law, start = self._law, self.braking[0][0]
@@ -227,7 +231,7 @@ class Indexer:
         if ahead(end) < gap:
             most = math.degrees(ahead(end) * self.step_rad)
             raise InputError(
-                f"The backlash is {backlash_deg:g} deg, and while it is braked the table gains "
+                f"The backlash is {backlash:g} deg, and while it is braked the table gains "
                 f"only {most:.4g} deg on its drive: give a smaller backlash."
             )
         hit = bisect(lambda x: ahead(x) < gap, start, end)
@@ -244,7 +248,7 @@ class Indexer:
 
     @property
     def _drag(self) -> float:
-        return float(self.friction_N_m + self.work_N_m)
+        return self.friction_N_m + self.work_N_m
 
     @property
     def _drag_a(self) -> float:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from cammotion.machine.kinematics import MM_PER_M
-from cammotion.quantities import InputError, Quantity
+from cammotion.quantities import InputError, Quantity, keep_numbers
 
 _MASS = Quantity("mass", "kg", example=20)
 _RADIUS = Quantity("radius", "mm", example=450)
@@ -35,7 +35,7 @@ class _Body:
     density_kg_per_m3: Any = None
 
     def __post_init__(self) -> None:
-        self._check()
+        self._read_sizes()
         by_density = self.thickness_mm is not None and self.density_kg_per_m3 is not None
         if (self.mass_kg is None) != by_density or (
             self.mass_kg is not None and self.density_kg_per_m3 is not None
@@ -46,18 +46,18 @@ class _Body:
                 "density_kg_per_m3, for example 10 mm and 7850 kg/m3."
             )
         if by_density:
-            thick = _THICKNESS.number(self.thickness_mm) / MM_PER_M
-            mass = self._area_m2 * thick * _DENSITY.number(self.density_kg_per_m3)
+            keep_numbers(self, thickness_mm=_THICKNESS.number, density_kg_per_m3=_DENSITY.number)
+            mass = self._area_m2 * _m(self.thickness_mm) * self.density_kg_per_m3
+            object.__setattr__(self, "mass_kg", mass)
         else:
-            mass = _MASS.number(self.mass_kg)
-        object.__setattr__(self, "mass_kg", mass)
+            keep_numbers(self, mass_kg=_MASS.number)
 
     @property
     def inertia_kg_m2(self) -> float:
         """The moment of inertia about the axis, in kg m2."""
         return float(self.mass_kg) * self._gyration_m2
 
-    def _check(self) -> None:
+    def _read_sizes(self) -> None:
         """Raise InputError for sizes that make no sense."""
         raise NotImplementedError
 
@@ -85,8 +85,8 @@ class Disc(_Body):
 
     radius_mm: float
 
-    def _check(self) -> None:
-        _RADIUS.number(self.radius_mm)
+    def _read_sizes(self) -> None:
+        keep_numbers(self, radius_mm=_RADIUS.number)
 
     @property
     def _area_m2(self) -> float:
@@ -111,8 +111,9 @@ class Ring(_Body):
     radius_mm: float
     inner_mm: float
 
-    def _check(self) -> None:
-        outer, inner = _RADIUS.number(self.radius_mm), _INNER.number(self.inner_mm)
+    def _read_sizes(self) -> None:
+        keep_numbers(self, radius_mm=_RADIUS.number, inner_mm=_INNER.number)
+        outer, inner = self.radius_mm, self.inner_mm
         if inner >= outer:
             raise InputError(
                 f"The inner radius is {inner:g} mm and the outer one {outer:g} mm: give an inner "
@@ -141,9 +142,8 @@ class Cuboid(_Body):
     length_mm: float
     width_mm: float
 
-    def _check(self) -> None:
-        _LENGTH.number(self.length_mm)
-        _WIDTH.number(self.width_mm)
+    def _read_sizes(self) -> None:
+        keep_numbers(self, length_mm=_LENGTH.number, width_mm=_WIDTH.number)
 
     @property
     def _area_m2(self) -> float:
@@ -170,8 +170,9 @@ class Cross(_Body):
     length_mm: float
     width_mm: float
 
-    def _check(self) -> None:
-        length, width = _LENGTH.number(self.length_mm), _WIDTH.number(self.width_mm)
+    def _read_sizes(self) -> None:
+        keep_numbers(self, length_mm=_LENGTH.number, width_mm=_WIDTH.number)
+        length, width = self.length_mm, self.width_mm
         if width >= length:
             raise InputError(
                 f"The bars of the cross are {length:g} mm long and {width:g} mm wide: give a width "
@@ -208,20 +209,23 @@ class PointMasses:
     own_kg_m2: float = 0.0
 
     def __post_init__(self) -> None:
-        _MASS.number(self.each_kg)
-        _RADIUS.number(self.radius_mm)
-        _INERTIA.number(self.own_kg_m2)
-        _COUNT.whole(self.count)
+        keep_numbers(
+            self,
+            each_kg=_MASS.number,
+            radius_mm=_RADIUS.number,
+            own_kg_m2=_INERTIA.number,
+            count=_COUNT.whole,
+        )
 
     @property
     def mass_kg(self) -> float:
         """The mass of all of them, in kg."""
-        return float(self.count * self.each_kg)
+        return self.count * self.each_kg
 
     @property
     def inertia_kg_m2(self) -> float:
         """Their moment of inertia about the axis of the table, in kg m2."""
-        return self.count * float(self.each_kg * _m(self.radius_mm) ** 2 + self.own_kg_m2)
+        return self.count * (self.each_kg * _m(self.radius_mm) ** 2 + self.own_kg_m2)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -236,9 +240,8 @@ class OwnInertia:
     inertia_kg_m2: float
 
     def __post_init__(self) -> None:
-        _MASS.number(self.mass_kg)
-        _INERTIA.number(self.inertia_kg_m2)
+        keep_numbers(self, mass_kg=_MASS.number, inertia_kg_m2=_INERTIA.number)
 
 
 def _m(length_mm: float) -> float:
-    return float(length_mm) / MM_PER_M
+    return length_mm / MM_PER_M

@@ -30,7 +30,7 @@ from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Numbers, plain, shorten
+from cammotion.quantities import Floats, InputError, Numbers, keep_numbers, plain, shorten
 
 _FINE_DEG, _SEEN_MM = 0.05, 1e-3
 
@@ -63,7 +63,7 @@ class RollerCam(DiscCam):
                 f"The follower is {shorten(self.follower)}: give a TranslatingRoller or a "
                 "SwingingRoller, for example TranslatingRoller(10)."
             )
-        object.__setattr__(self, "prime_radius_mm", PRIME.number(self.prime_radius_mm))
+        keep_numbers(self, prime_radius_mm=PRIME.number)
         self.follower.check(self.prime_radius_mm, travel_mm(self.motion))
 
     @property

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from contextlib import suppress
 from functools import lru_cache, partial, reduce
 from typing import NamedTuple
 
@@ -45,8 +46,10 @@ def cut(name: str, law: object) -> tuple[Zone, ...]:
         return (Zone(law, 0.0, 1.0),)
     if plain := _in_order(law):
         return plain
-    pieces = sympy.piecewise_fold(law).as_expr_set_pairs(sympy.Interval(0, 1))
-    found = [Zone(piece, float(where.inf), float(where.sup)) for piece, where in pieces]
+    found: list[Zone] = []
+    with suppress(NotImplementedError, AttributeError):  # SymPy knows not where a case holds
+        pieces = sympy.piecewise_fold(law).as_expr_set_pairs(sympy.Interval(0, 1))
+        found = [Zone(piece, float(where.inf), float(where.sup)) for piece, where in pieces]
     zones = sorted((z for z in found if z.low < z.high), key=lambda zone: zone.low)
     cuts = [end for zone in zones for end in (zone.low, zone.high)]
     if (cuts[:1], cuts[1:-1:2], cuts[-1:]) != ([0], cuts[2::2], [1]):

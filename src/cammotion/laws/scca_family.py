@@ -46,6 +46,7 @@ def scca(
     >>> print(f"{scca(0.25, 0.5, 0.25).Ca:.5f}")  # 8 pi / (2 + pi)
     4.88812
     """
+    b, c, d = map(_PART.number, (b, c, d))
     parts = _exact_parts(b, c, d)
     half = [_piece(number, parts) for number, part in enumerate(parts) if part]
     title = name or f"SCCA({b:g}, {c:g}, {d:g})"
@@ -69,7 +70,7 @@ def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
 
 def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
     """Return b, c and d as fractions that add up to 1."""
-    parts = [exact(_PART.number(part)) for part in (b, c, d)]
+    parts = [exact(part) for part in (b, c, d)]
     if abs(sum(parts) - 1) > _ROUNDING:
         raise InputError(
             f"The zones of the SCCA law, {b:g} + {c:g} + {d:g}, add up to {float(sum(parts)):g}: "

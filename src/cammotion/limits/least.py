@@ -115,7 +115,7 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     """
     is_free = isinstance(jerk_m_per_s3, float) and jerk_m_per_s3 == np.inf
     most_jerk = np.inf if is_free else _JERK_LIMIT.number(jerk_m_per_s3)
-    grid = _whole(_CELLS.number(cells))
+    grid = _CELLS.whole(cells)
     own = as_diagram(diagram)[motion]
     asked = Asked(
         of_places(diagram, own.name, rules),
@@ -144,15 +144,6 @@ def _check(found: LeastAcceleration, asked: Asked) -> None:
         faults.append(f"a motion reaches {found.reached:g} m/s², less than {found.bound:g} m/s²")
     if faults:
         raise WrongAnswerError("least_acceleration", "; ".join(faults))
-
-
-def _whole(cells: float) -> int:
-    if cells != round(cells):
-        raise InputError(
-            f"The number of cells is {cells:g}; it has to be a whole number: give, for example, "
-            f"{round(cells)}."
-        )
-    return round(cells)
 
 
 def _reach(room: Corridor, times: Floats, most_jerk: float) -> tuple[Corridor, GridMotion]:

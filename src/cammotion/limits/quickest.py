@@ -23,7 +23,7 @@ _VELOCITY = Quantity("largest velocity", "m/s", example=0.5)
 _ACCELERATION = Quantity("largest acceleration", "m/s2", example=4)
 _JERK = Quantity("largest jerk", "m/s3", example=200)
 _SAME = 1e-9  # by such a share a peak may pass its limit, and so short a segment is none
-_LEAST = 1e-6
+_LEAST = 1e-6  # of its time, for which the move at least speeds up, and its acceleration rises
 
 
 class _Times(NamedTuple):
@@ -62,10 +62,17 @@ def quickest_move(
     0.2445 s, 48.90 deg, Ca = 4.782
     >>> rise = cm.rise(move.stroke_mm, over_deg=move.angle_deg, law=move.law)
     """
-    stroke = STROKE.number(stroke_mm) / MM_PER_M
+    stroke_mm = STROKE.number(stroke_mm)
+    stroke = stroke_mm / MM_PER_M
     v, j = _limit(_VELOCITY, velocity_m_per_s), _limit(_JERK, jerk_m_per_s3)
     a = _ACCELERATION.number(acceleration_m_per_s2)
     times = _times(stroke, v, a, j)
+    if times.speeding < _LEAST * times.total:
+        raise InputError(
+            f"The largest acceleration is {a:g} m/s2, with which the move speeds up for less than "
+            f"a millionth of its time: give a smaller one, for example "
+            f"{0.9 * v**2 / (_LEAST * stroke):.3g} m/s2."
+        )
     if 0 < times.rising < _LEAST * times.total:
         raise InputError(
             f"The largest jerk is {j:g} m/s3, which the move needs for less than a millionth of "

@@ -101,7 +101,8 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
     """
     given, motion = every_rule(diagram, rules), diagram[motion].name  # given in any case
     touching = [rule for rule in given if motion in rule.motions]
-    own = _tightened(touching, motion, reserve_deg, reserve_mm)
+    deg, mm = _RESERVE_DEG.number(reserve_deg), _RESERVE_MM.number(reserve_mm)
+    own = [tightened(rule, motion, deg, mm) for rule in touching] if deg or mm else touching
     frame = Frame(diagram[motion])
     is_each_way = frame.has_two_angles if each_way is None else each_way
     events = list(_events(diagram, frame, own, is_each_way))
@@ -115,7 +116,7 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
             return WidestMove(wider, motion, angles, tight, elsewhere)
     narrow = diagram.with_motion(frame.with_angles([NARROW_DEG] * len(frame.anchors)))
     broken = "; ".join(map(str, find_violations(narrow, own)))
-    reserve = f" with {reserve_deg:g} deg and {reserve_mm:g} mm to spare" if own != touching else ""
+    reserve = f" with {deg:g} deg and {mm:g} mm to spare" if own != touching else ""
     raise InputError(
         f"No move of the {motion} keeps the rules{reserve}: however quickly it moves, {broken}. "
         "Move its dwell, or give the other motion less of the turn."
@@ -164,12 +165,6 @@ def _check(
     wider = [bm + _WIDER_DEG for bm in angles]
     if _keeps(diagram.with_motion(frame.with_angles(wider)), rules):
         raise WrongAnswerError("widest_move", f"the {name} could take more than {angles[0]} deg")
-
-
-def _tightened(rules: list[Rule], motion: str, reserve_deg: float, reserve_mm: float) -> list[Rule]:
-    """Return the rules that have to be kept for the reserves to be there; themselves for none."""
-    deg, mm = _RESERVE_DEG.number(reserve_deg), _RESERVE_MM.number(reserve_mm)
-    return [tightened(rule, motion, deg, mm) for rule in rules] if deg or mm else rules
 
 
 def _tight(

@@ -22,7 +22,7 @@ from cammotion.machine.kinematics import (
 )
 from cammotion.machine.motions import HEADING, Motion
 from cammotion.machine.segments import CAM_ANGLE
-from cammotion.quantities import InputError, Numbers, Quantity, one_of, plain, shorten
+from cammotion.quantities import InputError, Numbers, Quantity, keep_numbers, one_of, plain, shorten
 from cammotion.shown import as_table
 
 TIME = Quantity("time", "s", example=0.9, low=-math.inf)
@@ -53,7 +53,7 @@ class TimingDiagram:
     def __post_init__(self) -> None:
         if not self.motions:
             raise InputError("The diagram has no motion: give at least one.")
-        object.__setattr__(self, "rate_per_hour", RATE.number(self.rate_per_hour))
+        keep_numbers(self, rate_per_hour=RATE.number)
         name, times = Counter(self.names).most_common(1)[0]
         if times > 1:
             raise InputError(

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.quantities import Numbers, Quantity, broadcast, plain
+from cammotion.quantities import Numbers, Quantity, broadcast, keep_numbers, plain
 
 STROKE = Quantity("stroke", "mm", example=50)
 FULL_TURN_DEG = 360 * (1 + 1e-12)  # as 150 + 210.00000000000003 deg is
@@ -162,9 +162,9 @@ class Move:
     law: str | MotionLaw = "cycloidal"
 
     def __post_init__(self) -> None:
-        STROKE.number(self.stroke_mm)
-        ANGLE.number(self.angle_deg)
-        RATE.number(self.rate_per_hour)
+        keep_numbers(
+            self, stroke_mm=STROKE.number, angle_deg=ANGLE.number, rate_per_hour=RATE.number
+        )
         object.__setattr__(self, "law", as_law(self.law))  # looked up once
 
     @cached_property

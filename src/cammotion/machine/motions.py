@@ -21,7 +21,7 @@ from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
 from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment
-from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain, shorten
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain, shorten
 from cammotion.shown import as_table
 
 _NOISE = 1e-8  # what is less, as a share of the largest value of all, is rounding everywhere
@@ -289,7 +289,7 @@ class Motion:
         if self.stops is None:
             return
         stops = Quantity(f"number of stops of {self.name!r}", "", example=24, high=1e9)
-        object.__setattr__(self, "stops", stops.whole(self.stops))
+        keep_numbers(self, stops=stops.whole)
         if abs(way) <= _ROUNDING:
             raise InputError(
                 f"The indexing motion {self.name!r} ends where it began, and an indexing motion "

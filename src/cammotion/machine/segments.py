@@ -11,7 +11,7 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.kinematics import FULL_TURN_DEG
-from cammotion.quantities import InputError, Quantity
+from cammotion.quantities import InputError, Quantity, keep_numbers
 
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
@@ -50,9 +50,13 @@ class Segment:
     law: str | MotionLaw | None = None
 
     def __post_init__(self) -> None:
-        for end in ("from", "to"):
-            for quantity, field in ((CAM_ANGLE, f"{end}_deg"), (POSITION, f"{end}_mm")):
-                object.__setattr__(self, field, quantity.number(getattr(self, field)))
+        keep_numbers(
+            self,
+            from_deg=CAM_ANGLE.number,
+            from_mm=POSITION.number,
+            to_deg=CAM_ANGLE.number,
+            to_mm=POSITION.number,
+        )
         if self.angle_deg < 0:
             raise InputError(
                 f"The segment from {self.from_deg:g} to {self.to_deg:g} deg ends before it begins: "

@@ -1,12 +1,11 @@
 """A motion law from a table of points, as a cam is measured or an old drawing lists it."""
 
-import warnings
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.arguments import checked
+from cammotion.arguments import checked, warn
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.fits import Fit, Monotone, Periodic, Through
 from cammotion.measured.sampled_law import SampledLaw
@@ -174,12 +173,10 @@ def _warn(law: SampledLaw) -> None:
     peak = law.curve.derived(2).largest
     if law.rounding.bound > _RULES * peak:
         better = "more smoothing" if law.fit.is_smooth else "a smoothing spline (fit='smooth')"
-        warnings.warn(
+        warn(
             f"The points of the law {law.name!r} are rounded to {law.step:g}. That alone changes A "
             f"by {law.rounding.rms:.3g} (root mean square) and by up to {law.rounding.bound:.3g}, "
-            f"where A is {peak:.3g} at most: take {better}, or points with more digits.",
-            UserWarning,
-            stacklevel=3,
+            f"where A is {peak:.3g} at most: take {better}, or points with more digits."
         )
 
 

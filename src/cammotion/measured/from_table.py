@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from cammotion.arguments import checked
+from cammotion.arguments import checked, warn
 from cammotion.laws.curve import Curve
 from cammotion.laws.spline import Spline
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -184,12 +184,10 @@ def _warn(motion: Motion, table: CamTable) -> None:
     laws = [law for move in motion.moves if isinstance(law := move.law, SampledLaw)]
     share = max(law.rounding.bound / law.curve.derived(2).largest for law in laws)
     if share > _RULES:
-        warnings.warn(
+        warn(
             f"The positions of the table are rounded to {table.step_mm:g} mm. That alone changes "
             f"the acceleration of {motion.name} by up to {share:.0%} of its peak: take positions "
-            "with more digits, or smoothed ones.",
-            UserWarning,
-            stacklevel=4,
+            "with more digits, or smoothed ones."
         )
 
 

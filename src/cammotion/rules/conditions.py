@@ -10,6 +10,7 @@ from cammotion.machine.diagram import TimingDiagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import POSITION, Segment
+from cammotion.quantities import keep_numbers
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,7 @@ class Condition:
     is_beyond: bool
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "limit_mm", POSITION.number(self.limit_mm))
+        keep_numbers(self, limit_mm=POSITION.number)
 
     @property
     def opposite(self) -> "Condition":

@@ -18,7 +18,7 @@ from cammotion.machine.arcs import Arc, unwrap
 from cammotion.machine.diagram import TimingDiagram, as_diagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.quantities import Floats, InputError, Quantity, keep_numbers
 from cammotion.rules.rule import Room, Rule
 
 _DISTANCE = Quantity("least distance", "mm", example=5, low=-math.inf)
@@ -66,7 +66,7 @@ class DistanceRule(Rule):
     name: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "at_least_mm", _DISTANCE.number(self.at_least_mm))
+        keep_numbers(self, at_least_mm=_DISTANCE.number)
         object.__setattr__(self, "name", self.name.strip())
         object.__setattr__(self, "part", name_of(self.part))
         object.__setattr__(self, "above", name_of(self.above))

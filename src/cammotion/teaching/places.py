@@ -39,13 +39,15 @@ def find_place() -> Place:
         return Place(None)
     home = _home()
     if wanted:
-        candidates = [(home or Path()) / Path(wanted).expanduser()]
+        named = _named(wanted)
+        folders = [named and (home or Path()) / named]
     else:
-        candidates = [folder for folder in (_top(here), home and home / _AT_HOME) if folder]
+        folders = [_top(here), home and home / _AT_HOME]
+    candidates = [folder for folder in folders if folder]
     for folder in candidates:
         if _may_keep(folder):
             return Place(folder, f"Your progress is kept in {folder / FILE}.")
-    tried = " nor in ".join(map(str, candidates)) or "any folder"
+    tried = " nor in ".join(map(str, candidates)) or wanted or "any folder"
     return Place(
         None,
         f"Your progress is kept only until this notebook is closed: it cannot be written in "
@@ -62,6 +64,12 @@ def _here() -> Path | None:
 def _home() -> Path | None:
     with suppress(RuntimeError):  # a user without one
         return Path.home()
+    return None
+
+
+def _named(wanted: str) -> Path | None:
+    with suppress(RuntimeError):  # ~nobody
+        return Path(wanted).expanduser()
     return None
 
 

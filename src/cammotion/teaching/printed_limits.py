@@ -8,7 +8,10 @@ import re
 from dataclasses import dataclass
 
 from cammotion.arguments import checked
-from cammotion.hardware.fits import DEVIATION
+from cammotion.hardware.fits import read_deviation
+from cammotion.quantities import Quantity, keep_numbers
+
+_END = Quantity("end of a step of diameters", "mm", example=30, low_included=True)
 
 
 @checked
@@ -27,9 +30,13 @@ class PrintedLimits:
     lower_um: float
 
     def __post_init__(self) -> None:
-        for name in ("upper_um", "lower_um"):
-            number = DEVIATION.number(getattr(self, name))
-            object.__setattr__(self, name, int(number) if number.is_integer() else number)
+        keep_numbers(
+            self,
+            over_mm=_END.whole,
+            to_mm=_END.whole,
+            upper_um=read_deviation,
+            lower_um=read_deviation,
+        )
 
     def __repr__(self) -> str:
         """Write the line."""

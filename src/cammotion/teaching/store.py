@@ -46,7 +46,7 @@ class Store:
         self.find_place = find_place
         self._known: Content = {}
         self._unwritten: list[tuple[str, str, Change]] = []
-        self._kept_aside = self._not_written = self._obstacle = ""
+        self._kept_aside = self._not_read = self._not_written = self._obstacle = ""
         self._patience_s = _PATIENCE_S
         self._has_told = False
 
@@ -58,7 +58,7 @@ class Store:
     @property
     def complaint(self) -> str:
         """What the learner has to know of the file, "" if all is well."""
-        return " ".join(filter(None, [self._kept_aside, self._not_written]))
+        return " ".join(filter(None, [self._kept_aside, self._not_read, self._not_written]))
 
     @property
     def where(self) -> str:
@@ -137,7 +137,8 @@ class Store:
         return content
 
     def _read(self) -> Content:
-        file = self.file
+        """Return what the file holds; while it cannot be opened, what was known of it before."""
+        file, self._not_read = self.file, ""
         try:
             if file is None or not file.exists():
                 return self._known
@@ -148,7 +149,14 @@ class Store:
                 isinstance(record, dict) for kind in content.values() for record in kind.values()
             ):
                 raise ValueError("not of this workbook")
-        except (OSError, ValueError, AttributeError, RecursionError):
+        except OSError as wrong:  # it may pass, as on a network drive
+            self._obstacle = str(wrong.strerror or wrong)
+            self._not_read = (
+                f"Your progress could not be read ({self._obstacle}), and may be more than what "
+                "is shown; the file is left as it is, and tried again."
+            )
+            return self._known
+        except (ValueError, AttributeError, RecursionError):
             self._keep_aside(file)
             return self._known
         return dict(content)

@@ -12,11 +12,10 @@ from typing import Any
 
 from cammotion.quantities import InputError
 from cammotion.teaching.classroom.clean import clean
-from cammotion.teaching.places import FILE
+from cammotion.teaching.places import FILE, KINDS
 from cammotion.teaching.store import Record
 
 _LARGEST_BYTES = 5_000_000  # a hundred times what all lessons fill
-_KINDS = ("exercises", "predictions", "learner")
 _ASIDE = "progress-unreadable-"  # what the store itself has put aside
 
 
@@ -116,7 +115,7 @@ def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
         content = json.loads(raw.decode("utf-8-sig"))
     except (ValueError, RecursionError):
         raise _NoProgressError("is broken, and cannot be read") from None
-    if not isinstance(content, dict) or not any(_records(content, kind) for kind in _KINDS):
+    if not isinstance(content, dict) or not any(_records(content, kind) for kind in KINDS):
         raise _NoProgressError("holds no exercises and no predictions of the workbook")
     return raw, content
 

@@ -20,7 +20,6 @@ from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import angle_with_the_same_peak
 from cammotion.teaching.shown.ways import peak_of_die
 
-_CYCLOIDAL = LAWS["cycloidal"]
 _p = sympy.Symbol("p")
 
 

@@ -1,14 +1,15 @@
 """What may stand in a live figure: expressions of SymPy, and what is said of those that may not."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from numbers import Integral
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, is_real, shorten
 
 NOW = sp.Dummy("now", real=True)
 """Where the clock stands. In a line the variable runs: what of it moves depends on this."""
@@ -30,15 +31,15 @@ def as_expression(value: Any) -> sp.Basic:
         raise InputError(
             f"{shorten(value)} is a law and no expression: take its s, v, a or j, like law.s."
         )
-    try:
-        if isinstance(value, str | bool):
-            raise TypeError
-        return sp.Float(float(value)) if isinstance(value, float) else sp.Integer(int(value))
-    except (TypeError, ValueError, OverflowError, np.ma.MaskError):
-        raise InputError(
-            f"A live figure cannot draw {shorten(value)}: give an expression of SymPy, "
-            "for example sp.sin(t), or a number."
-        ) from None
+    number = value[()] if isinstance(value, np.ndarray) else value  # np.array(0.5) is one number
+    with suppress(OverflowError):  # of Fraction(10**400)
+        if is_real(number):
+            is_whole = isinstance(number, Integral)
+            return sp.Integer(int(number)) if is_whole else sp.Float(float(number))
+    raise InputError(
+        f"A live figure cannot draw {shorten(value)}: give an expression of SymPy, "
+        "for example sp.sin(t), or a number."
+    )
 
 
 def as_curve(value: Any) -> sp.Expr:

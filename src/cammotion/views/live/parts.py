@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from cammotion.arguments import checked
-from cammotion.quantities import InputError, Quantity, one_of, shorten
+from cammotion.quantities import InputError, Quantity, keep_numbers, one_of, shorten
 from cammotion.views.live.expressions import as_curve, as_expression
 
 OWN, REFERENCE, ALARM, FRAME, AREA = "own", "reference", "alarm", "frame", "area"
@@ -150,7 +150,8 @@ class Panel:
             _check_ends(name, getattr(self, name))
         for name in ("x_ticks", "y_ticks", "height"):
             if getattr(self, name) is not None:
-                Quantity(f"{name} of a panel", "", example=100).number(getattr(self, name))
+                size = Quantity(f"{name} of a panel", "", example=100)
+                keep_numbers(self, **{name: size.number})
         is_several = isinstance(self.words, Sequence) and not isinstance(self.words, str)
         for words in self.words if is_several else [self.words]:
             if not isinstance(words, tuple) or len(words) != 3:  # noqa: PLR2004
