@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from machines import Array
 
+import cammotion as cm
 from cammotion.bracketed import largest, samples, where_positive
 from cammotion.laws.piece import Piece
 from cammotion.teaching.example import EXAMPLE
@@ -56,3 +57,18 @@ def test_ends_of_pieces_count() -> None:
 
     last = PIECES[-1]
     assert largest(jumps, PIECES).value == last.low + last.high
+
+
+def test_no_place_is_sampled_twice() -> None:
+    """Of two that differ by rounding one may be higher, and hide the peak beside the other."""
+    motion = cm.motion(
+        "late",
+        *(cm.rise(1, over_deg=1.676435491344), cm.dwell(100)),
+        *(cm.return_(1, over_deg=1.676435186642, law="modified trapezoidal"), cm.dwell(256)),
+        cm.dwell(0.647129322014),
+        start_deg=760.664307961657,
+    )
+    for piece in motion.curve.pieces:
+        places = samples(piece)
+        assert (places[0], places[-1]) == (piece.low, piece.high)
+        assert np.diff(places).min() > 1e-8 * (piece.high - piece.low)

@@ -363,3 +363,14 @@ def test_what_was_right_for_a_name_is_right_when_the_name_comes_back(work: Path)
     restart()
     assert all(line_of("01.1").startswith("right") for who in ("Anna", "Ben") if cm.variant(who))
     assert read_file(work)["exercises"]["01.1"]["right"] == ["anna", "ben"]
+
+
+def test_what_another_version_has_written_beside_it_stays(work: Path) -> None:
+    others = {"version": 3, "notes": ["a"], "later": {"01.1": None}}
+    cm.check("01.1", 70)
+    (work / FILE).write_text(json.dumps(read_file(work) | others), "utf-8")
+    restart()
+    cm.check("01.2", 7)
+    assert line_of("01.1").startswith("right")
+    assert read_file(work).items() >= others.items()
+    assert files_in(work) == [FILE]

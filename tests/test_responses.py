@@ -431,3 +431,10 @@ def test_a_law_that_bends_too_sharply() -> None:
     needle = cm.MotionLaw("needle", cm.x**3 * (4 - 3 * cm.x) + cm.x**3 * (1 - cm.x) ** 3 * waves)
     with pytest.raises(cm.InputError, match="bends too sharply"):
         accelerations(needle.curve)
+
+
+def test_of_many_turns_that_are_alike_one_is_enough() -> None:
+    steady = cm.SteadyResponse(cm.tuned_mass(12, 0.02), DIE, RATE)
+    one, many = (steady.peak_acceleration(over=(100, 100 + turns)) for turns in (360, 360e6))
+    assert one == many == steady.peak_acceleration(over=(100, 500))
+    assert one.value == steady.peak_acceleration().value

@@ -47,6 +47,7 @@ _LEAST_SAMPLES = 33
 _SHARES = np.linspace(0, 1, 9)  # of a part between two cuts, where it is looked at
 _NEAR = 5e-2  # samples so near to a level, as a share of all, may have one above it beside them
 _CLOSE_DEG = 1e-10
+_TWINS = 1e-9  # of a piece: so near to each other, two places are one that was computed twice
 
 
 class Extreme(NamedTuple):
@@ -94,7 +95,10 @@ def samples(piece: Stretch) -> Floats:
     count = max(_LEAST_SAMPLES, int(np.ceil((piece.high - piece.low) / _STEP_DEG)) + 1)
     ends = np.array([piece.low, *cuts(piece), piece.high])
     between = ends[:-1, None] + np.diff(ends)[:, None] * _SHARES
-    return np.union1d(np.linspace(piece.low, piece.high, count), between)
+    places = np.union1d(np.linspace(piece.low, piece.high, count), between)
+    is_apart = np.diff(places, append=np.inf) > _TWINS * (piece.high - piece.low)
+    is_apart[0] = True
+    return places[is_apart]
 
 
 def cuts(piece: Stretch) -> list[float]:

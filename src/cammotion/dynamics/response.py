@@ -312,3 +312,7 @@ class SteadyResponse(_TurnResponse):
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         since = np.mod(angles - self.motion.start_deg, DEG_PER_TURN)
         return np.zeros(since.shape, dtype=np.intp), self.motion.start_deg + since
+
+    def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
+        low, high = ordered(CAM_ANGLE, self.span if over is None else over)
+        return super()._runs((low, min(high, low + DEG_PER_TURN)))

@@ -112,7 +112,8 @@ class Geneva:
         """The index as a motion law over x = t/tm, to compare with others; it cannot be chosen.
 
         The arc tangent is a sum of waves, lambda^k sin(k alpha)/k for k = 1, 2, ..., of which so
-        many are taken that no digit is missing.
+        many are taken that no digit is missing: of three slots several hundred, and then the
+        factors of the law take seconds.
 
         >>> wheel = Geneva(8).law
         >>> print(f"Cv {wheel.Cv:.3f}, Ca {wheel.Ca:.3f}, Cj {wheel.Cj}")

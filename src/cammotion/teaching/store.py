@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from cammotion.teaching.lock import only_one
-from cammotion.teaching.places import FILE, Place
+from cammotion.teaching.places import FILE, KINDS, Place
 
 LOCK = ".progress.lock"
 _PATIENCE_S, _WHEN_TRIED_S = 5.0, 0.1  # so long waits nobody: who holds it is not at work
@@ -129,7 +129,8 @@ class Store:
     def _load(self) -> Content:
         """Return what the file holds, with the changes that could not be written to it."""
         self._known = self._read()
-        content = {kind: dict(records) for kind, records in self._known.items()}
+        content = dict(self._known)
+        content.update({kind: dict(content[kind]) for kind in KINDS if kind in content})
         for kind, key, how in self._unwritten:
             records = content.setdefault(kind, {})
             before = records.get(key, {})
@@ -145,9 +146,8 @@ class Store:
             if not file.is_file():
                 raise ValueError("a folder, or nothing that ends")
             content = json.loads(file.read_bytes())  # in any UTF, with or without a mark of it
-            if not all(
-                isinstance(record, dict) for kind in content.values() for record in kind.values()
-            ):
+            own = [content.get(kind, {}).values() for kind in KINDS]
+            if not all(isinstance(record, dict) for records in own for record in records):
                 raise ValueError("not of this workbook")
         except OSError as wrong:  # it may pass, as on a network drive
             self._obstacle = str(wrong.strerror or wrong)
