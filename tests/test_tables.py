@@ -1,7 +1,9 @@
 """Timing diagrams in files: what is written is read back, and nothing is lost or overwritten."""
 
 import csv
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -222,6 +224,57 @@ def test_a_file_that_is_there_is_left_as_it_is(
     assert path.read_text() == "a week's work"
     assert write_table(DIAGRAM, str(path), overwrite=True) == path
     assert path.read_text() != "a week's work"
+
+
+@contextmanager
+def full_after(most: int) -> Iterator[None]:
+    """Let no file become longer than so many bytes, as on a disk that is full."""
+    resource = pytest.importorskip("resource")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_full_disk_loses_nothing_and_leaves_nothing(tmp_path: Path, there: bool) -> None:
+    path = tmp_path / "mine.csv"
+    if there:
+        path.write_text("a week's work")
+    with full_after(100), pytest.raises(cm.InputError, match=r"^The file mine\.csv cannot be"):
+        write(DIAGRAM, path, overwrite=there)
+    assert [*tmp_path.iterdir()] == [path] * there
+    assert not there or path.read_text() == "a week's work"
+    assert write(DIAGRAM, path, overwrite=there).stat().st_size > 100
+
+
+def test_what_is_written_over_stays_what_it_was(tmp_path: Path) -> None:
+    """A link stays a link, and who may read a file may read the new one."""
+    path, link = tmp_path / "mine.csv", tmp_path / "link.csv"
+    path.write_text("a week's work")
+    path.chmod(0o640)
+    mode = path.stat().st_mode
+    try:
+        link.symlink_to(path)
+    except OSError:
+        link = path
+    write(DIAGRAM, link, overwrite=True)
+    assert (link.is_symlink(), path.stat().st_mode) == (link != path, mode)
+    assert read_segments(path) == DIAGRAM
+    assert {*tmp_path.iterdir()} == {path, link}
+
+
+def test_a_file_that_may_not_be_written_to_is_not_replaced(tmp_path: Path) -> None:
+    path = tmp_path / "mine.csv"
+    path.write_text("a week's work")
+    path.chmod(0o440)
+    if os.access(path, os.W_OK):
+        pytest.skip("this user may write everywhere")
+    with pytest.raises(cm.InputError, match=r"^The file mine\.csv cannot be written \(Permission"):
+        write(DIAGRAM, path, overwrite=True)
+    assert path.read_text() == "a week's work"
 
 
 @pytest.mark.parametrize("write_table", [write, write_curves_of])
