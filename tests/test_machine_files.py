@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from machines import examples
 
 import cammotion as cm
+from cammotion.exchange.machine_files import machine_rows
 from cammotion.exchange.rule_text import arcs_as_text, arcs_from_text, rule_as_text, rule_from_text
 from cammotion.exchange.xlsx_in import read_sheets
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
@@ -173,6 +174,23 @@ def test_a_german_workbook_and_a_german_file_say_the_same(tmp_path: Path) -> Non
     german = TABLE.replace("0.65", "0,65").replace("; 150; 205;", "; 150,0; 205,0;")
     (tmp_path / "g.csv").write_text(german.strip(), "utf-8-sig")
     assert cm.read_machine(tmp_path / "g.csv").rules == cm.machine_from_text(TABLE).rules
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+def test_numbers_of_three_decimals_in_sentences_come_back(tmp_path: Path, ending: str) -> None:
+    """They look like thousands; what is written can be read in one way alone."""
+    rule = cm.ClearanceRule(cm.beyond("die", 19.125), only_while=cm.within("mill", 0.65))
+    machine = cm.Machine("m", cm.EXAMPLE.diagram, [rule], {"die": [(205.125, 304.875)]})
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / f"m{ending}")) == machine
+
+
+@pytest.mark.parametrize("said", ["die beyond 2,400 only while mill within 0.65", "205,125 to 305"])
+def test_a_number_in_a_sentence_is_asked_too(tmp_path: Path, said: str) -> None:
+    rows: list[list[object]] = [*machine_rows(cm.Machine("m", cm.EXAMPLE.diagram))]
+    rows[4][-1 if "only" in said else -2] = said
+    (tmp_path / "m.xlsx").write_bytes(sheets_as_xlsx({"m": rows}))
+    with pytest.raises(cm.InputError, match=r"^Row 5 .* stands '2.*': write it with a 0 more"):
+        cm.read_machine(tmp_path / "m.xlsx")
 
 
 ODD = ["=1+1", "a & b < c", '"quoted"', "ß日本😀", " edge ", "tab\there", "x" * 5000]

@@ -17,6 +17,7 @@ import cammotion as cm
 from cammotion import Motion, MotionLaw, Segment, TimingDiagram, read_segments
 from cammotion import write_curves as write_curves_of
 from cammotion import write_segments as write
+from cammotion.exchange.xlsx_out import sheets_as_xlsx
 
 DIAGRAM = make_diagram(make_mill(), make_die(124.84))
 PARABOLIC = MONOTONE[6]
@@ -133,9 +134,28 @@ def test_a_number_that_can_be_read_in_two_ways_is_a_question(tmp_path: Path, rat
 
 
 def test_in_a_table_with_commas_between_the_cells_a_point_is_decimal(tmp_path: Path) -> None:
-    rows = [HEADING, ["die", "", "0", "360", "1.125", "1.125", "dwell", "2,400"]]
-    diagram = read_segments(rewrite(tmp_path / "m.csv", rows))
-    assert (diagram["die"].start_mm, diagram.rate_per_hour) == (1.125, 2400)
+    rows = [HEADING, ["die", "", "0", "360", "1.125", "1.125", "dwell", "2400"]]
+    assert read_segments(rewrite(tmp_path / "m.csv", rows))["die"].start_mm == 1.125
+
+
+def as_book(path: Path, rows: list[list[Any]]) -> Path:
+    """Save rows as a workbook, texts as texts."""
+    path.write_bytes(sheets_as_xlsx({"machine": rows}))
+    return path
+
+
+@pytest.mark.parametrize("save", [rewrite, as_book])
+def test_a_text_with_a_comma_is_asked_beside_numbers_with_points(
+    tmp_path: Path, save: Callable[..., Path]
+) -> None:
+    """Who has typed it tells the meaning, and not how the table keeps numbers."""
+    turn: list[Any] = ["die", "", 0, 360, 1.125, 1.125, "dwell"]
+    path = tmp_path / "m.csv"
+    with pytest.raises(cm.InputError, match=r"^(Line|Row) 2 .* '2,400', which may be 2400 or 2\.4"):
+        read_segments(save(path, [HEADING, [*turn, "2,400"]]))
+    assert read_segments(save(path, [HEADING, [*turn, "2,4000"]])).rate_per_hour == 2.4
+    turn[3] = "360,0"
+    assert read_segments(save(path, [HEADING, [*turn, "2,400"]])).rate_per_hour == 2.4
 
 
 def test_what_people_do_to_tables_is_read(tmp_path: Path) -> None:
@@ -365,9 +385,9 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(machine_rate="inf"),
     ],
-    "Line 2 of bad.csv: 'to in deg' is '150,5'; it has to be a number, for example 150.": [
+    "Line 2 of bad.csv: 'to in deg' is '150,5,1'; it has to be a number, for example 150.": [
         HEADING,
-        changed(to_deg="150,5"),
+        changed(to_deg="150,5,1"),
     ],
     "Line 2 of bad.csv has 9 cells, but the heading 8: write one number in each, with a decimal "
     "point, or separate them by semicolons.": [HEADING, [*TURN[:3], "359", *TURN[3:]]],

@@ -6,6 +6,7 @@ from itertools import pairwise
 from typing import Any
 
 from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.cells import Plain, decimal_mark
 from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
 from cammotion.exchange.segment_lines import (
     HEADING,
@@ -94,10 +95,9 @@ def _records(source: Source, faults: Faults) -> list[Record]:
     if not any(record.is_segment for record in records):
         faults.add(f"The file {file} has no line with a segment: add some.")
         faults.check()
-    cells = [
-        record.cells[column] for record in records for column in (*NUMBERS.values(), STOPS, RATE)
-    ]
-    decimal = source.mark(cells)
+    columns = (*NUMBERS.values(), STOPS, RATE)
+    cells = [record.cells[column] for record in records for column in columns]
+    decimal = decimal_mark(cell for cell in cells if not isinstance(cell, Plain))
     for record in records:
         record.decimal = decimal
     return records
@@ -133,7 +133,7 @@ def _rules(
         if not record.cells[RULE]:
             continue
         with faults.at(f"{record.where}, '{RULE}'"):
-            rule = rule_from_text(record.cells[RULE], names, record.decimal)
+            rule = rule_from_text(record.cells[RULE], names, record.mark(RULE))
             own = [read[name] for name in rule.motions if name in read]
             if len(own) == len(rule.motions):
                 every_rule(TimingDiagram(own, 1), rule)
@@ -167,7 +167,7 @@ def _still(segments: list[Record], faults: Faults) -> dict[str, list[tuple[str, 
         if not text:
             continue
         with faults.at(f"{record.where}, '{STILL}'"):
-            arcs = arcs_from_text(text, record.decimal)
+            arcs = arcs_from_text(text, record.mark(STILL))
             if not arcs and record.segment:
                 if not record.segment.is_dwell:
                     raise InputError(

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.cells import name_in, number_in, two_readings
+from cammotion.exchange.cells import Plain, name_in, number_in, two_readings
 from cammotion.exchange.law_text import is_same_law, law_from_text
 from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS
 from cammotion.laws.motion_law import MotionLaw
@@ -103,14 +103,18 @@ class Record:
         """Whether the line says a segment, and not only a rule."""
         return any(self.cells[column] for column in _OF_A_SEGMENT)
 
+    def mark(self, column: str) -> str:
+        """Return the decimal mark of a cell, "" if nothing tells it."""
+        return "." if isinstance(self.cells[column], Plain) else self.decimal
+
     def number(self, column: str) -> float:
         """Return the number in a column; raise InputError, with the line and the column."""
         cell = self.cells[column]
-        number = number_in(cell, self.decimal)
+        number = number_in(cell, self.mark(column))
         if math.isnan(number) and (readings := two_readings(cell)):
             raise InputError(
                 f"{self.where}: '{column}' is {cell!r}, which may be {readings[0]:.12g} or "
-                f"{readings[1]:.12g}, and no other number of the file tells which: write it "
+                f"{readings[1]:.12g}, and no other number that stands so tells which: write it "
                 f"without a mark of thousands, or with a 0 more behind ({cell}0)."
             )
         if math.isnan(number):

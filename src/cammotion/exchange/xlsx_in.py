@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from posixpath import dirname, join, normpath
 from xml.etree import ElementTree
 
+from cammotion.exchange.cells import Plain
 from cammotion.quantities import InputError
 
 LARGEST = 20_000_000  # bytes that all parts together may unpack to
@@ -37,7 +38,7 @@ class _NoDoctype(ElementTree.TreeBuilder):
 def read_sheets(file: str, content: bytes) -> dict[str, Rows]:
     """Return the rows of each sheet by its name; `file` is the name to tell in an InputError.
 
-    Numbers come as Python writes them, with a decimal point; True as "yes", False as "".
+    Numbers come as Python writes them, each a Plain one; True as "yes", False as "".
     """
     if content.startswith(OLD):
         raise InputError(
@@ -155,7 +156,7 @@ def _value(cell: ElementTree.Element, shared: list[str]) -> str:
     if kind == "b":
         return "yes" if value == "1" else ""
     if kind == "n" and value:
-        return repr(float(value)).removesuffix(".0")
+        return Plain(repr(float(value)).removesuffix(".0"))
     return value
 
 
