@@ -65,6 +65,48 @@ def test_dwells_may_be_left_out_but_not_one_of_several() -> None:
         cm.machine_from_text("\n".join(FULL[:4]))
 
 
+def test_nothing_in_a_line_without_a_segment_is_dropped() -> None:
+    heading, die, *_ = FULL
+    back = ",,305,360,50,0,cycloidal,,"
+    bare = die.replace("2000", "")
+    below = [heading, bare, back, ",,,,,,,2000,", ",,,,,,,,205 to 305"]
+    known = cm.Machine("m", cm.machine_from_text("\n".join([heading, die, back])).diagram)
+    assert cm.machine_from_text("\n".join(below), "m") == replace(
+        known, still={"die": [(205, 305)]}
+    )
+    above = [heading, ",,,,,,,2000,", bare, back]
+    assert cm.machine_from_text("\n".join(above), "m") == known
+    turret = [heading, "mill,,0,360,0,100,cycloidal,2000,", ",24,,,,,,,"]
+    assert cm.machine_from_text("\n".join(turret)).diagram["mill"].stops == 24
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        (",,,,,,,3000,", "'machine rate in pieces/h' is 3000, but 2000 in the first"),
+        (",8,,,,,,,", "The indexing motion 'die' ends where it began"),
+        (",,,,,,,,bla bla", "'still': The still arc is 'bla bla': write"),
+        (",,,,,,,,yes", "'still': 'yes' marks no segment: mark a dwell"),
+    ],
+)
+def test_what_is_wrong_in_a_line_without_a_segment_is_told(line: str, words: str) -> None:
+    with pytest.raises(cm.InputError) as refusal:
+        cm.machine_from_text("\n".join([*FULL[:2], FULL[3], line]))
+    assert words in str(refusal.value)
+
+
+@pytest.mark.parametrize(("column", "line"), [("stops", ",8,,,,,,,"), ("still", ",,,,,,,,0 to 9")])
+def test_what_is_said_of_no_motion_is_told(column: str, line: str) -> None:
+    with pytest.raises(cm.InputError, match=rf"^Line 2 of .*'{column}' is .* write its name"):
+        cm.machine_from_text("\n".join([FULL[0], line, *FULL[1:]]))
+
+
+def test_a_law_in_full_without_a_segment_is_told() -> None:
+    lines = [f"{FULL[0]},law in full", *(f"{line}," for line in FULL[1:]), ",,,,,,,,,x**2"]
+    with pytest.raises(cm.InputError, match=r"Line 6 of .*'from in deg' is ''"):
+        cm.machine_from_text("\n".join(lines))
+
+
 def test_a_turret_stands_between_its_moves_too() -> None:
     mill = cm.machine_from_text(TABLE).diagram["mill"]
     assert (mill.stops, mill.pitch_mm, mill.position_mm(360 + 75)) == (24, 100, 150)

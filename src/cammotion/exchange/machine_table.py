@@ -46,17 +46,17 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     segments = [record for record in records if record.is_segment]
     motions: list[Motion] = []
     for name in dict.fromkeys(record.cells["motion"] for record in segments):
-        own = [record for record in segments if record.cells["motion"] == name]
+        own = [record for record in records if record.cells["motion"] == name]
         with faults.at():
             stops = _stops(own)
-            if all(record.segment for record in own):
+            if all(record.segment for record in own if record.is_segment):
                 motions.append(_motion(name, own, stops))
     rate = math.nan
     with faults.at():
-        rate = _the_same(segments, RATE)
+        rate = _the_same(records, RATE)
     names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
     rules = _rules(records, names, motions, faults)
-    still = _still(segments, faults)
+    still = _still(records, faults)
     for motion in motions:
         for where, arc in still.get(motion.name, ()):
             with faults.at(f"{where}, '{STILL}'"):
@@ -88,10 +88,7 @@ def _records(source: Source, faults: Faults) -> list[Record]:
         if any(cell.strip() for cell in line):
             with faults.at():
                 records.append(Record(source.where(place), heading, line))
-    before = ""
-    for record in records:
-        if record.is_segment:
-            before = record.cells["motion"] = record.cells["motion"] or before
+    _name_motions(records, faults)
     if not any(record.is_segment for record in records):
         faults.add(f"The file {file} has no line with a segment: add some.")
         faults.check()
@@ -101,6 +98,19 @@ def _records(source: Source, faults: Faults) -> list[Record]:
     for record in records:
         record.decimal = decimal
     return records
+
+
+def _name_motions(records: list[Record], faults: Faults) -> None:
+    """Give a line that names no motion that of the line above."""
+    before = ""
+    for record in records:
+        before = record.cells["motion"] = record.cells["motion"] or before
+        for column in (STOPS, STILL) if not before else ():
+            if cell := record.cells[column]:
+                faults.add(
+                    f"{record.where}: '{column}' is {shorten(cell)}, but no motion stands there or "
+                    "above: write its name."
+                )
 
 
 def _motion(name: str, records: list[Record], stops: Any) -> Motion:
@@ -159,20 +169,21 @@ def _forbidden(one: Rule, other: Rule) -> str:
     return ""
 
 
-def _still(segments: list[Record], faults: Faults) -> dict[str, list[tuple[str, Arc]]]:
+def _still(records: list[Record], faults: Faults) -> dict[str, list[tuple[str, Arc]]]:
     """Return the still arcs of each motion, each with its line."""
     found: dict[str, list[tuple[str, Arc]]] = {}
-    for record in segments:
+    for record in records:
         text = record.cells[STILL]
         if not text:
             continue
         with faults.at(f"{record.where}, '{STILL}'"):
             arcs = arcs_from_text(text, record.mark(STILL))
-            if not arcs and record.segment:
-                if not record.segment.is_dwell:
+            if not arcs and (record.segment or not record.is_segment):
+                if not record.segment or not record.segment.is_dwell:
+                    marked = f"a {record.segment.kind}" if record.segment else "no segment"
                     raise InputError(
-                        f"{shorten(text)} marks a {record.segment.kind}: mark a dwell, or write an "
-                        "arc like '205 to 305'."
+                        f"{shorten(text)} marks {marked}: mark a dwell, or write an arc like "
+                        "'205 to 305'."
                     )
                 arcs = [(record.segment.from_deg, record.segment.to_deg)]
             found.setdefault(record.cells["motion"], []).extend((record.where, arc) for arc in arcs)

@@ -80,7 +80,10 @@ class Laws:
 
 
 class Record:
-    """A line of a file, with the place to name if it is wrong."""
+    """A line of a file, with the place to name if it is wrong.
+
+    One without a segment may say what is for the motion above, or for the machine.
+    """
 
     def __init__(self, where: str, heading: list[str], cells: list[str]) -> None:
         self.where, self.decimal = where, ""
@@ -96,12 +99,8 @@ class Record:
         self.in_full = " ".join(parts).strip()
         if IN_FULL in heading:  # older versions wrote names as they are
             self.cells |= {column: name_in(self.cells[column]) for column in ("motion", "law")}
+        self.is_segment = any(self.cells[c] for c in _OF_A_SEGMENT) or self.in_full != ""
         self.segment: Segment | None = None
-
-    @property
-    def is_segment(self) -> bool:
-        """Whether the line says a segment, and not only a rule."""
-        return any(self.cells[column] for column in _OF_A_SEGMENT)
 
     def mark(self, column: str) -> str:
         """Return the decimal mark of a cell, "" if nothing tells it."""
