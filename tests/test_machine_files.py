@@ -13,6 +13,7 @@ from machines import examples
 import cammotion as cm
 from cammotion.exchange.machine_files import machine_rows
 from cammotion.exchange.rule_text import arcs_as_text, arcs_from_text, rule_as_text, rule_from_text
+from cammotion.exchange.table_source import open_source
 from cammotion.exchange.xlsx_in import read_sheets
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
 
@@ -277,6 +278,21 @@ def test_a_named_rule_comes_back_with_its_name(tmp_path: Path) -> None:
     machine = cm.Machine("press", cm.EXAMPLE.diagram, [rule])
     back = cm.read_machine(cm.write_machine(machine, tmp_path / "press.csv"))
     assert back.rules == (rule,)
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+@pytest.mark.parametrize("name", ["=1+1", "@SUM(1)", "-2", "+3", "'=4", "'tis"])
+def test_no_cell_is_a_formula(tmp_path: Path, name: str, ending: str) -> None:
+    rule = replace(RULE, name=name)
+    die = cm.Motion(name, cm.EXAMPLE.die.segments)
+    diagram = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die, die], 2000)
+    still = {"mill": [(-155, -55)], name: [(-155, -55)]}
+    machine = cm.Machine("press", diagram, [rule], still)
+    path = cm.write_machine(machine, tmp_path / f"press{ending}")
+    assert cm.read_machine(path) == machine
+    cells = [cell for row in open_source(path).rows for cell in row]
+    assert not any(cell.startswith(("=", "@", "+")) for cell in cells)
+    assert not any(cell.startswith("-") for cell in cells if not cell[1:2].isdigit() or " " in cell)
 
 
 def test_a_rule_in_another_case_is_one_of_the_machine() -> None:

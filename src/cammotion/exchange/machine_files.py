@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from cammotion.arguments import checked
-from cammotion.exchange.cells import rows_as_text
+from cammotion.exchange.cells import name_cell, rows_as_text
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.rule_text import arcs_as_text, rule_as_text
 from cammotion.exchange.segment_lines import RULE, STILL
@@ -105,8 +105,8 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
 def machine_rows(machine: Machine) -> list[list[Any]]:
     """Return the rows of the table of a machine, the heading first."""
     heading, *rows = segment_rows(machine.diagram)
-    still = {name: arcs_as_text(arcs) for name, arcs in machine.still.items()}
-    rules = [rule_as_text(rule) for rule in machine.rules]
+    still = {name: name_cell(arcs_as_text(arcs)) for name, arcs in machine.still.items()}
+    rules = [name_cell(rule_as_text(rule)) for rule in machine.rules]
     lines = [motion.name for motion in machine.diagram.motions for _ in motion.segments]
     found = [[*heading, STILL, RULE]]
     for number in range(max(len(rows), len(rules))):

@@ -97,8 +97,10 @@ class Record:
         self.cells = {column: stripped.get(column, "") for column in (*HEADING, STILL, RULE)}
         parts = (name_in(cell.strip()) for column, cell in given if column == IN_FULL)
         self.in_full = " ".join(parts).strip()
+        quoted = [STILL, RULE]
         if IN_FULL in heading:  # older versions wrote names as they are
-            self.cells |= {column: name_in(self.cells[column]) for column in ("motion", "law")}
+            quoted += ["motion", "law"]
+        self.cells |= {column: name_in(self.cells[column]) for column in quoted}
         self.is_segment = any(self.cells[c] for c in _OF_A_SEGMENT) or self.in_full != ""
         self.segment: Segment | None = None
 
