@@ -237,6 +237,18 @@ def test_a_number_in_a_sentence_is_asked_too(tmp_path: Path, said: str) -> None:
 
 
 ODD = ["=1+1", "a & b < c", '"quoted"', "ß日本😀", " edge ", "tab\there", "x" * 5000]
+CONTROLS = [
+    "a\rb",
+    "a\r\nb",
+    "a\nb",
+    "a\x00b",
+    "a\x01b",
+    "a\x0bb",
+    "a\ufffeb",
+    "_x0041_",
+    "_xD800_",
+]
+CONTROLS += ["_x005F_x0041_", "__x0041_", "_x00411_"]
 
 
 def test_a_workbook_keeps_texts_and_numbers() -> None:
@@ -246,6 +258,28 @@ def test_a_workbook_keeps_texts_and_numbers() -> None:
     assert [*found] == ["one", "a_b_c", "A_B_C 2"]
     assert found["one"][0] == rows[0]
     assert [float(cell) for cell in found["one"][1][1:]] == numbers
+
+
+def test_a_workbook_keeps_what_xml_does_not() -> None:
+    found = read_sheets("b.xlsx", sheets_as_xlsx({"one": [CONTROLS]}))
+    assert found["one"] == [CONTROLS]
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+@pytest.mark.parametrize("name", CONTROLS)
+def test_a_name_of_any_characters_comes_back(tmp_path: Path, name: str, ending: str) -> None:
+    die = cm.Motion(name, cm.EXAMPLE.die.segments)
+    machine = cm.Machine("m", cm.TimingDiagram([die], 2000))
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / f"m{ending}")) == machine
+
+
+def test_half_a_character_is_in_no_file(tmp_path: Path) -> None:
+    die = cm.Motion("a\ud800b", cm.EXAMPLE.die.segments)
+    machine = cm.Machine("m", cm.TimingDiagram([die], 2000))
+    for ending in (".csv", ".xlsx"):
+        with pytest.raises(cm.InputError):
+            cm.write_machine(machine, tmp_path / f"m{ending}")
+    assert not [*tmp_path.iterdir()]
 
 
 def test_the_same_rows_are_the_same_bytes() -> None:

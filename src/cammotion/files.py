@@ -22,13 +22,8 @@ def write_new(path: str | Path, text: str | bytes, *, overwrite: bool = False) -
     A file that is there already is left as it is, with an InputError, unless `overwrite` is True;
     and it stays whole where the new one cannot be written.
     """
-    content = text if isinstance(text, bytes) else _encoded(text)
-    return write_new_bytes(path, content, overwrite=overwrite)
-
-
-def write_new_bytes(path: str | Path, content: bytes, *, overwrite: bool = False) -> Path:
-    """Write a file of any kind and return its path; raises InputError like `write_new`."""
     path = as_path(path)
+    content = text if isinstance(text, bytes) else _encoded(text)
     _write({path: content}, overwrite=overwrite)
     return path
 

@@ -9,10 +9,10 @@ from cammotion.exchange.cells import name_cell, rows_as_text
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.rule_text import arcs_as_text, rule_as_text
 from cammotion.exchange.segment_lines import RULE, STILL
-from cammotion.exchange.table_source import from_text, open_source
+from cammotion.exchange.table_source import Source, from_book, from_text, open_source
 from cammotion.exchange.tables import is_same, segment_rows
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
-from cammotion.files import as_path, write_new, write_new_bytes
+from cammotion.files import as_path, write_new
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.own import Machine
 from cammotion.quantities import InputError, shorten
@@ -85,9 +85,10 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
     True
     """
     rows = machine_rows(machine)
-    text = rows_as_text(rows)
+    is_book = as_path(path).suffix.casefold() == _BOOK
+    content = sheets_as_xlsx({"machine": rows}) if is_book else rows_as_text(rows)
     try:
-        back = read_table(from_text("the table", text))
+        back = read_table(_source("the table", content))
         same = is_same(back.diagram, machine.diagram) and back.still == machine.still
     except InputError as wrong:
         raise InputError(f"This machine cannot be written as a table. {wrong}") from None
@@ -96,10 +97,11 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
             "The rules or still arcs of this machine are not given back by a table: give its "
             "mechanisms plain names, without words like 'beyond' or 'only while'."
         )
-    if as_path(path).suffix.casefold() == _BOOK:
-        content = sheets_as_xlsx({"machine": rows})
-        return write_new_bytes(path, content, overwrite=overwrite)
-    return write_new(path, text, overwrite=overwrite)
+    return write_new(path, content, overwrite=overwrite)
+
+
+def _source(name: str, content: str | bytes) -> Source:
+    return from_text(name, content) if isinstance(content, str) else from_book(name, content)
 
 
 def machine_rows(machine: Machine) -> list[list[Any]]:

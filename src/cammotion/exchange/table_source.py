@@ -55,7 +55,7 @@ def open_source(path: str | Path) -> Source:
     name = shorten(file.name, of=str)
     content = read_bytes(file, at_most=LARGEST_BYTES)
     if content.startswith((ZIP, OLD)):
-        return _from_book(name, content)
+        return from_book(name, content)
     return from_text(name, decode(name, content))
 
 
@@ -67,7 +67,7 @@ def from_text(name: str, text: str) -> Source:
     return Source(name, rows, "Line")
 
 
-def _from_book(name: str, content: bytes) -> Source:
+def from_book(name: str, content: bytes) -> Source:
     """Return the first sheet of a workbook that has the heading."""
     sheets = read_sheets(name, content)
     found = [Source(name, rows, "Row") for rows in sheets.values() if rows]
