@@ -1,6 +1,7 @@
 """A machine in a file: what is typed is read, what is written comes back, xlsx and CSV alike."""
 
 import zipfile
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -106,6 +107,37 @@ def test_a_law_in_full_without_a_segment_is_told() -> None:
     lines = [f"{FULL[0]},law in full", *(f"{line}," for line in FULL[1:]), ",,,,,,,,,x**2"]
     with pytest.raises(cm.InputError, match=r"Line 6 of .*'from in deg' is ''"):
         cm.machine_from_text("\n".join(lines))
+
+
+@pytest.mark.parametrize("say", [str.upper, str.title, str.lower])
+def test_laws_and_dwells_may_be_in_any_case(say: Callable[[str], str]) -> None:
+    said = [line.replace("cycloidal", say("cycloidal")) for line in FULL]
+    said = [line.replace("dwell", say("dwell")) for line in said]
+    assert cm.machine_from_text("\n".join(said)) == cm.machine_from_text("\n".join(FULL))
+    straight = ["die,,0,180,0,9,constant velocity,2000,", "die,,180,360,9,0,constant velocity,,"]
+    known, other = (
+        cm.machine_from_text("\n".join([FULL[0], *lines]))
+        for lines in (straight, [line.replace("constant", say("constant")) for line in straight])
+    )
+    assert known == other
+
+
+def test_a_motion_in_another_case_is_asked() -> None:
+    lines = [FULL[0], FULL[1], FULL[3].replace("die", "Die")]
+    with pytest.raises(cm.InputError) as refusal:
+        cm.machine_from_text("\n".join(lines), "m")
+    assert str(refusal.value) == (
+        "Line 3 of m: the motion is 'Die', but 'die' in Line 2 of m: write both alike, or list the "
+        "dwells too if they are two motions."
+    )
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+def test_two_motions_of_one_name_in_two_cases_come_back(tmp_path: Path, ending: str) -> None:
+    motions = [cm.Motion(name, cm.EXAMPLE.die.segments) for name in ("die", "Die", "DIE")]
+    rule = cm.ClearanceRule(cm.beyond("DIE", 19), only_while=cm.within("Die", 0.65))
+    machine = cm.Machine("m", cm.TimingDiagram(motions, 2000), [rule], {"Die": [(205, 305)]})
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / f"m{ending}")) == machine
 
 
 def test_a_turret_stands_between_its_moves_too() -> None:

@@ -44,17 +44,18 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     for record in records:
         record.read(laws, faults)
     segments = [record for record in records if record.is_segment]
+    names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
+    doubtful = _doubtful(segments, faults)
     motions: list[Motion] = []
-    for name in dict.fromkeys(record.cells["motion"] for record in segments):
+    for name in names:
         own = [record for record in records if record.cells["motion"] == name]
         with faults.at():
             stops = _stops(own)
-            if all(record.segment for record in own if record.is_segment):
+            if name not in doubtful and all(one.segment for one in own if one.is_segment):
                 motions.append(_motion(name, own, stops))
     rate = math.nan
     with faults.at():
         rate = _the_same(records, RATE)
-    names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
     rules = _rules(records, names, motions, faults)
     still = _still(records, faults)
     for motion in motions:
@@ -111,6 +112,32 @@ def _name_motions(records: list[Record], faults: Faults) -> None:
                     f"{record.where}: '{column}' is {shorten(cell)}, but no motion stands there or "
                     "above: write its name."
                 )
+
+
+def _doubtful(segments: list[Record], faults: Faults) -> set[str]:
+    """Return the names that differ from others by their case alone, where one fills no turn."""
+    lines: dict[str, dict[str, list[Record]]] = {}
+    for record in segments:
+        name = record.cells["motion"]
+        lines.setdefault(name.casefold(), {}).setdefault(name, []).append(record)
+    doubtful: set[str] = set()
+    for alike in lines.values():
+        first, *others = alike
+        if all(map(_fills_turn, alike.values())):
+            continue
+        for other in others:
+            faults.add(
+                f"{alike[other][0].where}: the motion is {shorten(other)}, but {shorten(first)} in "
+                f"{alike[first][0].where}: write both alike, or list the dwells too if they are "
+                "two motions."
+            )
+            doubtful |= {first, other}
+    return doubtful
+
+
+def _fills_turn(records: list[Record]) -> bool:
+    segments = [record.segment for record in records if record.segment]
+    return math.isclose(sum(one.to_deg - one.from_deg for one in segments), DEG_PER_TURN)
 
 
 def _motion(name: str, records: list[Record], stops: Any) -> Motion:

@@ -56,17 +56,8 @@ class Laws:
         """Return the law that a line names, and says in full if `text` is not empty."""
         if not text:
             named = {law.name.strip(): law for law in self._given}
-            if name in (DWELL, ""):
-                return None
-            found = (
-                named.get(name) or KNOWN.get(name) or one_of("motion law", name, [*named, *LAWS])
-            )
-            if isinstance(found, str) and found != name:  # in an older table another law's name
-                raise InputError(
-                    f"There is no motion law {shorten(name)}: write {found!r}, or give your own "
-                    "among the `laws`."
-                )
-            return found
+            found = one_of("motion law", name or DWELL, [DWELL, *named, *KNOWN, *LAWS])
+            return None if found == DWELL else named.get(found) or KNOWN.get(found) or found
         if name in RESERVED and not text.startswith(OWN):
             raise InputError(
                 f"The law is called {name!r}, but '{IN_FULL}' says another one: empty that cell "
