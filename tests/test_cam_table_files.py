@@ -240,19 +240,23 @@ def test_no_file(tmp_path: Path) -> None:
         cm.read_cam_table(tmp_path / "cam.csv")
     with pytest.raises(InputError, match="cannot be read"):
         cm.read_cam_table(tmp_path)
-    with pytest.raises(InputError, match="path of the file is 5"):
+    with pytest.raises(InputError, match=r"is given path=5: give a text in quotes or a Path"):
         cm.read_cam_table(5)  # type: ignore[arg-type]
 
 
 TOLD: list[tuple[dict[str, Any], str]] = [
     ({"separator": "x"}, "no separator 'x'"),
-    ({"separator": []}, "no separator"),
+    ({"separator": []}, "is given separator=.*: give a text in quotes"),
     ({"decimal": ""}, "no decimal mark ''"),
     ({"encoding": "klingon"}, "no encoding 'klingon'"),
-    ({"encoding": 5}, "no encoding 5"),
+    ({"encoding": 5}, "is given encoding=5: give a text in quotes"),
     ({"columns": (0, 1)}, "counted from 1"),
     ({"columns": (1, 1)}, "counted from 1"),
-    ({"columns": 3}, "counted from 1"),
+    ({"columns": (1.9, 2.7)}, r"The columns are \(1\.9, 2\.7\): give .* counted from 1"),
+    ({"columns": (True, 2)}, "counted from 1"),
+    ({"columns": 3}, "is given columns=3: give 2 in a row, a whole number"),
+    ({"uneven": "no"}, "is given uneven='no': give True or False"),
+    ({"is_cycle": "no"}, "is given is_cycle='no': give True or False"),
     ({"columns": (1, 5)}, "no line with two numbers"),
     ({"first": "degrees"}, "no kind of a first column 'degrees'"),
     ({"position": "feet"}, "no unit of a position 'feet'"),

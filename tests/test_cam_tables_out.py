@@ -199,6 +199,15 @@ def test_nothing_is_written_over_a_file(tmp_path: Path) -> None:
     assert len(write_cam_tables(DIAGRAM, tmp_path, overwrite=True)) == 2
 
 
+def test_all_files_are_written_or_none(tmp_path: Path) -> None:
+    (tmp_path / "mill.csv").write_text("a week's work")
+    (tmp_path / "die.csv").mkdir()
+    with pytest.raises(InputError, match=r"^The file die.csv cannot be written \("):
+        write_cam_tables(DIAGRAM, tmp_path, overwrite=True)
+    assert (tmp_path / "mill.csv").read_text() == "a week's work"
+    assert len([*tmp_path.iterdir()]) == 2
+
+
 def test_a_folder_is_a_folder(tmp_path: Path) -> None:
     for folder in (tmp_path / "no", tmp_path / "die.csv"):
         with pytest.raises(InputError, match=r"^There is no folder '(no|die.csv)': make it, or"):

@@ -188,6 +188,23 @@ def test_the_command_writes_one_page_and_overwrites_nothing(
     assert before == {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
+@pytest.mark.parametrize("name", ["carla.JSON", "page", "link.html"])
+def test_the_page_is_written_over_no_progress_file(
+    folder: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if name == "link.html":
+        try:
+            (folder / name).symlink_to(folder / "carla.JSON")
+        except OSError:
+            pytest.skip("no links here")
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    assert main([str(folder), "--output", str(folder / name), "--overwrite"]) == 1
+    assert f"{name}, which is no name of a page: give one that ends in .html" in (
+        capsys.readouterr().err
+    )
+    assert before == {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
 def test_no_folder_is_a_sentence(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

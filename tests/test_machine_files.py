@@ -1,6 +1,7 @@
 """A machine in a file: what is typed is read, what is written comes back, xlsx and CSV alike."""
 
 import zipfile
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +12,9 @@ from hypothesis import strategies as st
 from machines import examples
 
 import cammotion as cm
+from cammotion.exchange.machine_files import machine_rows
 from cammotion.exchange.rule_text import arcs_as_text, arcs_from_text, rule_as_text, rule_from_text
+from cammotion.exchange.table_source import open_source
 from cammotion.exchange.xlsx_in import read_sheets
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
 
@@ -73,6 +76,79 @@ def test_dwells_may_be_left_out_but_not_one_of_several() -> None:
     assert complete.still == {"die": ((205.0, 305.0),)}
     with pytest.raises(cm.InputError, match=r"add up to 210 deg; .* add a dwell of 150 deg"):
         cm.machine_from_text("\n".join(FULL[:4]))
+
+
+def test_nothing_in_a_line_without_a_segment_is_dropped() -> None:
+    heading, die, *_ = FULL
+    back = ",,305,360,50,0,cycloidal,,"
+    bare = die.replace("2000", "")
+    below = [heading, bare, back, ",,,,,,,2000,", ",,,,,,,,205 to 305"]
+    known = cm.Machine("m", cm.machine_from_text("\n".join([heading, die, back])).diagram)
+    assert cm.machine_from_text("\n".join(below), "m") == replace(
+        known, still={"die": [(205, 305)]}
+    )
+    above = [heading, ",,,,,,,2000,", bare, back]
+    assert cm.machine_from_text("\n".join(above), "m") == known
+    turret = [heading, "mill,,0,360,0,100,cycloidal,2000,", ",24,,,,,,,"]
+    assert cm.machine_from_text("\n".join(turret)).diagram["mill"].stops == 24
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        (",,,,,,,3000,", "'machine rate in pieces/h' is 3000, but 2000 in the first"),
+        (",8,,,,,,,", "The indexing motion 'die' ends where it began"),
+        (",,,,,,,,bla bla", "'still': The still arc is 'bla bla': write"),
+        (",,,,,,,,yes", "'still': 'yes' marks no segment: mark a dwell"),
+    ],
+)
+def test_what_is_wrong_in_a_line_without_a_segment_is_told(line: str, words: str) -> None:
+    with pytest.raises(cm.InputError) as refusal:
+        cm.machine_from_text("\n".join([*FULL[:2], FULL[3], line]))
+    assert words in str(refusal.value)
+
+
+@pytest.mark.parametrize(("column", "line"), [("stops", ",8,,,,,,,"), ("still", ",,,,,,,,0 to 9")])
+def test_what_is_said_of_no_motion_is_told(column: str, line: str) -> None:
+    with pytest.raises(cm.InputError, match=rf"^Line 2 of .*'{column}' is .* write its name"):
+        cm.machine_from_text("\n".join([FULL[0], line, *FULL[1:]]))
+
+
+def test_a_law_in_full_without_a_segment_is_told() -> None:
+    lines = [f"{FULL[0]},law in full", *(f"{line}," for line in FULL[1:]), ",,,,,,,,,x**2"]
+    with pytest.raises(cm.InputError, match=r"Line 6 of .*'from in deg' is ''"):
+        cm.machine_from_text("\n".join(lines))
+
+
+@pytest.mark.parametrize("say", [str.upper, str.title, str.lower])
+def test_laws_and_dwells_may_be_in_any_case(say: Callable[[str], str]) -> None:
+    said = [line.replace("cycloidal", say("cycloidal")) for line in FULL]
+    said = [line.replace("dwell", say("dwell")) for line in said]
+    assert cm.machine_from_text("\n".join(said)) == cm.machine_from_text("\n".join(FULL))
+    straight = ["die,,0,180,0,9,constant velocity,2000,", "die,,180,360,9,0,constant velocity,,"]
+    known, other = (
+        cm.machine_from_text("\n".join([FULL[0], *lines]))
+        for lines in (straight, [line.replace("constant", say("constant")) for line in straight])
+    )
+    assert known == other
+
+
+def test_a_motion_in_another_case_is_asked() -> None:
+    lines = [FULL[0], FULL[1], FULL[3].replace("die", "Die")]
+    with pytest.raises(cm.InputError) as refusal:
+        cm.machine_from_text("\n".join(lines), "m")
+    assert str(refusal.value) == (
+        "Line 3 of m: the motion is 'Die', but 'die' in Line 2 of m: write both alike, or list the "
+        "dwells too if they are two motions."
+    )
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+def test_two_motions_of_one_name_in_two_cases_come_back(tmp_path: Path, ending: str) -> None:
+    motions = [cm.Motion(name, cm.EXAMPLE.die.segments) for name in ("die", "Die", "DIE")]
+    rule = cm.ClearanceRule(cm.beyond("DIE", 19), only_while=cm.within("Die", 0.65))
+    machine = cm.Machine("m", cm.TimingDiagram(motions, 2000), [rule], {"Die": [(205, 305)]})
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / f"m{ending}")) == machine
 
 
 def test_a_turret_stands_between_its_moves_too() -> None:
@@ -186,7 +262,36 @@ def test_a_german_workbook_and_a_german_file_say_the_same(tmp_path: Path) -> Non
     assert cm.read_machine(tmp_path / "g.csv").rules == cm.machine_from_text(TABLE).rules
 
 
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+def test_numbers_of_three_decimals_in_sentences_come_back(tmp_path: Path, ending: str) -> None:
+    """They look like thousands; what is written can be read in one way alone."""
+    rule = cm.ClearanceRule(cm.beyond("die", 19.125), only_while=cm.within("mill", 0.65))
+    machine = cm.Machine("m", cm.EXAMPLE.diagram, [rule], {"die": [(205.125, 304.875)]})
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / f"m{ending}")) == machine
+
+
+@pytest.mark.parametrize("said", ["die beyond 2,400 only while mill within 0.65", "205,125 to 305"])
+def test_a_number_in_a_sentence_is_asked_too(tmp_path: Path, said: str) -> None:
+    rows: list[list[object]] = [*machine_rows(cm.Machine("m", cm.EXAMPLE.diagram))]
+    rows[4][-1 if "only" in said else -2] = said
+    (tmp_path / "m.xlsx").write_bytes(sheets_as_xlsx({"m": rows}))
+    with pytest.raises(cm.InputError, match=r"^Row 5 .* stands '2.*': write it with a 0 more"):
+        cm.read_machine(tmp_path / "m.xlsx")
+
+
 ODD = ["=1+1", "a & b < c", '"quoted"', "ß日本😀", " edge ", "tab\there", "x" * 5000]
+CONTROLS = [
+    "a\rb",
+    "a\r\nb",
+    "a\nb",
+    "a\x00b",
+    "a\x01b",
+    "a\x0bb",
+    "a\ufffeb",
+    "_x0041_",
+    "_xD800_",
+]
+CONTROLS += ["_x005F_x0041_", "__x0041_", "_x00411_"]
 
 
 def test_a_workbook_keeps_texts_and_numbers() -> None:
@@ -196,6 +301,28 @@ def test_a_workbook_keeps_texts_and_numbers() -> None:
     assert [*found] == ["one", "a_b_c", "A_B_C 2"]
     assert found["one"][0] == rows[0]
     assert [float(cell) for cell in found["one"][1][1:]] == numbers
+
+
+def test_a_workbook_keeps_what_xml_does_not() -> None:
+    found = read_sheets("b.xlsx", sheets_as_xlsx({"one": [CONTROLS]}))
+    assert found["one"] == [CONTROLS]
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+@pytest.mark.parametrize("name", CONTROLS)
+def test_a_name_of_any_characters_comes_back(tmp_path: Path, name: str, ending: str) -> None:
+    die = cm.Motion(name, cm.EXAMPLE.die.segments)
+    machine = cm.Machine("m", cm.TimingDiagram([die], 2000))
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / f"m{ending}")) == machine
+
+
+def test_half_a_character_is_in_no_file(tmp_path: Path) -> None:
+    die = cm.Motion("a\ud800b", cm.EXAMPLE.die.segments)
+    machine = cm.Machine("m", cm.TimingDiagram([die], 2000))
+    for ending in (".csv", ".xlsx"):
+        with pytest.raises(cm.InputError):
+            cm.write_machine(machine, tmp_path / f"m{ending}")
+    assert not [*tmp_path.iterdir()]
 
 
 def test_the_same_rows_are_the_same_bytes() -> None:
@@ -228,6 +355,21 @@ def test_a_named_rule_comes_back_with_its_name(tmp_path: Path) -> None:
     machine = cm.Machine("press", cm.EXAMPLE.diagram, [rule])
     back = cm.read_machine(cm.write_machine(machine, tmp_path / "press.csv"))
     assert back.rules == (rule,)
+
+
+@pytest.mark.parametrize("ending", [".csv", ".xlsx"])
+@pytest.mark.parametrize("name", ["=1+1", "@SUM(1)", "-2", "+3", "'=4", "'tis"])
+def test_no_cell_is_a_formula(tmp_path: Path, name: str, ending: str) -> None:
+    rule = replace(RULE, name=name)
+    die = cm.Motion(name, cm.EXAMPLE.die.segments)
+    diagram = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die, die], 2000)
+    still = {"mill": [(-155, -55)], name: [(-155, -55)]}
+    machine = cm.Machine("press", diagram, [rule], still)
+    path = cm.write_machine(machine, tmp_path / f"press{ending}")
+    assert cm.read_machine(path) == machine
+    cells = [cell for row in open_source(path).rows for cell in row]
+    assert not any(cell.startswith(("=", "@", "+")) for cell in cells)
+    assert not any(cell.startswith("-") for cell in cells if not cell[1:2].isdigit() or " " in cell)
 
 
 def test_a_rule_in_another_case_is_one_of_the_machine() -> None:

@@ -1,7 +1,9 @@
 """Timing diagrams in files: what is written is read back, and nothing is lost or overwritten."""
 
 import csv
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +17,7 @@ import cammotion as cm
 from cammotion import Motion, MotionLaw, Segment, TimingDiagram, read_segments
 from cammotion import write_curves as write_curves_of
 from cammotion import write_segments as write
+from cammotion.exchange.xlsx_out import sheets_as_xlsx
 
 DIAGRAM = make_diagram(make_mill(), make_die(124.84))
 PARABOLIC = MONOTONE[6]
@@ -131,9 +134,28 @@ def test_a_number_that_can_be_read_in_two_ways_is_a_question(tmp_path: Path, rat
 
 
 def test_in_a_table_with_commas_between_the_cells_a_point_is_decimal(tmp_path: Path) -> None:
-    rows = [HEADING, ["die", "", "0", "360", "1.125", "1.125", "dwell", "2,400"]]
-    diagram = read_segments(rewrite(tmp_path / "m.csv", rows))
-    assert (diagram["die"].start_mm, diagram.rate_per_hour) == (1.125, 2400)
+    rows = [HEADING, ["die", "", "0", "360", "1.125", "1.125", "dwell", "2400"]]
+    assert read_segments(rewrite(tmp_path / "m.csv", rows))["die"].start_mm == 1.125
+
+
+def as_book(path: Path, rows: list[list[Any]]) -> Path:
+    """Save rows as a workbook, texts as texts."""
+    path.write_bytes(sheets_as_xlsx({"machine": rows}))
+    return path
+
+
+@pytest.mark.parametrize("save", [rewrite, as_book])
+def test_a_text_with_a_comma_is_asked_beside_numbers_with_points(
+    tmp_path: Path, save: Callable[..., Path]
+) -> None:
+    """Who has typed it tells the meaning, and not how the table keeps numbers."""
+    turn: list[Any] = ["die", "", 0, 360, 1.125, 1.125, "dwell"]
+    path = tmp_path / "m.csv"
+    with pytest.raises(cm.InputError, match=r"^(Line|Row) 2 .* '2,400', which may be 2400 or 2\.4"):
+        read_segments(save(path, [HEADING, [*turn, "2,400"]]))
+    assert read_segments(save(path, [HEADING, [*turn, "2,4000"]])).rate_per_hour == 2.4
+    turn[3] = "360,0"
+    assert read_segments(save(path, [HEADING, [*turn, "2,400"]])).rate_per_hour == 2.4
 
 
 def test_what_people_do_to_tables_is_read(tmp_path: Path) -> None:
@@ -224,6 +246,57 @@ def test_a_file_that_is_there_is_left_as_it_is(
     assert path.read_text() != "a week's work"
 
 
+@contextmanager
+def full_after(most: int) -> Iterator[None]:
+    """Let no file become longer than so many bytes, as on a disk that is full."""
+    resource = pytest.importorskip("resource")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_full_disk_loses_nothing_and_leaves_nothing(tmp_path: Path, there: bool) -> None:
+    path = tmp_path / "mine.csv"
+    if there:
+        path.write_text("a week's work")
+    with full_after(100), pytest.raises(cm.InputError, match=r"^The file mine\.csv cannot be"):
+        write(DIAGRAM, path, overwrite=there)
+    assert [*tmp_path.iterdir()] == [path] * there
+    assert not there or path.read_text() == "a week's work"
+    assert write(DIAGRAM, path, overwrite=there).stat().st_size > 100
+
+
+def test_what_is_written_over_stays_what_it_was(tmp_path: Path) -> None:
+    """A link stays a link, and who may read a file may read the new one."""
+    path, link = tmp_path / "mine.csv", tmp_path / "link.csv"
+    path.write_text("a week's work")
+    path.chmod(0o640)
+    mode = path.stat().st_mode
+    try:
+        link.symlink_to(path)
+    except OSError:
+        link = path
+    write(DIAGRAM, link, overwrite=True)
+    assert (link.is_symlink(), path.stat().st_mode) == (link != path, mode)
+    assert read_segments(path) == DIAGRAM
+    assert {*tmp_path.iterdir()} == {path, link}
+
+
+def test_a_file_that_may_not_be_written_to_is_not_replaced(tmp_path: Path) -> None:
+    path = tmp_path / "mine.csv"
+    path.write_text("a week's work")
+    path.chmod(0o440)
+    if os.access(path, os.W_OK):
+        pytest.skip("this user may write everywhere")
+    with pytest.raises(cm.InputError, match=r"^The file mine\.csv cannot be written \(Permission"):
+        write(DIAGRAM, path, overwrite=True)
+    assert path.read_text() == "a week's work"
+
+
 @pytest.mark.parametrize("write_table", [write, write_curves_of])
 def test_a_folder_that_is_not_there_is_named(
     tmp_path: Path, write_table: Callable[..., Path]
@@ -312,9 +385,9 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(machine_rate="inf"),
     ],
-    "Line 2 of bad.csv: 'to in deg' is '150,5'; it has to be a number, for example 150.": [
+    "Line 2 of bad.csv: 'to in deg' is '150,5,1'; it has to be a number, for example 150.": [
         HEADING,
-        changed(to_deg="150,5"),
+        changed(to_deg="150,5,1"),
     ],
     "Line 2 of bad.csv has 9 cells, but the heading 8: write one number in each, with a decimal "
     "point, or separate them by semicolons.": [HEADING, [*TURN[:3], "359", *TURN[3:]]],

@@ -1,7 +1,11 @@
 """Files that are read and written for the learner: nothing that is there already is lost."""
 
+import os
 import re
-from collections.abc import Iterable, Iterator
+import shutil
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,28 +19,74 @@ _LONGEST = 60  # characters of a file's name
 def write_new(path: str | Path, text: str | bytes, *, overwrite: bool = False) -> Path:
     """Write a file of text, its line ends as they are, or of bytes, and return its path.
 
-    A file that is there already is left as it is, with an InputError, unless `overwrite` is True.
+    A file that is there already is left as it is, with an InputError, unless `overwrite` is True;
+    and it stays whole where the new one cannot be written.
     """
     path = as_path(path)
+    content = text if isinstance(text, bytes) else _encoded(text)
+    _write({path: content}, overwrite=overwrite)
+    return path
+
+
+def write_all(texts: Mapping[Path, str], *, overwrite: bool = False) -> None:
+    """Write files of text, all of them or none; raises InputError like `write_new`."""
+    _write({path: _encoded(text) for path, text in texts.items()}, overwrite=overwrite)
+
+
+def _encoded(text: str) -> bytes:
     try:
-        content = text if isinstance(text, bytes) else text.encode("utf-8")
+        return text.encode("utf-8")
     except UnicodeEncodeError as wrong:
         near = wrong.object[max(wrong.start - 10, 0) : wrong.end + 10]
         raise InputError(
             f"The text {shorten(near)} holds half a character, which no file can keep: write the "
             "name again."
         ) from None
-    return write_new_bytes(path, content, overwrite=overwrite)
 
 
-def write_new_bytes(path: str | Path, content: bytes, *, overwrite: bool = False) -> Path:
-    """Write a file of any kind and return its path; raises InputError like `write_new`."""
-    path = as_path(path)
+def _write(contents: Mapping[Path, bytes], *, overwrite: bool) -> None:
+    """Write new files, and those that are there already beside them, which only then they replace.
+
+    Whatever stands in the way of one, all is as it was before.
+    """
     if not isinstance(overwrite, bool):
         raise InputError(f"The overwrite is {shorten(overwrite)}: give True or False.")
+    with ExitStack() as undo:
+        parts = {path: _part(path, overwrite=overwrite, undo=undo) for path in contents}
+        for path, (part, _) in parts.items():
+            with _told(path):
+                part.write_bytes(contents[path])
+        for path, (part, target) in parts.items():
+            with _told(path):
+                if part != target:
+                    part.replace(target)
+        undo.pop_all()
+
+
+def _part(path: Path, *, overwrite: bool, undo: ExitStack) -> tuple[Path, Path]:
+    """Return the file to write to, which `undo` takes away, and where it belongs."""
+    with _told(path):
+        target = Path(os.path.realpath(path)) if overwrite else path  # a link stays a link
+        if not overwrite or not target.exists():
+            target.open("xb").close()
+            undo.callback(target.unlink, missing_ok=True)
+            return target, target
+        if not target.is_file():  # a device takes what is written; a folder refuses it
+            return target, target
+        target.open("r+b").close()  # what may not be written to may not be replaced
+        handle, name = tempfile.mkstemp(prefix=".cammotion-", dir=target.parent)
+        os.close(handle)
+        part = Path(name)
+        undo.callback(part.unlink, missing_ok=True)
+        shutil.copymode(target, part)
+        return part, target
+
+
+@contextmanager
+def _told(path: Path) -> Iterator[None]:
+    """Say in a sentence why a file cannot be written."""
     try:
-        with path.open("wb" if overwrite else "xb") as file:
-            file.write(content)
+        yield
     except FileExistsError:
         raise InputError(
             f"The file {_name(path)} is there already and was left as it is: choose another name, "
@@ -47,7 +97,6 @@ def write_new_bytes(path: str | Path, content: bytes, *, overwrite: bool = False
             f"The file {_name(path)} cannot be written ({wrong.strerror}): choose a folder that is "
             "there and that you may write to."
         ) from None
-    return path
 
 
 def read_text(path: str | Path) -> str:

@@ -4,8 +4,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.ma import MaskError
 
+from cammotion.arguments import checked
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
 from cammotion.exchange.table_meaning import (
     check_not_counted,
@@ -18,11 +18,13 @@ from cammotion.exchange.table_meaning import (
 from cammotion.exchange.table_text import read_text
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.measured.cam_table import CamTable
-from cammotion.quantities import Floats, InputError, one_of, shorten
+from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 
 _FEWEST = 8
+_COLUMN = Quantity("number of a column", "", example=1)
 
 
+@checked
 def read_cam_table(  # noqa: PLR0913 - what can be set of a file
     path: str | Path,
     *,
@@ -107,10 +109,10 @@ def _columns(given: Any) -> tuple[int, int] | None:
     if given is None:
         return None
     try:
-        first, second = map(int, given)
-    except (TypeError, ValueError, OverflowError, MaskError):
+        first, second = map(_COLUMN.whole, given)
+    except InputError:
         first = second = 0
-    if min(first, second) < 1 or first == second:
+    if first == second:
         raise InputError(
             f"The columns are {shorten(given)}: give the numbers of two columns, counted from 1, "
             "for example (1, 3)."

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from cammotion.exchange.table_columns import DECIMALS, SEPARATORS
-from cammotion.files import as_path, is_folder, stems, write_new
+from cammotion.files import as_path, is_folder, stems, write_all
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
 from cammotion.machine.motions import Motion
@@ -166,7 +166,7 @@ def _places_for(values: Floats, places: int) -> int:
 def _write(
     texts: dict[str, str], folder: str | Path, ending: str, *, overwrite: bool
 ) -> dict[str, Path]:
-    """Write the files, unless one of them is there already."""
+    """Write all the files, unless one of them is there already, or none."""
     place = as_path(folder)
     if not is_folder(place):
         raise InputError(
@@ -182,4 +182,5 @@ def _write(
             f"The file {there[0]} is there already, and nothing was written: choose another "
             "folder, or add overwrite=True."
         )
-    return {name: write_new(path, texts[name], overwrite=overwrite) for name, path in paths.items()}
+    write_all({paths[name]: text for name, text in texts.items()}, overwrite=overwrite)
+    return paths

@@ -12,6 +12,16 @@ _QUOTE = "'"
 _ODD = ("=", "+", "-", "@", _QUOTE)  # a spreadsheet reckons with a cell that begins so
 
 
+class Plain(str):
+    """A cell whose decimal mark is a point, whatever other cells say: a number of a workbook."""
+
+    __slots__ = ()
+
+    def strip(self, chars: str | None = None, /) -> "Plain":
+        """Return it without the blanks around it."""
+        return Plain(super().strip(chars))
+
+
 def cut_rows(file: str, text: str, separator: str) -> list[list[str]]:
     """Return the rows of a table, cut into cells.
 

@@ -5,14 +5,14 @@ from pathlib import Path
 from typing import Any
 
 from cammotion.arguments import checked
-from cammotion.exchange.cells import rows_as_text
+from cammotion.exchange.cells import name_cell, rows_as_text
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.rule_text import arcs_as_text, rule_as_text
 from cammotion.exchange.segment_lines import RULE, STILL
-from cammotion.exchange.table_source import from_text, open_source
+from cammotion.exchange.table_source import Source, from_book, from_text, open_source
 from cammotion.exchange.tables import is_same, segment_rows
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
-from cammotion.files import as_path, write_new, write_new_bytes
+from cammotion.files import as_path, write_new
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.own import Machine
 from cammotion.quantities import InputError, shorten
@@ -25,7 +25,8 @@ def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine
 
     A line is a segment, as `write_segments` writes it: motion, stops, from and to in deg, from and
     to in mm, law, machine rate in pieces/h. A motion that is not named is that of the line above.
-    The rate may stand in one line alone, and the stops of a turret too. Dwells may be left out,
+    The rate may stand in one line alone, and the stops of a turret too. A line without a segment
+    says its stops and still arcs of the motion above. Dwells may be left out,
     all those of a motion: it then stands between its moves. Two columns more, if you like: `still`
     says over which arc a part has to stand, "yes" in the line of a dwell or "205 to 305", and
     `rule` has a rule in each cell, in any line: "the die may be beyond 19 mm only while the mill is
@@ -84,9 +85,10 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
     True
     """
     rows = machine_rows(machine)
-    text = rows_as_text(rows)
+    is_book = as_path(path).suffix.casefold() == _BOOK
+    content = sheets_as_xlsx({"machine": rows}) if is_book else rows_as_text(rows)
     try:
-        back = read_table(from_text("the table", text))
+        back = read_table(_source("the table", content))
         same = is_same(back.diagram, machine.diagram) and back.still == machine.still
     except InputError as wrong:
         raise InputError(f"This machine cannot be written as a table. {wrong}") from None
@@ -95,17 +97,18 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
             "The rules or still arcs of this machine are not given back by a table: give its "
             "mechanisms plain names, without words like 'beyond' or 'only while'."
         )
-    if as_path(path).suffix.casefold() == _BOOK:
-        content = sheets_as_xlsx({"machine": rows})
-        return write_new_bytes(path, content, overwrite=overwrite)
-    return write_new(path, text, overwrite=overwrite)
+    return write_new(path, content, overwrite=overwrite)
+
+
+def _source(name: str, content: str | bytes) -> Source:
+    return from_text(name, content) if isinstance(content, str) else from_book(name, content)
 
 
 def machine_rows(machine: Machine) -> list[list[Any]]:
     """Return the rows of the table of a machine, the heading first."""
     heading, *rows = segment_rows(machine.diagram)
-    still = {name: arcs_as_text(arcs) for name, arcs in machine.still.items()}
-    rules = [rule_as_text(rule) for rule in machine.rules]
+    still = {name: name_cell(arcs_as_text(arcs)) for name, arcs in machine.still.items()}
+    rules = [name_cell(rule_as_text(rule)) for rule in machine.rules]
     lines = [motion.name for motion in machine.diagram.motions for _ in motion.segments]
     found = [[*heading, STILL, RULE]]
     for number in range(max(len(rows), len(rules))):

@@ -6,6 +6,7 @@ from itertools import pairwise
 from typing import Any
 
 from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.cells import Plain, decimal_mark
 from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
 from cammotion.exchange.segment_lines import (
     HEADING,
@@ -43,19 +44,20 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     for record in records:
         record.read(laws, faults)
     segments = [record for record in records if record.is_segment]
+    names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
+    doubtful = _doubtful(segments, faults)
     motions: list[Motion] = []
-    for name in dict.fromkeys(record.cells["motion"] for record in segments):
-        own = [record for record in segments if record.cells["motion"] == name]
+    for name in names:
+        own = [record for record in records if record.cells["motion"] == name]
         with faults.at():
             stops = _stops(own)
-            if all(record.segment for record in own):
+            if name not in doubtful and all(one.segment for one in own if one.is_segment):
                 motions.append(_motion(name, own, stops))
     rate = math.nan
     with faults.at():
-        rate = _the_same(segments, RATE)
-    names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
+        rate = _the_same(records, RATE)
     rules = _rules(records, names, motions, faults)
-    still = _still(segments, faults)
+    still = _still(records, faults)
     for motion in motions:
         for where, arc in still.get(motion.name, ()):
             with faults.at(f"{where}, '{STILL}'"):
@@ -87,20 +89,55 @@ def _records(source: Source, faults: Faults) -> list[Record]:
         if any(cell.strip() for cell in line):
             with faults.at():
                 records.append(Record(source.where(place), heading, line))
-    before = ""
-    for record in records:
-        if record.is_segment:
-            before = record.cells["motion"] = record.cells["motion"] or before
+    _name_motions(records, faults)
     if not any(record.is_segment for record in records):
         faults.add(f"The file {file} has no line with a segment: add some.")
         faults.check()
-    cells = [
-        record.cells[column] for record in records for column in (*NUMBERS.values(), STOPS, RATE)
-    ]
-    decimal = source.mark(cells)
+    columns = (*NUMBERS.values(), STOPS, RATE)
+    cells = [record.cells[column] for record in records for column in columns]
+    decimal = decimal_mark(cell for cell in cells if not isinstance(cell, Plain))
     for record in records:
         record.decimal = decimal
     return records
+
+
+def _name_motions(records: list[Record], faults: Faults) -> None:
+    """Give a line that names no motion that of the line above."""
+    before = ""
+    for record in records:
+        before = record.cells["motion"] = record.cells["motion"] or before
+        for column in (STOPS, STILL) if not before else ():
+            if cell := record.cells[column]:
+                faults.add(
+                    f"{record.where}: '{column}' is {shorten(cell)}, but no motion stands there or "
+                    "above: write its name."
+                )
+
+
+def _doubtful(segments: list[Record], faults: Faults) -> set[str]:
+    """Return the names that differ from others by their case alone, where one fills no turn."""
+    lines: dict[str, dict[str, list[Record]]] = {}
+    for record in segments:
+        name = record.cells["motion"]
+        lines.setdefault(name.casefold(), {}).setdefault(name, []).append(record)
+    doubtful: set[str] = set()
+    for alike in lines.values():
+        first, *others = alike
+        if all(map(_fills_turn, alike.values())):
+            continue
+        for other in others:
+            faults.add(
+                f"{alike[other][0].where}: the motion is {shorten(other)}, but {shorten(first)} in "
+                f"{alike[first][0].where}: write both alike, or list the dwells too if they are "
+                "two motions."
+            )
+            doubtful |= {first, other}
+    return doubtful
+
+
+def _fills_turn(records: list[Record]) -> bool:
+    segments = [record.segment for record in records if record.segment]
+    return math.isclose(sum(one.to_deg - one.from_deg for one in segments), DEG_PER_TURN)
 
 
 def _motion(name: str, records: list[Record], stops: Any) -> Motion:
@@ -133,7 +170,7 @@ def _rules(
         if not record.cells[RULE]:
             continue
         with faults.at(f"{record.where}, '{RULE}'"):
-            rule = rule_from_text(record.cells[RULE], names, record.decimal)
+            rule = rule_from_text(record.cells[RULE], names, record.mark(RULE))
             own = [read[name] for name in rule.motions if name in read]
             if len(own) == len(rule.motions):
                 every_rule(TimingDiagram(own, 1), rule)
@@ -159,20 +196,21 @@ def _forbidden(one: Rule, other: Rule) -> str:
     return ""
 
 
-def _still(segments: list[Record], faults: Faults) -> dict[str, list[tuple[str, Arc]]]:
+def _still(records: list[Record], faults: Faults) -> dict[str, list[tuple[str, Arc]]]:
     """Return the still arcs of each motion, each with its line."""
     found: dict[str, list[tuple[str, Arc]]] = {}
-    for record in segments:
+    for record in records:
         text = record.cells[STILL]
         if not text:
             continue
         with faults.at(f"{record.where}, '{STILL}'"):
-            arcs = arcs_from_text(text, record.decimal)
-            if not arcs and record.segment:
-                if not record.segment.is_dwell:
+            arcs = arcs_from_text(text, record.mark(STILL))
+            if not arcs and (record.segment or not record.is_segment):
+                if not record.segment or not record.segment.is_dwell:
+                    marked = f"a {record.segment.kind}" if record.segment else "no segment"
                     raise InputError(
-                        f"{shorten(text)} marks a {record.segment.kind}: mark a dwell, or write an "
-                        "arc like '205 to 305'."
+                        f"{shorten(text)} marks {marked}: mark a dwell, or write an arc like "
+                        "'205 to 305'."
                     )
                 arcs = [(record.segment.from_deg, record.segment.to_deg)]
             found.setdefault(record.cells["motion"], []).extend((record.where, arc) for arc in arcs)

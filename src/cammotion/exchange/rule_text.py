@@ -146,7 +146,9 @@ def _limit(half: Condition) -> str:
 
 
 def _plain(number: float) -> str:
-    return repr(float(number)).removesuffix(".0")
+    """Return a number that can be read in one way alone."""
+    text = repr(float(number)).removesuffix(".0")
+    return f"{text}0" if two_readings(text) else text
 
 
 def _number(text: str, whole: str, decimal: str) -> float:

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.cells import name_in, number_in, two_readings
+from cammotion.exchange.cells import Plain, name_in, number_in, two_readings
 from cammotion.exchange.law_text import is_same_law, law_from_text
 from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS
 from cammotion.laws.motion_law import MotionLaw
@@ -56,17 +56,8 @@ class Laws:
         """Return the law that a line names, and says in full if `text` is not empty."""
         if not text:
             named = {law.name.strip(): law for law in self._given}
-            if name in (DWELL, ""):
-                return None
-            found = (
-                named.get(name) or KNOWN.get(name) or one_of("motion law", name, [*named, *LAWS])
-            )
-            if isinstance(found, str) and found != name:  # in an older table another law's name
-                raise InputError(
-                    f"There is no motion law {shorten(name)}: write {found!r}, or give your own "
-                    "among the `laws`."
-                )
-            return found
+            found = one_of("motion law", name or DWELL, [DWELL, *named, *KNOWN, *LAWS])
+            return None if found == DWELL else named.get(found) or KNOWN.get(found) or found
         if name in RESERVED and not text.startswith(OWN):
             raise InputError(
                 f"The law is called {name!r}, but '{IN_FULL}' says another one: empty that cell "
@@ -80,7 +71,10 @@ class Laws:
 
 
 class Record:
-    """A line of a file, with the place to name if it is wrong."""
+    """A line of a file, with the place to name if it is wrong.
+
+    One without a segment may say what is for the motion above, or for the machine.
+    """
 
     def __init__(self, where: str, heading: list[str], cells: list[str]) -> None:
         self.where, self.decimal = where, ""
@@ -94,23 +88,25 @@ class Record:
         self.cells = {column: stripped.get(column, "") for column in (*HEADING, STILL, RULE)}
         parts = (name_in(cell.strip()) for column, cell in given if column == IN_FULL)
         self.in_full = " ".join(parts).strip()
+        quoted = [STILL, RULE]
         if IN_FULL in heading:  # older versions wrote names as they are
-            self.cells |= {column: name_in(self.cells[column]) for column in ("motion", "law")}
+            quoted += ["motion", "law"]
+        self.cells |= {column: name_in(self.cells[column]) for column in quoted}
+        self.is_segment = any(self.cells[c] for c in _OF_A_SEGMENT) or self.in_full != ""
         self.segment: Segment | None = None
 
-    @property
-    def is_segment(self) -> bool:
-        """Whether the line says a segment, and not only a rule."""
-        return any(self.cells[column] for column in _OF_A_SEGMENT)
+    def mark(self, column: str) -> str:
+        """Return the decimal mark of a cell, "" if nothing tells it."""
+        return "." if isinstance(self.cells[column], Plain) else self.decimal
 
     def number(self, column: str) -> float:
         """Return the number in a column; raise InputError, with the line and the column."""
         cell = self.cells[column]
-        number = number_in(cell, self.decimal)
+        number = number_in(cell, self.mark(column))
         if math.isnan(number) and (readings := two_readings(cell)):
             raise InputError(
                 f"{self.where}: '{column}' is {cell!r}, which may be {readings[0]:.12g} or "
-                f"{readings[1]:.12g}, and no other number of the file tells which: write it "
+                f"{readings[1]:.12g}, and no other number that stands so tells which: write it "
                 f"without a mark of thousands, or with a 0 more behind ({cell}0)."
             )
         if math.isnan(number):

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from cammotion.exchange.cells import cut_rows, decimal_mark
+from cammotion.exchange.cells import Plain, cut_rows
 from cammotion.exchange.xlsx_in import OLD, ZIP, read_sheets
 from cammotion.files import as_path, decode, read_bytes
 from cammotion.quantities import InputError, shorten
@@ -20,15 +20,11 @@ _SIGNS = ";\t,"
 
 @dataclass(frozen=True)
 class Source:
-    """The rows of a table, and how a row of it is named: "Line 3 of machine.csv".
-
-    `decimal` is the decimal mark, "" if the numbers have to tell.
-    """
+    """The rows of a table, and how a row of it is named: "Line 3 of machine.csv"."""
 
     file: str
     rows: list[list[str]]
     row_word: str
-    decimal: str
 
     @property
     def name(self) -> str:
@@ -45,10 +41,6 @@ class Source:
         """Return in words where a row is."""
         return f"{self.row_word} {place + 1} of {self.file}"
 
-    def mark(self, numbers: list[str]) -> str:
-        """Return the decimal mark; that which these cells tell, if nothing else tells it."""
-        return self.decimal or decimal_mark(numbers)
-
 
 def is_heading(row: list[str]) -> bool:
     """Tell whether a row is the heading of a table of segments."""
@@ -64,7 +56,7 @@ def open_source(path: str | Path) -> Source:
     name = shorten(file.name, of=str)
     content = read_bytes(file, at_most=LARGEST_BYTES)
     if content.startswith((ZIP, OLD)):
-        return _from_book(name, content)
+        return from_book(name, content)
     return from_text(name, decode(name, content))
 
 
@@ -72,7 +64,9 @@ def from_text(name: str, text: str) -> Source:
     """Return the table that a text is."""
     separator = _separator(text)
     rows = cut_rows(name, text, separator)
-    return Source(name, rows, "Line", "." if separator == "," else "")
+    if separator == ",":  # only a cell in quotes can have a comma
+        rows = [[cell if "," in cell else Plain(cell) for cell in row] for row in rows]
+    return Source(name, rows, "Line")
 
 
 def _separator(text: str) -> str:
@@ -83,10 +77,10 @@ def _separator(text: str) -> str:
     return next(found, next((sign for sign in _SIGNS if sign in lines[0]), ","))
 
 
-def _from_book(name: str, content: bytes) -> Source:
+def from_book(name: str, content: bytes) -> Source:
     """Return the first sheet of a workbook that has the heading."""
     sheets = read_sheets(name, content)
-    found = [Source(name, rows, "Row", ".") for rows in sheets.values() if rows]
+    found = [Source(name, rows, "Row") for rows in sheets.values() if rows]
     if not found:
         raise InputError(f"The workbook {name} is empty: give one with a table of the segments.")
     return next((one for one in found if is_heading(one.rows[one.heading_at])), found[0])

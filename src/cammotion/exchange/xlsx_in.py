@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from posixpath import dirname, join, normpath
 from xml.etree import ElementTree
 
+from cammotion.exchange.cells import Plain
 from cammotion.quantities import InputError
 
 LARGEST = 20_000_000  # bytes that all parts together may unpack to
@@ -20,6 +21,7 @@ ZIP, OLD = b"PK", b"\xd0\xcf\x11\xe0"
 """What a zip begins with, and an old workbook or one that is locked by a password."""
 
 _BOOK = "xl/workbook.xml"
+_ESCAPED = re.compile(r"_x(?![Dd][89A-Fa-f])([0-9A-Fa-f]{4})_")  # no half of a character
 _REFERENCE = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
 _RELATION = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 _STRICT_RELATION = "{http://purl.oclc.org/ooxml/officeDocument/relationships}id"
@@ -37,7 +39,7 @@ class _NoDoctype(ElementTree.TreeBuilder):
 def read_sheets(file: str, content: bytes) -> dict[str, Rows]:
     """Return the rows of each sheet by its name; `file` is the name to tell in an InputError.
 
-    Numbers come as Python writes them, with a decimal point; True as "yes", False as "".
+    Numbers come as Python writes them, each a Plain one; True as "yes", False as "".
     """
     if content.startswith(OLD):
         raise InputError(
@@ -155,8 +157,8 @@ def _value(cell: ElementTree.Element, shared: list[str]) -> str:
     if kind == "b":
         return "yes" if value == "1" else ""
     if kind == "n" and value:
-        return repr(float(value)).removesuffix(".0")
-    return value
+        return Plain(repr(float(value)).removesuffix(".0"))
+    return _unescaped(value)
 
 
 def _text(element: ElementTree.Element) -> str:
@@ -164,8 +166,13 @@ def _text(element: ElementTree.Element) -> str:
     if _tag(element) == "rPh":
         return ""
     if _tag(element) == "t":
-        return element.text or ""
+        return _unescaped(element.text or "")
     return "".join(map(_text, element))
+
+
+def _unescaped(text: str) -> str:
+    """Return a text with the characters that XML does not keep, like _x000D_."""
+    return _ESCAPED.sub(lambda found: chr(int(found[1], 16)), text)
 
 
 def _named(root: ElementTree.Element, tag: str) -> Iterator[ElementTree.Element]:

@@ -1,6 +1,7 @@
 """An .xlsx workbook of plain sheets, by the standard library alone: the same rows, the same bytes.
 
-A text is written as a text, so that no spreadsheet takes it for a formula.
+A text is written as a text, so that no spreadsheet takes it for a formula; what XML does not keep
+stands there as spreadsheets write it, _x000D_ for a carriage return.
 """
 
 import io
@@ -19,7 +20,8 @@ _PACKAGE = "http://schemas.openxmlformats.org/package/2006"
 _KIND = "application/vnd.openxmlformats-officedocument.spreadsheetml"
 _MADE = (1980, 1, 1, 0, 0, 0)  # the first day that a zip knows, so that files can be compared
 _NO_NAME = re.compile(r"[\[\]:*?/\\\x00-\x1f\ud800-\udfff\ufffe\uffff]")  # in no name of a sheet
-_NO_XML = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+_HALF = re.compile(r"[\ud800-\udfff]")
+_NO_XML = re.compile(r"[\x00-\x08\x0b-\x1f\ufffe\uffff]|_(?=x[0-9A-Fa-f]{4}_)")
 _LONGEST_NAME = 31
 _WIDTH = 16  # characters of a column
 
@@ -101,7 +103,8 @@ def _cell(value: object, at: str, *, bold: bool) -> str:
         return ""
     if isinstance(value, int | float) and math.isfinite(value):
         return f'<c r="{at}"{style}><v>{float(value)!r}</v></c>'
-    text = escape(_NO_XML.sub("\N{REPLACEMENT CHARACTER}", str(value)))
+    text = _HALF.sub("\N{REPLACEMENT CHARACTER}", str(value))
+    text = escape(_NO_XML.sub(lambda found: f"_x{ord(found[0]):04X}_", text))
     return f'<c r="{at}"{style} t="inlineStr"><is><t xml:space="preserve">{text}</t></is></c>'
 
 

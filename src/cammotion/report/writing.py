@@ -13,7 +13,7 @@ from cammotion.arguments import checked
 from cammotion.exchange.cam_files import write_cam
 from cammotion.exchange.cam_tables_out import write_cam_tables
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
-from cammotion.files import as_path, is_folder, stems, write_new, write_new_bytes
+from cammotion.files import as_path, is_folder, stems, write_new
 from cammotion.hardware.followers import TranslatingRoller
 from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
@@ -84,7 +84,7 @@ def write_report(
     with _part(place) as part:
         files = [PAGE, BOOK, *_write_tables(found, part)]
         files += _write_cams(found, part) if dxf else []
-        write_new_bytes(part / BOOK, sheets_as_xlsx(sheets_of(found)))
+        write_new(part / BOOK, sheets_as_xlsx(sheets_of(found)))
         write_new(part / PAGE, write_page(found, date.today(), files))
         target = _move(part, place, f"report-{next(stems([machine.name]))}")
     tell(1.0, "done")

@@ -33,6 +33,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> int:
+    if output.resolve().suffix.casefold() != ".html":  # a file that is read ends in .json
+        raise InputError(
+            f"The page of the class is {clean(str(output), 200)}, which is no name of a page: give "
+            "one that ends in .html with --output."
+        )
     if output.exists() and not overwrite:
         raise InputError(
             f"The file {clean(str(output), 200)} is there already and was left as it is: give "
