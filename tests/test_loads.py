@@ -62,6 +62,17 @@ def test_a_follower_that_nothing_holds_leaves_at_once() -> None:
     assert cm.FollowerLoad(mass_kg=1, preload_N=1).lift_off_rate(flat) == math.inf
 
 
+def test_a_follower_that_does_not_rest_in_a_dwell_has_no_rate() -> None:
+    """Where it does not rest on its cam nothing has to pull it off: the dwell is enough."""
+    load = cm.FollowerLoad(mass_kg=1, stiffness_N_per_mm=1, weight_N=-10)
+    risen = cm.motion(
+        "m", cm.rise(50, over_deg=90), cm.dwell(90), cm.return_(50, over_deg=90), cm.dwell(90)
+    )
+    assert load.least_force(risen, 1).value == pytest.approx(-10)
+    assert load.lift_off_rate(risen) == 0
+    assert load.lift_off_rate(cm.motion("s", cm.dwell(360))) == 0
+
+
 @pytest.mark.parametrize(
     ("given", "said"),
     [

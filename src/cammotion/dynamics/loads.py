@@ -111,20 +111,18 @@ class FollowerLoad:
         def pull(piece: Piece, places: Floats) -> Floats:
             return np.maximum(-self._inertia(1.0) * _bend(piece, places), 0.0)
 
-        def loose(piece: Piece, places: Floats) -> Floats:
-            standing = self._standing_at(motion, piece, places)
-            return np.where(pull(piece, places) > 0, -standing, -1.0)
-
         def share(piece: Piece, places: Floats) -> Floats:
-            standing = np.abs(self._standing_at(motion, piece, places))
+            standing = self._standing_at(motion, piece, places)
             return pull(piece, places) / np.maximum(standing, _LEAST_N)
 
+        low, high = motion.range_mm
+        least, most = self._standing(np.array([0.0, high - low]))  # it grows with the height
+        if least < 0:
+            return 0.0
         pieces = motion.curve.pieces
         if largest(pull, pieces).value <= 0:
             return math.inf
-        if largest(loose, pieces).value >= 0:
-            return 0.0
-        return 1 / math.sqrt(largest(share, pieces).value)
+        return 1 / math.sqrt(largest(share, pieces).value) if most > 0 else 0.0
 
     def _standing(self, lift_mm: Floats) -> Floats:
         return np.asarray(self.stiffness_N_per_mm * lift_mm + self.preload_N + self.weight_N)
