@@ -229,6 +229,10 @@ def test_a_law_from_points_keeps_no_rounding_when_it_is_changed() -> None:
     [
         ({"fit": "best"}, "There is no fit 'best': use one of 'through', 'smooth', 'monotone'"),
         ({"smoothing": 1e-6}, "smoothing is 1e-06, and a fit 'through' has none"),
+        (
+            {"fit": "periodic", "end_slopes": (5, -5)},
+            "end_slopes are .5, -5., and a fit",
+        ),
         ({"fit": "smooth", "smoothing": -1}, "amount of smoothing is -1"),
         ({"step": -0.1}, r"step of the points is -0\.1"),
         ({"fit": "smooth", "step": np.nan}, "step of the points is nan"),

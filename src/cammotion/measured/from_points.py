@@ -90,6 +90,11 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
             f"The smoothing is {shorten(smoothing)}, and a fit {kind!r} has none: give "
             "fit='smooth', or fit='periodic'."
         )
+    if kind == "periodic" and slopes.any():
+        raise InputError(
+            f"The end_slopes are {shorten(end_slopes)}, and a fit 'periodic' has none: leave them "
+            "out, or give fit='smooth'."
+        )
     amount = None if smoothing is None else AMOUNT.number(smoothing)
     given = (float(slopes[0]), float(slopes[1]))
     found: Fit
