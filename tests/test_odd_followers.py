@@ -32,6 +32,13 @@ def test_places_to_look_between_are_two_in_order(over: Any) -> None:
         SOFT.peak_acceleration(over=over)
 
 
+@pytest.mark.parametrize("over", [(-2, -1), (-1, 0)])
+def test_before_its_move_a_follower_rests(over: tuple[float, float]) -> None:
+    rest = (0.0, over[0])
+    assert SOFT.peak_acceleration(over=over) == SOFT.peak_deflection_mm(over=over) == rest
+    assert SOFT.force_range_N(over=over) == (rest, rest)
+
+
 def test_an_array_may_say_where_to_look() -> None:
     asked = SOFT.peak_acceleration(over=np.array([0.0, 0.1]))  # type: ignore[arg-type]
     assert asked == SOFT.peak_acceleration(over=(0.0, 0.1))

@@ -204,6 +204,8 @@ class MoveResponse(Response):
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
         low, high = ordered(_TIME, self.span if over is None else over)
+        if high <= 0:  # it rests
+            return [(low, self._begins[0], Spots(np.zeros(1, dtype=np.intp), np.zeros(1)))]
         return [
             (self._course.lows[number], self._begins[number], spots)
             for spots in self._course.samples(max(low, 0.0), high)
