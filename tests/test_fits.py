@@ -209,9 +209,7 @@ def test_what_cannot_be_confirmed_is_refused_in_words(asked: Any, words: str) ->
 
 
 def test_limits_the_wrong_way_round_are_refused() -> None:
-    with pytest.raises(
-        cm.InputError, match=r"upper deviation is -25 µm and the lower one -9"
-    ):
+    with pytest.raises(cm.InputError, match=r"upper deviation is -25 µm and the lower one -9"):
         cm.Limits(40, "g6", upper_um=-25, lower_um=-9)
     assert cm.Limits(40, "g6", upper_um=-9, lower_um=-9).width_um == 0
 

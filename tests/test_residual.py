@@ -12,6 +12,7 @@ from scipy.integrate import quad
 
 import cammotion as cm
 from cammotion.dynamics import residual
+from cammotion.dynamics.swing import Swing
 
 RATIOS = np.concatenate([np.linspace(0.05, 20.01, 150), [0.5, 1, 2, 10, 10.5]])
 EASY = [name for name in cm.LAWS if math.isfinite(cm.LAWS[name].Ca)]
@@ -153,13 +154,13 @@ def test_many_ratios_are_taken_in_blocks(monkeypatch: pytest.MonkeyPatch) -> Non
     ]
     at_once = [ask() for ask in asked]
     sizes: list[int] = []
-    whole = residual.Swing.__init__
+    whole = Swing.__init__
 
-    def counted(self: residual.Swing, *given: Any) -> None:
+    def counted(self: Swing, *given: Any) -> None:
         whole(self, *given)
         sizes.append(len(self.roots) * len(self.joints))
 
-    monkeypatch.setattr(residual.Swing, "__init__", counted)
+    monkeypatch.setattr(Swing, "__init__", counted)
     monkeypatch.setattr(residual, "_MOST", 10_000)
     for ask, known in zip(asked, at_once, strict=True):
         sizes.clear()
