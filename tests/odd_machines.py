@@ -131,7 +131,7 @@ def _sampled(rng: Rng) -> list[MotionLaw]:
         {"fit": "smooth"},
         {"fit": "smooth", "smoothing": 1e-5, "end_slopes": (0.3, 0)},
         {"fit": "smooth", "smoothing": 0},
-        {"fit": "monotone", "end_slopes": (0, 0.2)},
+        {"fit": "monotone", "end_slopes": (0, 0.03)},
         {"fit": "periodic"},
         {"fit": "periodic", "smoothing": 1e-6},
         {},

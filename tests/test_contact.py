@@ -198,6 +198,22 @@ def test_what_repeats() -> None:
     assert wild.period is None
 
 
+@pytest.mark.parametrize("turns", [-3, 28_000, 1_000_000])
+def test_flights_are_the_same_however_many_turns_on(turns: int) -> None:
+    load = cm.FollowerLoad(mass_kg=4, preload_N=30, weight_N=8)
+    rate, back = 1.6 * load.lift_off_rate(made()), turns * 360
+    near = cm.follower_flights(made(), load, rate, restitution=0.5)
+    far = cm.follower_flights(made().shifted(back), load, rate, restitution=0.5)
+    assert (far.begins_at_deg, far.period) == (35 + back, near.period)
+    ends = np.array([flight[:2] for flight in near]) + back
+    assert np.array([flight[:2] for flight in far]) == pytest.approx(ends, rel=1e-15)
+    assert [flight[2:] for flight in far] == [flight[2:] for flight in near]
+    assert far.stuck_at_deg == pytest.approx([at + back for at in near.stuck_at_deg], rel=1e-15)
+    assert far.stuck_at_deg
+    for at in near[0].leaves_at_deg + np.array([1, 5]):
+        assert far.gap_mm(at + back) == pytest.approx(near.gap_mm(at), abs=1e-6)
+
+
 def test_on_the_cam_force_and_place_are_the_cams() -> None:
     load = cm.FollowerLoad(mass_kg=4, stiffness_N_per_mm=1, preload_N=30)
     rate = 1.5 * load.lift_off_rate(made())

@@ -208,6 +208,12 @@ def test_what_cannot_be_confirmed_is_refused_in_words(asked: Any, words: str) ->
         cm.limits_of(asked)
 
 
+def test_limits_the_wrong_way_round_are_refused() -> None:
+    with pytest.raises(cm.InputError, match=r"upper deviation is -25 µm and the lower one -9"):
+        cm.Limits(40, "g6", upper_um=-25, lower_um=-9)
+    assert cm.Limits(40, "g6", upper_um=-9, lower_um=-9).width_um == 0
+
+
 @pytest.mark.parametrize("asked", ["40 g6/H7", "40 H7", "H7/g6", "40 H7/G6", 40, None, "40 H7/g6/"])
 def test_what_is_no_fit_is_refused_in_words(asked: Any) -> None:
     with pytest.raises(cm.InputError, match=r"capital letter and a shaft .* '40 H7/g6'\.$"):

@@ -1,5 +1,7 @@
 """The harmonics of a cycle: known waves, sums by hand, the handbook's cam, what Nyquist hides."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from machines import Array
@@ -114,6 +116,12 @@ def test_half_a_cam_and_uneven_angles_are_refused() -> None:
 def test_a_number_of_harmonics_that_there_is_not(number: float) -> None:
     with pytest.raises(cm.InputError, match=r"number of harmonics is .*; this table has 18"):
         cm.harmonics(CAM).rebuilt(number, 0)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("derivative", [3, -1, 1.5, "a", np.array([0, 1])])
+def test_a_derivative_that_there_is_not(derivative: Any) -> None:
+    with pytest.raises(cm.InputError, match=r"^The derivative "):
+        cm.harmonics(CAM).rebuilt(1, [0, 90], derivative)
 
 
 def test_another_kind_of_acceleration_is_refused() -> None:

@@ -130,6 +130,24 @@ def test_the_impact_of_a_table_that_is_let_go(name: str, friction: float) -> Non
     assert found.impact_rad_per_s(0.05) == pytest.approx(relative[hit], rel=1e-4)
 
 
+@pytest.mark.parametrize("friction", [50, 200, 250])
+def test_a_table_gains_on_its_drive_after_braking_too(friction: float) -> None:
+    """Its drive does not brake any more, and is slower still: nearly all of the gain is used up."""
+    found = table(friction_N_m=friction)
+    start = found.braking[0][0]
+    x = np.linspace(start, 1, 100_001)
+    step, slowed = (x[1] - x[0]) * 0.75, friction / 38.5 * (x - start) * 0.75
+    relative = found.velocity_rad_per_s(start) - slowed - found.velocity_rad_per_s(x)
+    ahead = np.cumsum(relative) * step
+    most = np.argmax(ahead)
+    assert x[most] > found.braking[0][1]
+    hit = np.searchsorted(ahead[:most], 0.999 * ahead[most])
+    asked = math.degrees(0.999 * ahead[most])
+    assert found.impact_rad_per_s(asked) == pytest.approx(relative[hit], rel=1e-3)
+    with pytest.raises(cm.InputError, match="gains only"):
+        found.impact_rad_per_s(math.degrees(1.001 * ahead[most]))
+
+
 @pytest.mark.parametrize("name", ["cycloidal", "modified sine", "modified trapezoid"])
 def test_a_small_backlash_sees_only_the_jerk_of_the_crossover(name: str) -> None:
     """Of the drive that falls back by J t^3/6: v = (9 J b^2 / 2)^(1/3)."""

@@ -126,6 +126,8 @@ BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: ANY.Disc(radius_mm=500), r"Disc is weighed in one way: give its mass_kg, or"),
     (lambda: ANY.Disc(radius_mm=500, mass_kg=1, density_kg_per_m3=7850), r"weighed in one way"),
     (lambda: ANY.Disc(radius_mm=500, thickness_mm=10), r"weighed in one way"),
+    (lambda: ANY.Disc(radius_mm=500, mass_kg=1, thickness_mm=-3), r"weighed in one way"),
+    (lambda: ANY.Disc(radius_mm=500, mass_kg=1, thickness_mm="abc"), r"weighed in one way"),
     (lambda: ANY.Disc(radius_mm=500, thickness_mm=-1, density_kg_per_m3=1), r"thickness is -1 mm"),
     (lambda: ANY.Disc(radius_mm=500, thickness_mm=1, density_kg_per_m3=0), r"density is 0 kg/m3"),
     (lambda: ANY.Ring(radius_mm=100, inner_mm=100, mass_kg=1), r"smaller, for example 50 mm"),

@@ -1,6 +1,7 @@
 """The force between follower and cam, against closed forms and published cases."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -60,6 +61,35 @@ def test_a_follower_that_nothing_holds_leaves_at_once() -> None:
     assert cm.FollowerLoad(mass_kg=1, weight_N=-20, preload_N=10).lift_off_rate(CYCLOID) == 0
     flat = cm.motion("f", cm.dwell(360))
     assert cm.FollowerLoad(mass_kg=1, preload_N=1).lift_off_rate(flat) == math.inf
+
+
+def test_a_follower_that_does_not_rest_in_a_dwell_has_no_rate() -> None:
+    """Where it does not rest on its cam nothing has to pull it off: the dwell is enough."""
+    load = cm.FollowerLoad(mass_kg=1, stiffness_N_per_mm=1, weight_N=-10)
+    risen = cm.motion(
+        "m", cm.rise(50, over_deg=90), cm.dwell(90), cm.return_(50, over_deg=90), cm.dwell(90)
+    )
+    assert load.least_force(risen, 1).value == pytest.approx(-10)
+    assert load.lift_off_rate(risen) == 0
+    assert load.lift_off_rate(cm.motion("s", cm.dwell(360))) == 0
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        lambda load, motion: load.lift_off_rate(motion),
+        lambda load, motion: load.needed_preload_N(motion, 3600),
+        lambda load, motion: load.least_force(motion, 36_000),
+        lambda load, motion: load.where_loose(motion, 36_000),
+    ],
+)
+def test_a_velocity_that_jumps_takes_any_follower_off(asked: Callable[..., object]) -> None:
+    law = cm.CONSTANT_VELOCITY
+    jumping = cm.motion(
+        "m", cm.rise(9, over_deg=180, law=law), cm.return_(9, over_deg=180, law=law)
+    )
+    with pytest.raises(cm.InputError, match=r"velocity of 'm' jumps .at 0 deg.*infinite"):
+        asked(cm.FollowerLoad(mass_kg=1, preload_N=10), jumping)
 
 
 @pytest.mark.parametrize(

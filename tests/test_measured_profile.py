@@ -203,6 +203,12 @@ def test_points_of_no_cam_are_refused(points: Any, said: str, follower: Any) -> 
         lift_from_profile(np.real(points), np.imag(points), follower=follower)
 
 
+def test_a_flat_face_is_one_in_any_case() -> None:
+    x, y = 50 * CIRCLE.real, 50 * CIRCLE.imag
+    lifts = [lift_from_profile(x, y, follower=face) for face in (FLAT, "Flat Face")]
+    assert lifts[0] == lifts[1]
+
+
 def test_what_is_given_wrongly() -> None:
     x, y = 50 * CIRCLE.real, 50 * CIRCLE.imag
     with pytest.raises(InputError, match="arrays of shape"):

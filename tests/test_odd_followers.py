@@ -1,5 +1,6 @@
 """What is odd to ask of a follower is refused in a sentence, and whole numbers are whole."""
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
@@ -29,6 +30,13 @@ def test_so_are_those_to_be_drawn(masses: Any) -> None:
 def test_places_to_look_between_are_two_in_order(over: Any) -> None:
     with pytest.raises(cm.InputError):
         SOFT.peak_acceleration(over=over)
+
+
+@pytest.mark.parametrize("over", [(-2, -1), (-1, 0)])
+def test_before_its_move_a_follower_rests(over: tuple[float, float]) -> None:
+    rest = (0.0, over[0])
+    assert SOFT.peak_acceleration(over=over) == SOFT.peak_deflection_mm(over=over) == rest
+    assert SOFT.force_range_N(over=over) == (rest, rest)
 
 
 def test_an_array_may_say_where_to_look() -> None:
@@ -70,3 +78,32 @@ def test_a_landing_that_throws_it_back_has_no_force_but_its_impact() -> None:
     assert not np.any(flights.force_N(thrown))
     stays = cm.follower_flights(cm.EXAMPLE.die, load, 3000)
     assert np.min(stays.force_N([flight.lands_at_deg for flight in stays])) > 0
+
+
+@pytest.mark.parametrize(
+    "chain", [cm.Chain([1], [1], [1e6]), cm.tuned_mass(12, 1e5), cm.tuned_mass(2e6, 0.02)]
+)
+def test_damping_and_stiffness_as_large_as_you_like(chain: cm.Chain) -> None:
+    """So held the mass goes with the cam, and is still there long after."""
+    response = cm.MoveResponse(chain, DIE)
+    assert response.position_mm(0.1) == pytest.approx(DIE.displacement_mm(0.1), abs=1e-3)
+    assert response.position_mm(1e3) == pytest.approx(50, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("chain", "asked", "said"),
+    [
+        (cm.tuned_mass(12, 0.02), lambda it: it.position_mm(1e20), r"time is 1e\+20 s; it has to"),
+        (cm.tuned_mass(1e20, 0.02), lambda it: it.position_mm(0.1), "so stiff or so strongly dam"),
+        (
+            cm.tuned_mass(12, 0.02),
+            lambda it: it.peak_acceleration(over=(0, 1e9)),
+            r"can swing 1.2e\+10 times between the places",
+        ),
+    ],
+)
+def test_what_is_too_late_or_too_fast_is_refused(
+    chain: cm.Chain, asked: Callable[[cm.MoveResponse], object], said: str
+) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        asked(cm.MoveResponse(chain, DIE))

@@ -1,14 +1,18 @@
 """What a law leaves behind, for many ratios at once, against closed forms and other solvers."""
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
+from machines import Array
 from scipy.integrate import quad
 
 import cammotion as cm
+from cammotion.dynamics import residual
+from cammotion.dynamics.swing import Swing
 
 RATIOS = np.concatenate([np.linspace(0.05, 20.01, 150), [0.5, 1, 2, 10, 10.5]])
 EASY = [name for name in cm.LAWS if math.isfinite(cm.LAWS[name].Ca)]
@@ -135,6 +139,35 @@ def test_shapes_and_alone_as_among_many() -> None:
     assert np.shape(cm.running_factor(cm.EXAMPLE.die, [[1, 2], [3, 4]])) == (2, 2)
 
 
+def test_a_mass_that_hardly_swings_is_left_behind_by_the_whole_stroke() -> None:
+    assert cm.residual_vibration("cycloidal", [1e-6, 1e-5, 1e-4]) == pytest.approx(1, abs=1e-6)
+    assert cm.residual_vibration("cycloidal", 1e-6) == pytest.approx(1, abs=1e-9)
+
+
+def test_many_ratios_are_taken_in_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever is asked, no block has more masses times ways than there is memory for."""
+    asked: list[Callable[[], Array]] = [
+        lambda: cm.residual_vibration("modified sine", RATIOS, 0.02),
+        lambda: cm.dynamic_factor("modified sine", RATIOS, 0.02),
+        lambda: cm.running_residual(cm.EXAMPLE.die, RATIOS, 0.02),
+        lambda: cm.running_factor(cm.EXAMPLE.die, RATIOS, 0.02),
+    ]
+    at_once = [ask() for ask in asked]
+    sizes: list[int] = []
+    whole = Swing.__init__
+
+    def counted(self: Swing, *given: Any) -> None:
+        whole(self, *given)
+        sizes.append(len(self.roots) * len(self.joints))
+
+    monkeypatch.setattr(Swing, "__init__", counted)
+    monkeypatch.setattr(residual, "_MOST", 10_000)
+    for ask, known in zip(asked, at_once, strict=True):
+        sizes.clear()
+        assert ask() == pytest.approx(known, rel=1e-9)
+        assert max(sizes) < 20_000
+
+
 def test_a_move_beside_another_has_a_factor_and_no_residual() -> None:
     up_and_down = cm.motion(
         "follower", cm.rise(10, over_deg=90), cm.return_(10, over_deg=90), cm.dwell(180)
@@ -150,6 +183,7 @@ def test_a_move_beside_another_has_a_factor_and_no_residual() -> None:
         (("cycloidal", 0), "period ratio tm/Tn is 0; .* give for example 4"),
         (("cycloidal", [1, -2]), r"period ratio tm/Tn is -2 \(at position 1\)"),
         (("cycloidal", 1001), "at most 1000"),
+        (("cycloidal", 1e-14), "period ratio tm/Tn is 1e-14; .* at least 1e-06 and at most 1000"),
         (("cycloidal", 3, 1), "damping ratio is 1; .* at most 0.99"),
         (("cycloid", 3), "no motion law 'cycloid'"),
         ((cm.CONSTANT_VELOCITY, 3), "velocity of 'constant velocity' jumps"),

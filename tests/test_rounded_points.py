@@ -145,6 +145,17 @@ def test_the_monotone_law_never_swings_over() -> None:
     assert law.inverse(0.5) == pytest.approx(0.5)
 
 
+def test_slopes_with_which_it_would_swing_over_are_refused() -> None:
+    x = np.linspace(0, 1, 21)
+    s = 3 * x**2 - 2 * x**3
+    steepest = 3 * s[1] / x[1]
+    for slopes, end in (((8, 8), "first"), ((0, 1.001 * steepest), "last"), ((-0.1, 0), "first")):
+        with pytest.raises(cm.InputError, match=f"V at the {end} point .* swing over"):
+            cm.law_from_points(x, s, fit="monotone", end_slopes=slopes)
+    kept = cm.law_from_points(x, s, fit="monotone", end_slopes=(0.999 * steepest, 0))
+    assert kept.is_monotone
+
+
 def test_a_monotone_law_says_what_its_rounding_does() -> None:
     law = quietly(PLACES, ROUNDED, fit="monotone")
     assert law.rounding.bound > law.rounding.rms > 40
@@ -229,6 +240,10 @@ def test_a_law_from_points_keeps_no_rounding_when_it_is_changed() -> None:
     [
         ({"fit": "best"}, "There is no fit 'best': use one of 'through', 'smooth', 'monotone'"),
         ({"smoothing": 1e-6}, "smoothing is 1e-06, and a fit 'through' has none"),
+        (
+            {"fit": "periodic", "end_slopes": (5, -5)},
+            "end_slopes are .5, -5., and a fit",
+        ),
         ({"fit": "smooth", "smoothing": -1}, "amount of smoothing is -1"),
         ({"step": -0.1}, r"step of the points is -0\.1"),
         ({"fit": "smooth", "step": np.nan}, "step of the points is nan"),

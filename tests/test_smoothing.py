@@ -13,6 +13,8 @@ from scipy.interpolate import BSpline, CubicSpline, make_smoothing_spline
 import cammotion as cm
 from cammotion.measured.smoother import AnyPoints, EvenCycle, chosen_amount, score
 
+PAIR: Any = np.array([0, 1])
+
 
 def cost(table: cm.CamTable, values: Array, amount: float) -> float:
     """Return what the smoothing spline has least, of the spline through some values."""
@@ -225,7 +227,11 @@ def test_velocity_and_angles_between_the_points() -> None:
             lambda: cm.smoothed(HALF, 1).at(181),
             "cam angle is 181 deg; .* at least 0 and at most 18",
         ),
-        (lambda: cm.smoothed(CAM, 1).at(0, RATE, 3), "derivative is 3; it has to be 0, 1 or 2"),
+        (
+            lambda: cm.smoothed(CAM, 1).at(0, RATE, 3),
+            "derivative is 3; it has to be a whole",
+        ),
+        (lambda: cm.smoothed(CAM, 1).at(0, RATE, PAIR), "derivative has to be a sing"),
         (lambda: cm.smoothed(CAM, 1).at(0, 0, 1), "machine rate is 0"),
         (
             lambda: cm.smoothed(cm.CamTable(np.arange(1001.0), np.arange(1001.0))),

@@ -7,7 +7,7 @@ the cam still falls away beneath it.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -191,19 +191,19 @@ def follower_flights(
     _check(motion, load)
     rate = RATE.number(rate_per_hour)
     numbers = TURNS.number(turns), RESTITUTION.number(restitution)
-    found = Run(Cam.of(motion, rate), load, load.where_loose(motion, rate), *numbers)
-    found.go()
-    flights = Flights(
-        motion,
-        load,
-        rate,
-        *numbers,
-        tuple(flight for flight, _ in found.flights),
-        tuple(found.stuck_at),
-        tuple(fall for _, fall in found.flights),
+    before = motion.start_deg // DEG_PER_TURN * DEG_PER_TURN
+    near = motion.shifted(-before)  # floats far from 0 are too far apart to land between
+    run = Run(Cam.of(near, rate), load, load.where_loose(near, rate), *numbers)
+    run.go()
+    flights, falls = zip(*run.flights, strict=True) if run.flights else ((), ())
+    found = Flights(near, load, rate, *numbers, flights, tuple(run.stuck_at), falls)
+    _check_answer(found)
+    return replace(
+        found,
+        motion=motion,
+        flights=tuple(Flight(start + before, end + before, *rest) for start, end, *rest in flights),
+        stuck_at_deg=tuple(place + before for place in run.stuck_at),
     )
-    _check_answer(flights)
-    return flights
 
 
 def _check(motion: Motion, load: FollowerLoad) -> None:

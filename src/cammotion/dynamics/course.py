@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from cammotion.dynamics.chain import System
 from cammotion.dynamics.flow import Flow
 from cammotion.dynamics.forcing import Forcing, Generator
-from cammotion.quantities import Floats
+from cammotion.quantities import Floats, InputError
 
 _PER_SWING, _FEWEST = 24, 9  # samples
+_MOST_SWINGS = 100_000  # between two places; the samples of more would fill the memory
 Integers = NDArray[np.intp]
 
 
@@ -29,7 +30,10 @@ class Spots(NamedTuple):
 
 
 class Course:
-    """How a `system` goes over `forcings`, which follow one another; both by one unit of time."""
+    """How a `system` goes over `forcings`, which follow one another; both by one unit of time.
+
+    The last one may have no end: its `high` is infinite then, and the course has no `passage`.
+    """
 
     def __init__(self, system: System, forcings: Sequence[Forcing]) -> None:
         self.system = system
@@ -53,7 +57,7 @@ class Course:
         return Spots(pieces, np.maximum(places - self.lows[pieces], 0.0))
 
     def begins(self, state: Floats) -> Floats:
-        """Return the state at the beginning of each piece and at the end, a row for each."""
+        """Return the state at the beginning of each piece and at an end, a row for each."""
         found = [state]
         for passed, pushed in zip(*self._passages, strict=True):
             found.append(found[-1] @ passed + pushed)
@@ -100,7 +104,14 @@ class Course:
         end = min(high - self.lows[number], self._widths[number])
         modes = self.system.frequencies[-1]
         fastest = max([modes, *(abs(f) for _, f, _ in self._forcings[number].waves)])
-        count = _FEWEST + int(_PER_SWING * fastest * (end - begin) / (2 * np.pi))
+        swings = fastest * (end - begin) / (2 * np.pi)
+        if swings > _MOST_SWINGS:
+            raise InputError(
+                f"The follower can swing {swings:.3g} times between the places to look between; at "
+                f"most {_MOST_SWINGS:g} are looked at: give places that are closer together, or a "
+                "softer spring."
+            )
+        count = _FEWEST + int(_PER_SWING * swings)
         soonest = 1 / np.linalg.norm(self.system.matrix, 2)
         soon = np.arange(max(0.0, np.log2((end - begin) / soonest) + 1))
         early = (end - begin) * 2.0**-soon
@@ -108,12 +119,13 @@ class Course:
 
     @cached_property
     def _passages(self) -> tuple[Floats, Floats]:
-        """What each piece does to a state: a matrix from the right, and a row to be added."""
+        """What each piece that ends does to a state: a matrix from the right, a row to be added."""
         size = len(self.system.input)
         units = np.vstack([np.eye(size), np.zeros(size)])
-        passed = np.empty((len(self.lows), size + 1, size))
+        ends = np.isfinite(self._widths)
+        passed = np.empty((np.count_nonzero(ends), size + 1, size))
         for number, kind in enumerate(self._kinds):
-            here = np.flatnonzero(self._kind_of == number)
+            here = np.flatnonzero((self._kind_of == number) & ends)
             begins = np.tile(units, (len(here), 1)).T
             numbers = np.repeat(np.arange(len(here)), size + 1)
             widths = np.repeat(self._widths[here], size + 1)

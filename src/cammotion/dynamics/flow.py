@@ -13,9 +13,10 @@ import math
 
 import numpy as np
 
-from cammotion.quantities import Floats
+from cammotion.quantities import Floats, InputError
 
 _STEP = 1.0  # how far A may turn or stretch anything in a step
+_MOST_STEPS = 2.0**62  # whose number is one of 64 bits
 _TERMS = 18  # of the series: the next one is below 1e-17
 
 
@@ -39,8 +40,18 @@ class Flow:
         self._changes = [change]  # exp(A t) - 1 for 1, 2, 4, ... steps
 
     def __call__(self, states: Floats, times: Floats, rows: Floats) -> Floats:
-        """Return rows @ each column of `states` after its own time, at least 0, in units of 1/A."""
+        """Return rows @ each column of `states` after its own time, at least 0, in units of 1/A.
+
+        Raises InputError for a time in which A turns or stretches by more than 2^62.
+        """
         steps = np.floor(times / self._step)
+        most = steps.max(initial=0.0)
+        if not most < _MOST_STEPS:
+            raise InputError(
+                f"The follower is so stiff or so strongly damped that the time asked for is "
+                f"{most:.3g} of its shortest; it has to be below {_MOST_STEPS:.3g}: give softer "
+                "springs, less damping, larger masses or an earlier time."
+            )
         moved, left, level = states.copy(), steps.astype(np.int64), 0
         while left.any():
             taken = np.flatnonzero(left & 1)

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
 from cammotion.bracketed import Extreme, Function, largest, where_positive
+from cammotion.dynamics.forcing import check_velocity
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
@@ -74,7 +75,8 @@ class FollowerLoad:
         """Return the arcs of the turn, in deg, over which spring and weight are too weak at a rate.
 
         There the force on a follower that stayed on the cam would be below 0. The ends are
-        bracketed to 1e-9 deg.
+        bracketed to 1e-9 deg. Raises InputError for a motion whose velocity jumps, here and below:
+        there the force has no bound.
 
         >>> import cammotion as cm
         >>> load = FollowerLoad(mass_kg=12, preload_N=10)
@@ -111,26 +113,26 @@ class FollowerLoad:
         def pull(piece: Piece, places: Floats) -> Floats:
             return np.maximum(-self._inertia(1.0) * _bend(piece, places), 0.0)
 
-        def loose(piece: Piece, places: Floats) -> Floats:
-            standing = self._standing_at(motion, piece, places)
-            return np.where(pull(piece, places) > 0, -standing, -1.0)
-
         def share(piece: Piece, places: Floats) -> Floats:
-            standing = np.abs(self._standing_at(motion, piece, places))
+            standing = self._standing_at(motion, piece, places)
             return pull(piece, places) / np.maximum(standing, _LEAST_N)
 
+        check_velocity(motion)
+        low, high = motion.range_mm
+        least, most = self._standing(np.array([0.0, high - low]))  # it grows with the height
+        if least < 0:
+            return 0.0
         pieces = motion.curve.pieces
         if largest(pull, pieces).value <= 0:
             return math.inf
-        if largest(loose, pieces).value >= 0:
-            return 0.0
-        return 1 / math.sqrt(largest(share, pieces).value)
+        return 1 / math.sqrt(largest(share, pieces).value) if most > 0 else 0.0
 
     def _standing(self, lift_mm: Floats) -> Floats:
         return np.asarray(self.stiffness_N_per_mm * lift_mm + self.preload_N + self.weight_N)
 
     def _lack(self, motion: Motion, rate_per_hour: float) -> Function:
         """Return the force in N that is lacking to stay on the cam, below 0 where there is one."""
+        check_velocity(motion)
         per_deg = self._inertia(rate_per_hour)
 
         def lack(piece: Piece, places: Floats) -> Floats:

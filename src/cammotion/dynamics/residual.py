@@ -4,20 +4,28 @@ Both are asked for many ratios tm/Tn at once, of a single move from rest and of 
 run for long, where each move begins with what the moves before it have left.
 """
 
+import math
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
 from cammotion.dynamics.forcing import check_velocity
-from cammotion.dynamics.swing import Complexes, Swing
+from cammotion.dynamics.swing import Complexes, Swing, ways_for
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import InputError, Numbers, Quantity, plain
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
 
-RATIO = Quantity("period ratio tm/Tn", "", example=4, high=1000)
+RATIO = Quantity("period ratio tm/Tn", "", example=4, low=1e-6, high=1000, low_included=True)
 DAMPING_RATIO = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
 _RESONANT = 1e8  # times the stroke
+_MOST = 5_000_000  # masses times ways at once, which take some hundred MB
+
+Asked = Callable[[Swing, Complexes, int, int], Floats]
+"""What is wanted of a swing: with v at its joints, and between which of them the move lies."""
 
 
 def residual_vibration(
@@ -25,8 +33,8 @@ def residual_vibration(
 ) -> Numbers:
     """Return how far a mass swings after a single move, as a part of the stroke.
 
-    `law` is a law or its name; `ratios` is tm/Tn, how often the mass swings during the move, above
-    0 and at most 1000, a number or an array; the result has its shape. `damping_ratio` is from 0 to
+    `law` is a law or its name; `ratios` is tm/Tn, how often the mass swings during the move, 1e-6
+    to 1000, a number or an array; the result has its shape. `damping_ratio` is from 0 to
     0.99. The mass rests before the move; what is returned is its largest distance from the cam at
     any time after the move. Undamped, times (2 pi tm/Tn)^2 it is the acceleration that stays, in
     hm/tm^2. Raises InputError for other numbers, and for a law whose velocity jumps.
@@ -34,8 +42,7 @@ def residual_vibration(
     >>> print(f"{residual_vibration('cycloidal', 1):.6f}")  # |sin pi l|/(pi l |1 - l^2|)
     0.500000
     """
-    swing = _single(law, ratios, damping_ratio)
-    return plain(swing.furthest(swing.from_rest[-1]).reshape(np.shape(ratios)))
+    return _single(law, ratios, damping_ratio, _left_behind)
 
 
 def dynamic_factor(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float = 0.0) -> Numbers:
@@ -47,9 +54,7 @@ def dynamic_factor(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float
     >>> dynamic_factor("constant acceleration", [5, 10, 10.5]).round(2)
     array([4.  , 2.  , 3.24])
     """
-    swing = _single(law, ratios, damping_ratio)
-    most = swing.largest(swing.from_rest, 0, len(swing.joints) - 1)
-    return plain(most.reshape(np.shape(ratios)) / as_law(law).Ca)
+    return _single(law, ratios, damping_ratio, Swing.largest) / as_law(law).Ca
 
 
 @checked
@@ -57,8 +62,8 @@ def running_residual(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0
     """Return how far the mass swings in the dwell after the first move of a running machine.
 
     It is a part of that move's stroke: the largest distance from the cam after the move, as if the
-    dwell went on. `ratios` is tm/Tn of the move, above 0 and at most 1000; the result has its
-    shape. The machine has run for long: what earlier moves have left is in it. `damping_ratio` is
+    dwell went on. `ratios` is tm/Tn of the move, 1e-6 to 1000; the result has its shape.
+    The machine has run for long: what earlier moves have left is in it. `damping_ratio` is
     from 0 to 0.99. Raises InputError for other numbers, for a velocity that jumps, for no dwell
     after the first move, and where nothing damps the mass and it swings a whole number of times in
     a turn.
@@ -68,15 +73,15 @@ def running_residual(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0
     >>> print(f"once {once:.4f}, in a run {running_residual(cm.EXAMPLE.die, 2.5):.4f}")
     once 0.0203, in a run 0.0216
     """
-    swing, v, (_, last) = _running(motion, ratios, damping_ratio)
     number = motion.segments.index(motion.moves[0])
     following = motion.segments[(number + 1) % len(motion.segments)]
+    found = _running(motion, ratios, damping_ratio, _left_behind)
     if not following.is_dwell:
         raise InputError(
             f"After its first move the motion {motion.name!r} goes on with a {following.kind}, so "
             "that nothing swings alone there: put a dwell between them."
         )
-    return plain(swing.furthest(v[last]).reshape(np.shape(ratios)))
+    return found
 
 
 @checked
@@ -90,34 +95,55 @@ def running_factor(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.0
     >>> print(f"{running_factor(cm.EXAMPLE.die, 5):.3f}")
     1.062
     """
-    swing, v, (first, last) = _running(motion, ratios, damping_ratio)
     move = motion.moves[0]
     cam = move.curve.derived(2).largest * move.angle_deg**2 / abs(move.change_mm)
-    return plain(swing.largest(v, first, last).reshape(np.shape(ratios)) / cam)
+    return _running(motion, ratios, damping_ratio, Swing.largest) / cam
 
 
-def _single(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float) -> Swing:
+def _left_behind(swing: Swing, v: Complexes, _: int, last: int) -> Floats:
+    return swing.furthest(v[last])
+
+
+def _single(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float, asked: Asked) -> Numbers:
     moves = as_law(law)
     check_velocity(moves)
-    return Swing(moves.curve, RATIO.array(ratios).ravel(), DAMPING_RATIO.number(damping_ratio))
+
+    def answer(block: Floats) -> Floats:
+        swing = Swing(moves.curve, block, DAMPING_RATIO.number(damping_ratio))
+        return asked(swing, swing.from_rest, 0, len(swing.joints) - 1)
+
+    return _in_blocks(answer, ratios)
 
 
-def _running(
-    motion: Motion, ratios: ArrayLike, damping_ratio: float
-) -> tuple[Swing, Complexes, tuple[int, int]]:
-    """Return the swing over a turn, v at its joints, and between which the first move lies."""
+def _running(motion: Motion, ratios: ArrayLike, damping_ratio: float, asked: Asked) -> Numbers:
     check_velocity(motion)
-    move, checked = motion.moves[0], RATIO.array(ratios).ravel()
-    damping = DAMPING_RATIO.number(damping_ratio)
-    swing = Swing(motion.curve, checked, damping, move.angle_deg, abs(move.change_mm))
-    v = swing.steady
-    endless = ~(np.abs(v).max(axis=0) < _RESONANT * swing.roots.imag)
-    if endless.any():
-        raise InputError(
-            f"At the period ratio {checked[endless][0]:g} the mass swings a whole number of times "
-            "in a turn and nothing damps it, so that it swings more with each turn: give a "
-            "damping ratio, or leave this ratio out."
-        )
-    ends = (np.argmin(np.abs(swing.joints - end)) for end in (move.from_deg, move.to_deg))
-    first, last = map(int, ends)
-    return swing, v, (first, last)
+    move = motion.moves[0]
+
+    def answer(block: Floats) -> Floats:
+        damping = DAMPING_RATIO.number(damping_ratio)
+        swing = Swing(motion.curve, block, damping, move.angle_deg, abs(move.change_mm))
+        v = swing.steady
+        endless = ~(np.abs(v).max(axis=0) < _RESONANT * swing.roots.imag)
+        if endless.any():
+            raise InputError(
+                f"At the period ratio {block[endless][0]:g} the mass swings a whole number of "
+                "times in a turn and nothing damps it, so that it swings more with each turn: "
+                "give a damping ratio, or leave this ratio out."
+            )
+        ends = (np.argmin(np.abs(swing.joints - end)) for end in (move.from_deg, move.to_deg))
+        return asked(swing, v, *map(int, ends))
+
+    return _in_blocks(answer, ratios, DEG_PER_TURN / move.angle_deg)
+
+
+def _in_blocks(
+    answer: Callable[[Floats], Floats], ratios: ArrayLike, moves: float = 1.0
+) -> Numbers:
+    """Return the answer to all ratios, from so many at once as memory has room for.
+
+    The curve is as long as so many moves.
+    """
+    checked = RATIO.array(ratios)
+    masses_by_ways = checked.size * ways_for(float(checked.max())) * moves
+    blocks = np.array_split(checked.ravel(), math.ceil(masses_by_ways / _MOST))
+    return plain(np.concatenate([answer(b) for b in blocks if b.size]).reshape(checked.shape))

@@ -5,6 +5,7 @@ it. `StartResponse` is a machine that is switched on: turn after turn from rest.
 is the machine that has run for long, where each turn is as the one before.
 """
 
+import math
 from abc import ABC, abstractmethod
 from functools import cached_property
 from typing import Any
@@ -24,8 +25,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain, shorten
 
-_TIME = Quantity("time", "s", example=0.1, low=-1e9)
-_FOREVER = 1e12  # s that a follower is left alone after a move
+_TIME = Quantity("time", "s", example=0.1, low=-1e9, high=1e9)
 _RESONANT = 1e-8  # of what swings that a turn leaves as it is
 _MOST_TURNS = 100_000
 _ROUNDING = 1e-9  # by so much deg a place may be before the start
@@ -183,8 +183,8 @@ class MoveResponse(Response):
         self.chain, self.move, self._unit_s = chain, move, 1.0
         self.span = 0.0, move.time_s
         curve = law.curve.placed(0.0, move.time_s, 0.0, move.stroke_mm)
-        after = Forcing(move.time_s, move.time_s + _FOREVER)
-        self._course = Course(chain.system, [*accelerations(curve), after])
+        alone = Forcing(move.time_s, math.inf)
+        self._course = Course(chain.system, [*accelerations(curve), alone])
 
     @cached_property
     def _begins(self) -> Floats:
@@ -204,6 +204,8 @@ class MoveResponse(Response):
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
         low, high = ordered(_TIME, self.span if over is None else over)
+        if high <= 0:  # it rests
+            return [(low, self._begins[0], Spots(np.zeros(1, dtype=np.intp), np.zeros(1)))]
         return [
             (self._course.lows[number], self._begins[number], spots)
             for spots in self._course.samples(max(low, 0.0), high)

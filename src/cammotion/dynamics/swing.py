@@ -29,6 +29,11 @@ _PLACES, _WEIGHTS = (_GAUSS[0] + 1) / 2, _GAUSS[1] / 2  # for a way from 0 to 1
 Complexes = NDArray[np.complex128]
 
 
+def ways_for(ratio: float) -> float:
+    """Return how many ways a move has at least for all ratios up to this one."""
+    return max(_FEWEST, _PER_SWING * ratio)
+
+
 class Swing:
     """What masses do behind a `curve`, by `ratios` tm/Tn above 0, with a `damping` ratio below 1.
 
@@ -42,7 +47,7 @@ class Swing:
         self._bend, self._scale, self._width = curve.derived(2), width**2 / stroke, width
         self._w, self._loss = 2 * np.pi * ratios, 4 * np.pi * ratios * damping
         self.roots = self._w * complex(-damping, np.sqrt(1 - damping**2))
-        longest = width / max(_FEWEST, _PER_SWING * float(ratios.max()))
+        longest = width / ways_for(float(ratios.max()))
         self._pieces: list[tuple[int, int, float]] = []
         joints: list[float] = []
         for each in accelerations(curve):

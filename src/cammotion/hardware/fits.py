@@ -108,6 +108,8 @@ def deviation_um(diameter_mm: float, letter: str) -> float:
 class Limits:
     """How far a part may be from its nominal size: a diameter in mm, deviations in um.
 
+    Raises InputError for numbers out of range and for deviations the wrong way round.
+
     >>> Limits(40, "g6", upper_um=-9, lower_um=-25)
     40 g6: -9/-25 µm
     """
@@ -118,9 +120,13 @@ class Limits:
     lower_um: float
 
     def __post_init__(self) -> None:
-        keep_numbers(
-            self, diameter_mm=_DIAMETER.number, upper_um=read_deviation, lower_um=read_deviation
-        )
+        read = read_deviation
+        keep_numbers(self, diameter_mm=_DIAMETER.number, upper_um=read, lower_um=read)
+        if self.width_um < 0:
+            raise InputError(
+                f"The upper deviation is {self.upper_um:g} µm and the lower one {self.lower_um:g}: "
+                "give the larger one as upper_um."
+            )
 
     def __repr__(self) -> str:
         """Write it as a drawing does."""

@@ -11,6 +11,7 @@ its torque is power/Omega. It is positive while the shaft drives, negative while
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -210,8 +211,8 @@ class Indexer:
         `backlash_deg` is how far the table can turn while the drive stands. From where the torque
         becomes negative the table runs free, slowed by friction and work alone, until the drive,
         which goes on by its law, has fallen back by the backlash. A table that is braked only by
-        these never gets there: 0. Raises InputError for a backlash that is not used up before the
-        index ends.
+        these never gets there: 0. Raises InputError for a backlash that is not used up while the
+        table is faster than its drive and before the index ends.
 
         >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).impact_rad_per_s(0.02):.4f} rad/s")
         0.0286 rad/s
@@ -227,16 +228,30 @@ class Indexer:
             gone = x - start
             return float(speed * gone - self._drag_a * gone**2 / 2 - (law(x) - at))
 
-        end = self.braking[0][1]
+        def faster(x: float) -> float:
+            return float(speed - self._drag_a * (x - start) - law(x, 1))
+
+        end = self._gained_until(faster)
         if ahead(end) < gap:
             most = math.degrees(ahead(end) * self.step_rad)
             raise InputError(
-                f"The backlash is {backlash:g} deg, and while it is braked the table gains "
-                f"only {most:.4g} deg on its drive: give a smaller backlash."
+                f"The backlash is {backlash:g} deg, and while it is faster than its drive the "
+                f"table gains only {most:.4g} deg on it: give a smaller backlash."
             )
         hit = bisect(lambda x: ahead(x) < gap, start, end)
-        faster = speed - self._drag_a * (hit - start) - law(hit, 1)
-        return float(faster * self.step_rad / self.time_s)
+        return faster(hit) * self.step_rad / self.time_s
+
+    def _gained_until(self, faster: Callable[[float], float]) -> float:
+        """Return the x up to which a free table is faster than its drive, 1 if it is to the end.
+
+        While the drive brakes it becomes slower than the table, and between only less so.
+        """
+        braked = [end for _, end in self.braking]
+        again = [*(start for start, _ in self.braking[1:]), 1.0]
+        for low, high in zip(braked, again, strict=True):
+            if faster(high) < 0:
+                return bisect(lambda x: faster(x) > 0, low, high)
+        return 1.0
 
     @property
     def _law(self) -> MotionLaw:

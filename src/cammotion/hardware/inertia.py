@@ -36,16 +36,15 @@ class _Body:
 
     def __post_init__(self) -> None:
         self._read_sizes()
-        by_density = self.thickness_mm is not None and self.density_kg_per_m3 is not None
-        if (self.mass_kg is None) != by_density or (
-            self.mass_kg is not None and self.density_kg_per_m3 is not None
-        ):
+        ways = (self.mass_kg, self.thickness_mm, self.density_kg_per_m3)
+        by_mass, *by_density = (way is not None for way in ways)
+        if by_density != [not by_mass] * 2:
             kind = type(self).__name__
             raise InputError(
                 f"A {kind} is weighed in one way: give its mass_kg, or its thickness_mm and its "
                 "density_kg_per_m3, for example 10 mm and 7850 kg/m3."
             )
-        if by_density:
+        if not by_mass:
             keep_numbers(self, thickness_mm=_THICKNESS.number, density_kg_per_m3=_DENSITY.number)
             mass = self._area_m2 * _m(self.thickness_mm) * self.density_kg_per_m3
             object.__setattr__(self, "mass_kg", mass)

@@ -23,6 +23,7 @@ PROBE = Quantity("radius of the probe", "mm", example=2, low_included=True)
 POINT = Quantity("points of the profile", "mm", example=50, low=-1e5, high=1e5)
 COUNT = Quantity("count of angles", "", example=360, low=8, high=1e5, low_included=True)
 
+_FLAT = "flat face"
 _FEWEST = 36
 _WIDEST_DEG = 12.0  # between two points, as seen from the axis
 _NOISE, _ROUNDING = 10.0, 3e-5  # times the noise, and of the size: so far off an answer may be
@@ -84,12 +85,12 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     radius = PROBE.number(probe_radius_mm)
     if isinstance(follower, TranslatingRoller | SwingingRoller):
         away = follower.radius_mm - radius
-    elif follower == "flat face":
-        away = -radius
+    elif isinstance(follower, str) and follower.casefold() == _FLAT:
+        follower, away = _FLAT, -radius
     else:
         raise InputError(
             f"The follower is {shorten(follower)}: give a TranslatingRoller, a SwingingRoller or "
-            "'flat face'."
+            f"{_FLAT!r}."
         )
     places = COUNT.whole(count)
     traced = Traced(_checked(x_mm, y_mm, clockwise=clockwise), away, follower)

@@ -11,6 +11,7 @@ from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
 
+DERIVATIVE = Quantity("derivative", "", example=1, high=2, low_included=True)
 _ANGLE = Quantity("cam angle of the table", "deg", example=10, low=-1e6, high=1e6)
 _POSITION = Quantity("position of the table", "mm", example=5, low=-1e6, high=1e6)
 _STEP = Quantity("step of the positions", "mm", example=0.01, high=1e6, low_included=True)

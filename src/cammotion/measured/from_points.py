@@ -23,6 +23,7 @@ _DIGITS = 9  # points with more are taken for exact
 _TABLE = 12  # fewer points are taken for chosen by hand
 _LAST_BIT = 1e-15
 _CUBIC = 4  # the order of differences in which a cubic is 0
+_STEEPEST = 3.0  # times the line between two points: a steeper cubic may turn between them
 _RULES = 0.2  # of Ca: an effect of the rounding that is to be warned of
 
 Kind = Literal["through", "smooth", "monotone", "periodic"]
@@ -49,7 +50,8 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     - "periodic": a law that is repeated without rest, as of a wheel that never stops: it ends with
       the velocity and the acceleration with which it begins, and has no `end_slopes`;
     - "monotone": PCHIP, which never swings over its points: between two that rise it rises.
-      Its acceleration jumps at every point, so that Cj is infinite.
+      Its acceleration jumps at every point, so that Cj is infinite. Its `end_slopes` are from 0
+      to 3 times the slope of the line to the neighbouring point; steeper ones would swing over.
 
     `smoothing` is the amount for "smooth" and "periodic", what `smoothed` calls so, with the places
     in x: a wave of n swings from 0 to 1 is divided by 1 + smoothing (2 pi n)^4. None lets
@@ -90,6 +92,11 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
             f"The smoothing is {shorten(smoothing)}, and a fit {kind!r} has none: give "
             "fit='smooth', or fit='periodic'."
         )
+    if kind == "periodic" and slopes.any():
+        raise InputError(
+            f"The end_slopes are {shorten(end_slopes)}, and a fit 'periodic' has none: leave them "
+            "out, or give fit='smooth'."
+        )
     amount = None if smoothing is None else AMOUNT.number(smoothing)
     given = (float(slopes[0]), float(slopes[1]))
     found: Fit
@@ -99,6 +106,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
         case "smooth":
             found = Through(places, given, ways, amount, is_smooth=True)
         case "monotone":
+            _check_steepness(places, ways, given)
             found = Monotone(places, given)
         case _:
             found = Periodic(places, ways, 0.0 if amount is None else amount)
@@ -164,6 +172,18 @@ def step_of(values: ArrayLike) -> float:
     counts = np.round(numbers * 10**_DIGITS).astype(np.int64)
     is_cubic = not np.any(np.diff(counts, _CUBIC))
     return 0.0 if is_cubic else float(np.gcd.reduce(counts)) / 10**_DIGITS
+
+
+def _check_steepness(places: Floats, ways: Floats, slopes: tuple[float, float]) -> None:
+    """Raise InputError for slopes with which a cubic at an end swings over its points."""
+    lines = np.diff(ways) / np.diff(places)
+    for which, slope, line in zip(("first", "last"), slopes, lines[[0, -1]], strict=True):
+        low, high = sorted((0.0, _STEEPEST * float(line)))
+        if not low <= slope <= high:
+            raise InputError(
+                f"The velocity V at the {which} point is {slope:g}, with which a fit 'monotone' "
+                f"would swing over its points: give one from {low:g} to {high:g}, or fit='through'."
+            )
 
 
 def _warn(law: SampledLaw) -> None:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import MM_PER_M, RATE, cycle_time
-from cammotion.measured.cam_table import CamTable
+from cammotion.measured.cam_table import DERIVATIVE, CamTable
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, one_of, plain
 
 _ANGLE = Quantity("cam angle", "deg", example=10, low=-1e6, high=1e6)
@@ -70,7 +70,8 @@ class Harmonics(Alike):
         """Return the position in mm that the first `number` harmonics give at a cam angle in deg.
 
         `derivative` 1 or 2 gives mm/rad or mm/rad2. The result has the shape of `angle_deg`. Raises
-        InputError unless `number` is a whole number from 0 to the last rank.
+        InputError unless `number` is a whole number from 0 to the last rank, and for another
+        derivative.
         """
         last = len(self.rank)
         if not isinstance(number, int | np.integer) or not 0 <= number <= last:
@@ -78,12 +79,12 @@ class Harmonics(Alike):
                 f"The number of harmonics is {number!r}; this table has {last}: give a whole "
                 f"number from 0 to {last}."
             )
-        angle = np.radians(_ANGLE.array(angle_deg))
+        order, angle = DERIVATIVE.whole(derivative), np.radians(_ANGLE.array(angle_deg))
         rank, first = self.rank[:number], slice(0, number)
-        quarter = derivative * np.pi / 2
+        quarter = order * np.pi / 2
         waves = np.cos(np.multiply.outer(angle, rank) - np.radians(self.phase_deg[first]) + quarter)
-        mean = self.mean_mm if derivative == 0 else 0.0
-        return plain(mean + waves @ (self.amplitude_mm[first] * rank**derivative))
+        mean = self.mean_mm if order == 0 else 0.0
+        return plain(mean + waves @ (self.amplitude_mm[first] * rank**order))
 
     def residual_mm(self, number: int, table: CamTable) -> Floats:
         """Return what `number` harmonics leave of a table, in mm at each of its points."""

@@ -10,13 +10,12 @@ from numpy.typing import ArrayLike
 from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
-from cammotion.measured.cam_table import CamTable
+from cammotion.measured.cam_table import DERIVATIVE, CamTable
 from cammotion.measured.differences import ERROR
 from cammotion.measured.smoother import AnyPoints, EvenCycle, Smoother, chosen_amount, score
-from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
+from cammotion.quantities import Floats, Numbers, Quantity, plain
 
 AMOUNT = Quantity("amount of smoothing", "", example=1e-6, high=1e12, low_included=True)
-_DERIVATIVE = (0, 1, 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,8 +46,7 @@ class SmoothedTable(Alike):
         for 1 and 2. The result has the shape of `angle_deg`. Raises InputError for another
         derivative, and for angles outside of a table that is no cycle.
         """
-        if derivative not in _DERIVATIVE:
-            raise InputError(f"The derivative is {derivative!r}; it has to be 0, 1 or 2.")
+        order = DERIVATIVE.whole(derivative)
         low, high = float(self.table.angle_deg[0]), float(self.table.angle_deg[-1])
         if self.table.is_cycle:
             angle = Quantity("cam angle", "deg", 10, low=-1e6, high=1e6).array(angle_deg)
@@ -56,8 +54,8 @@ class SmoothedTable(Alike):
         else:
             angle = Quantity("cam angle", "deg", low, low, high, True).array(angle_deg)
         per_second = DEG_PER_TURN / cycle_time(RATE.number(rate_per_hour))
-        scale = per_second**derivative / (MM_PER_M if derivative else 1)
-        return plain(self._spline(angle, derivative) * scale)
+        scale = per_second**order / (MM_PER_M if order else 1)
+        return plain(self._spline(angle, order) * scale)
 
     def acceleration(self, rate_per_hour: float) -> Floats:
         """Return the acceleration in m/s2 at the table's angles, at a rate in turns an hour."""
