@@ -207,3 +207,9 @@ def test_what_a_run_refuses() -> None:
     )
     with pytest.raises(cm.InputError, match="velocity of 'line' jumps"):
         cm.running_factor(line, 3)
+
+
+@pytest.mark.parametrize("ask", [cm.running_residual, cm.running_factor])
+def test_where_nothing_moves_nothing_swings(ask: Any) -> None:
+    with pytest.raises(cm.InputError, match="The motion 'table' has no move"):
+        ask(cm.motion("table", cm.dwell(360)), [1, 2.5])

@@ -263,3 +263,11 @@ def test_plots_refuse_what_they_cannot_draw() -> None:
         cm.plot_timing(None)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="colour"):
         cm.plot_timing(BEFORE, colour="red")  # type: ignore[call-arg]
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_map_beside_what_never_moves_has_a_width() -> None:
+    table = cm.motion("table", cm.dwell(360))
+    gate = cm.ClearanceRule(cm.beyond("die", 60), only_while=cm.within("table", 0.65))
+    ax = cm.plot_clearance(cm.TimingDiagram([table, cm.EXAMPLE.die], 2000), gate)
+    assert ax.get_xlim()[1] == 1

@@ -17,6 +17,7 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
 
 RATIO = Quantity("period ratio tm/Tn", "", example=4, low=1e-6, high=1000, low_included=True)
@@ -73,7 +74,7 @@ def running_residual(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0
     >>> print(f"once {once:.4f}, in a run {running_residual(cm.EXAMPLE.die, 2.5):.4f}")
     once 0.0203, in a run 0.0216
     """
-    number = motion.segments.index(motion.moves[0])
+    number = motion.segments.index(_first_move(motion))
     following = motion.segments[(number + 1) % len(motion.segments)]
     found = _running(motion, ratios, damping_ratio, _left_behind)
     if not following.is_dwell:
@@ -95,9 +96,17 @@ def running_factor(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.0
     >>> print(f"{running_factor(cm.EXAMPLE.die, 5):.3f}")
     1.062
     """
-    move = motion.moves[0]
+    move = _first_move(motion)
     cam = move.curve.derived(2).largest * move.angle_deg**2 / abs(move.change_mm)
     return _running(motion, ratios, damping_ratio, Swing.largest) / cam
+
+
+def _first_move(motion: Motion) -> Segment:
+    if not motion.moves:
+        raise InputError(
+            f"The motion {motion.name!r} has no move, and so no mass swings: give one that has one."
+        )
+    return motion.moves[0]
 
 
 def _left_behind(swing: Swing, v: Complexes, _: int, last: int) -> Floats:
@@ -117,7 +126,7 @@ def _single(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float, asked
 
 def _running(motion: Motion, ratios: ArrayLike, damping_ratio: float, asked: Asked) -> Numbers:
     check_velocity(motion)
-    move = motion.moves[0]
+    move = _first_move(motion)
 
     def answer(block: Floats) -> Floats:
         damping = DAMPING_RATIO.number(damping_ratio)

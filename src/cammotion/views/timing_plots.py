@@ -142,7 +142,7 @@ def plot_clearance(
     broken = [
         violation for diagram in named.values() for violation in find_violations(diagram, rule)
     ]
-    span = widest if broken else near  # no broken rule outside the picture
+    span = (widest if broken else near) or 1.0  # no broken rule outside the picture
     if span_mm is not None:
         span = _SPAN.number(span_mm)
     ax.set_xlim(-ROOM * span, span)
