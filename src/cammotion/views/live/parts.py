@@ -7,6 +7,7 @@ clock stands.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -151,7 +152,7 @@ class Panel:
         for name in ("x_ticks", "y_ticks", "height"):
             if getattr(self, name) is not None:
                 size = Quantity(f"{name} of a panel", "", example=100)
-                keep_numbers(self, **{name: size.number})
+                keep_numbers(self, **{name: partial(_short, size)})
         is_several = isinstance(self.words, Sequence) and not isinstance(self.words, str)
         for words in self.words if is_several else [self.words]:
             if not isinstance(words, tuple) or len(words) != 3:  # noqa: PLR2004
@@ -195,6 +196,12 @@ class Button:
 def _check_colour(colour: Any) -> None:
     if colour is not None and not (isinstance(colour, int) and colour >= 0):
         raise InputError(f"The colour is {shorten(colour)}: count the colours from 0.")
+
+
+def _short(quantity: Quantity, given: Any) -> float:
+    """Return a number that is read; one that is whole and no float stays short where it is stored."""
+    number = quantity.number(given)
+    return number if isinstance(given, float) or not number.is_integer() else int(number)
 
 
 def _check_ends(name: str, ends: Any) -> None:
