@@ -199,7 +199,7 @@ def _check_colour(colour: Any) -> None:
 
 
 def _short(quantity: Quantity, given: Any) -> float:
-    """Return a number that is read; one that is whole and no float stays short where it is stored."""
+    """Return a number; a whole one that is no float stays short where it is stored."""
     number = quantity.number(given)
     return number if isinstance(given, float) or not number.is_integer() else int(number)
 
