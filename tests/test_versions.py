@@ -204,3 +204,22 @@ def test_a_name_in_another_case_is_the_same_motion() -> None:
     assert found.effects == as_before.effects
     shafts = cm.compare(cm.Camshaft(BEFORE, LOADS), cm.Camshaft(after, LOADS))
     assert {each.of for each in shafts.effects} == {"die", "mill", "camshaft"}
+
+
+def narrow(over_deg: float, start_deg: float) -> cm.TimingDiagram:
+    """Return the example with a die that comes down at once."""
+    parts = cm.rise(50, over_deg=over_deg), cm.dwell(100), cm.return_(50, over_deg=55)
+    die = cm.motion("die", *parts, cm.dwell(205 - over_deg), start_deg=start_deg)
+    return BEFORE.with_motion(die)
+
+
+def test_a_change_of_an_angle_is_told_as_one_or_lost_in_rounding() -> None:
+    before = narrow(0.3, 150)
+    for turns in (0, 30_000):
+        for exponent in range(-13, 1):
+            after = narrow(0.3 + 10.0**exponent, 150 + 360 * turns)
+            for change in cm.compare(before, after).changes:
+                assert change.before != change.after
+                assert "another law" not in change.after
+    assert cm.compare(before, narrow(0.3, 150 + 360 * 30_000)).changes == ()
+    assert cm.compare(before, narrow(0.3 + 1e-6, 150)).changes != ()

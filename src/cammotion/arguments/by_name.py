@@ -32,14 +32,15 @@ def by_name(  # noqa: PLR0913 - the last two by their names
     if given is None:
         return {}
     if isinstance(given, Mapping):
-        called = [(one_of(of, name, names), name) for name in given]
-        for number, (own, name) in enumerate(called):
-            if (before := dict(called[:number]).get(own)) is not None:
+        called: dict[str, Any] = {}
+        for name in given:
+            if (own := one_of(of, name, names)) in called:
                 raise InputError(
-                    f"The {what} are given twice for the {of} {own!r}, as {shorten(before)} and as "
-                    f"{shorten(name)}: leave one of them out."
+                    f"The {what} are given twice for the {of} {own!r}, as {shorten(called[own])} "
+                    f"and as {shorten(name)}: leave one of them out."
                 )
-        return {own: read(given[name]) for own, name in called}
+            called[own] = name
+        return {own: read(given[name]) for own, name in called.items()}
     if one_for_all:
         return dict.fromkeys(names, read(given))
     raise InputError(

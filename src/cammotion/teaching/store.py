@@ -221,7 +221,7 @@ def right_for(record: Record) -> set[str]:
     """Return the names for whose numbers an exercise was right, "" for those of no name."""
     kept = record.get("right")
     names = {name for name in kept if isinstance(name, str)} if isinstance(kept, list) else set()
-    return names | {str(record.get("who"))} if record.get("state") == "right" else names
+    return names | {str(record.get("who", ""))} if record.get("state") == "right" else names
 
 
 def count(record: Any, field: str) -> int:

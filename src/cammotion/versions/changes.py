@@ -54,7 +54,7 @@ def _of_motion(old: Motion, new: Motion) -> Iterator[Change]:
     start, other_start = (before or old.segments)[0], (after or new.segments)[0]
     if not _is_same(start.from_mm, other_start.from_mm, abs(old.pitch_mm)):
         what = f"position before the {start.kind}" if before else "position"
-        places = (f"{each.from_mm:.6g} mm" for each in (start, other_start))
+        places = (f"{each.from_mm:.12g} mm" for each in (start, other_start))
         yield Change(old.name, what, *places)
     for one, other in zip_longest(before, after):
         if one is None or other is None or not _is_same_move(one, other):
@@ -73,7 +73,7 @@ def _is_same(one: float, other: float, period: float = 0.0) -> bool:
 def _is_same_move(one: Segment, other: Segment) -> bool:
     return (
         _is_same(one.from_deg, other.from_deg, DEG_PER_TURN)
-        and _is_same(one.angle_deg, other.angle_deg)
+        and _is_same(one.to_deg, other.to_deg, DEG_PER_TURN)
         and _is_same(one.change_mm, other.change_mm)
         and one.law == other.law
     )
