@@ -22,7 +22,6 @@ from cammotion.teaching.variants import machine_for
 PAGE = (ROOT / "docs" / "teaching.md").read_text("utf-8")
 REQUIREMENT = re.findall(r"nbgrader==[\d.]+", PAGE)[0]
 ENVIRONMENT = Environment(ROOT / ".venv-nbgrader")
-SECONDS_FOR_A_CELL = 8  # not the page's 30, to have done with the endless loop
 
 LESSONS = {number.split(".")[0] for number in EXERCISES}
 ORIGINALS = {
@@ -60,9 +59,7 @@ class Course:
         self._environment = {name: str(folder / "own" / name) for name in own}
         # As in an activated environment: nbgrader looks for its alembic on the PATH.
         self._environment["PATH"] = f"{ENVIRONMENT.programs}{os.pathsep}{os.environ['PATH']}"
-        config = block("get_config").replace("timeout = 30", f"timeout = {SECONDS_FOR_A_CELL}")
-        assert f"timeout = {SECONDS_FOR_A_CELL}" in config
-        (folder / "nbgrader_config.py").write_text(config, "utf-8")
+        (folder / "nbgrader_config.py").write_text(block("get_config"), "utf-8")
         (folder / "marks.py").write_text(block("grades.csv"), "utf-8")
         for lesson, original in ORIGINALS.items():
             write(read(original), folder / "source" / lesson / original.name)

@@ -99,7 +99,7 @@ class MillAndDie:
         """The widest indexing angle of the die that keeps the rule."""
         return widest_move(self.diagram, "die", self.rule).angle_deg
 
-    @property
+    @cached_property
     def mill(self) -> Motion:
         """The motion of the mill, from 0 deg on."""
         return indexing_motion(
@@ -109,7 +109,7 @@ class MillAndDie:
             stops=self.stops,
         )
 
-    @property
+    @cached_property
     def die(self) -> Motion:
         """The motion of the die without overlap: from when the mill stands."""
         return motion(
@@ -121,12 +121,12 @@ class MillAndDie:
             start_deg=self.mill_angle_deg,
         )
 
-    @property
+    @cached_property
     def diagram(self) -> TimingDiagram:
         """The timing diagram of both without overlap."""
         return TimingDiagram((self.mill, self.die), self.rate_per_hour)
 
-    @property
+    @cached_property
     def rule(self) -> ClearanceRule:
         """The clearance rule: deep only while the mill is as near a stop as in its quiet ends."""
         near = float(self.mill.offset_mm(self.mill_angle_deg - self.quiet_deg))
