@@ -47,6 +47,11 @@ def test_the_explorer_draws_the_cam_of_the_package(
     assert ("UNDERCUT" in figure.text) == bool(cam.undercuts)
 
 
+def test_the_cam_is_drawn_all_around(figure: LiveFigure) -> None:
+    low, high = (float(figure._now[end](0.0, 0.0)) for end in figure.description["range"])
+    assert (low, high) == (0, 360)
+
+
 @pytest.mark.parametrize(("prime", "roller"), [(10, 10), (700, 40), (60, 2)])
 def test_the_controls_reach_what_is_given(prime: float, roller: float) -> None:
     figure = cm.explore_cam(cm.EXAMPLE.die, roller_radius_mm=roller, prime_radius_mm=prime)

@@ -288,8 +288,9 @@ def test_a_huge_answer_is_judged_without_being_looked_through(
     exercise: Exercise, make: Callable[[], Any]
 ) -> None:
     answer = make()
-    started = time.perf_counter()
+    exercise.judge(1, MACHINE)  # what is worked out once
+    started = time.process_time()  # whatever else the machine is busy with
     verdict = exercise.judge(answer, MACHINE)
-    assert time.perf_counter() - started < 0.1
+    assert time.process_time() - started < 0.1
     assert verdict.state == "wrong"
     assert len(verdict.text) < 300

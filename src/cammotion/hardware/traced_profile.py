@@ -82,8 +82,9 @@ class Traced:
         steps = np.diff(ends)
         turned = np.angle(steps[1:] / steps[:-1])
         beside = np.mean([np.abs(np.roll(turned, n)) for n in (-5, -4, -3, 3, 4, 5)], axis=0)
-        worst = int(np.argmin(turned + _KINKED * beside))
-        if turned[worst] < -_KINK - _KINKED * beside[worst]:
+        sharper = -turned - _KINKED * beside
+        worst = int(np.argmax(sharper))
+        if sharper[worst] > _KINK:
             raise InputError(
                 f"The points have a kink inwards {self._where(worst)}: the profile has a hollow "
                 "there that is narrower than the probe, which has not touched its bottom. Measure "
@@ -97,8 +98,9 @@ class Traced:
         off = np.abs((np.diff(ring, 4) * outwards.conj()).real)
         beside = np.max([np.roll(off, n) for n in (-6, -5, -4, -3, 3, 4, 5, 6)], axis=0)
         step = float(np.median(np.diff(self.along)))
-        worst = int(np.argmax(off - _STRAYED * beside))
-        if off[worst] > _STRAYED * beside[worst] + _STRAY * step:
+        further = off - _STRAYED * beside
+        worst = int(np.argmax(further))
+        if further[worst] > _STRAY * step:
             raise InputError(
                 f"The point {self._where(worst)} lies about {off[worst] / 6:.2g} mm off the line "
                 "of its neighbours: leave it out, or measure it again."

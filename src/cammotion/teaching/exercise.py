@@ -5,7 +5,7 @@ import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.quantities import shorten
@@ -62,7 +62,7 @@ class Slip:
         return _led_to(self.answer, machine)
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=2**16)
 def _led_to(answer: Callable[[MillAndDie], Any], machine: MillAndDie) -> Any:
     """Work out an answer once: each that is given is held against the right one and all slips."""
     return answer(machine)
@@ -144,7 +144,7 @@ class NumberExercise(Exercise):
 
     def wanted_for(self, machine: MillAndDie) -> str:
         """Return what is asked for, with the number of digits where two are too few."""
-        digits = digits_needed(self.solution(machine), self._wrong(machine))
+        digits = _known(self, machine).digits
         asked = f", to {_DIGITS[digits]} digits" if digits > FEWEST else ""
         return f"{self.wanted}{asked}"
 
@@ -154,9 +154,8 @@ class NumberExercise(Exercise):
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a number is wrong; "" if it is right."""
-        given, right = to_number(answer, self.wanted), self.solution(machine)
-        wrong = self._wrong(machine)
-        digits = digits_needed(right, wrong)
+        given = to_number(answer, self.wanted)
+        right, wrong, digits = _known(self, machine)
         if any(is_rounded(given, right, more) for more in range(digits, MOST + 1)):
             return ""
         off = abs(given - right)
@@ -173,16 +172,6 @@ class NumberExercise(Exercise):
         if few:
             return _TOO_FEW.format(_DIGITS[digits])
         return "" if self._is(given, right) else self._explain(given, machine, wrong)
-
-    def _wrong(self, machine: MillAndDie) -> dict[float, str]:
-        """Return the slips by what they lead to, but for those that lead to the right number."""
-        right = self.solution(machine)
-        found = [(float(slip.leads_to(machine)), slip.reason) for slip in self.slips]
-        return {
-            value: reason
-            for value, reason in reversed(found)
-            if math.isfinite(value) and not is_same(value, right)
-        }
 
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
@@ -252,6 +241,30 @@ class NumberExercise(Exercise):
         slips = (slip.reason for slip in (*self.slips, *self.carried))
         brought = (YOURS.format("…", number) for number in self.goes_on_from)
         return (*slips, *brought, _IN_G, *ratios.values(), *unknown)
+
+
+class _Known(NamedTuple):
+    """What an answer is held against: the right number, and the slips by what they lead to.
+
+    A slip that leads to the right number is none. `digits` are those that tell them apart.
+    """
+
+    right: float
+    wrong: Mapping[float, str]
+    digits: int
+
+
+@lru_cache(maxsize=2**12)
+def _known(exercise: NumberExercise, machine: MillAndDie) -> _Known:
+    """Work out once what each answer of a machine is held against."""
+    right = exercise.solution(machine)
+    found = [(float(slip.leads_to(machine)), slip.reason) for slip in exercise.slips]
+    wrong = {
+        value: reason
+        for value, reason in reversed(found)
+        if math.isfinite(value) and not is_same(value, right)
+    }
+    return _Known(right, wrong, digits_needed(right, wrong))
 
 
 @dataclass(frozen=True, kw_only=True)
