@@ -18,7 +18,7 @@ VENV = ROOT / ".venv"
 ON_WINDOWS = os.name == "nt"
 PYTHON_VERSION = "{}.{}".format(*sys.version_info)
 VENV_PYTHON = VENV / ("Scripts/python.exe" if ON_WINDOWS else "bin/python")
-START = "python workbook.py" if ON_WINDOWS else "python3 workbook.py"
+START = "py workbook.py" if ON_WINDOWS else "python3 workbook.py"
 
 
 def first_free(path: Path) -> Path:

@@ -36,7 +36,6 @@ c.JupyterHub.concurrent_spawn_limit = {at_once}
 c.JupyterHub.spawn_throttle_retry_range = (1, 2)
 c.Authenticator.allowed_users = {names!r}
 c.Spawner.poll_interval = 5  # seconds until it notices that a server has died
-c.Spawner.start_timeout = c.Spawner.http_timeout = {patience}
 """
 LINK = re.findall(r"^https://hub\.example\.org(\S+)$", PAGE, re.MULTILINE)[0]
 REPOSITORY = quote("https://git.example.org/", safe="")
@@ -103,7 +102,6 @@ def running_hub(
             proxy=str(proxy_of(environment)),
             at_once=at_once,
             names={each.name for each in accounts},
-            patience=PATIENCE_SECONDS,
         )
         (own / "jupyterhub_config.py").write_text(settings, "utf-8")
         address = f"http://127.0.0.1:{port}"

@@ -27,7 +27,7 @@ from matplotlib.text import Text
 import cammotion as cm
 from cammotion.rules.rule import Rule
 
-SEED, SECONDS = 20261127, 30
+SEED, TRIES = 20261127, 4500  # of some 110,000 that are possible
 SLOWEST_S = 20
 APART = {"again", "ask", "check", "check_setup", "choose", "hint", "predict", "progress", "variant"}
 """What speaks to the learner has a test of its own, test_exercises_fuzz.py."""
@@ -69,13 +69,9 @@ def test_a_result_or_a_sentence(
         for value in ODD
         if not (parameter == "progress" and callable(value))  # its own errors are the user's
     ]
-    end = time.perf_counter() + SECONDS
     found = []
-    for number, at in enumerate(np.random.default_rng(SEED).permutation(len(tries))):
+    for at in np.random.default_rng(SEED).permutation(len(tries))[:TRIES]:
         call, parameter, value = tries[at]
-        if time.perf_counter() > end:
-            assert number > 2000, "too few calls to find anything"
-            break
         if fault := wrong(call, parameter, value):
             found.append(f"{call.name}({parameter}={value!r:.60}): {fault}")
     assert not found, f"{len(found)} faults:\n" + "\n".join(found[:20])

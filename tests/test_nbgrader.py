@@ -61,10 +61,9 @@ class Course:
         self._environment["PATH"] = f"{ENVIRONMENT.programs}{os.pathsep}{os.environ['PATH']}"
         (folder / "nbgrader_config.py").write_text(block("get_config"), "utf-8")
         (folder / "marks.py").write_text(block("grades.csv"), "utf-8")
-        for lesson, original in ORIGINALS.items():
-            write(read(original), folder / "source" / lesson / original.name)
-        tables = ORIGINALS["09"].parent / "data"
-        shutil.copytree(tables, folder / "source" / "09" / "data")
+        (copying,) = re.findall(r"```sh\n(for lesson in 01.*?)```", PAGE, re.DOTALL)
+        run("sh", "-ec", copying.replace("~/workbook", shlex.quote(str(ROOT))), at=folder)
+        assert {path.name for path in (folder / "source").iterdir()} == ORIGINALS.keys()
 
     def run(self, command: str) -> str:
         """Run a command of the teacher's page, as it stands there."""
