@@ -66,6 +66,7 @@ def installed() -> Path:
     lines = (ROOT / "environment.txt").read_text("utf-8").splitlines()
     pins.write_text("\n".join(line for line in lines if not line.startswith("-e")), "utf-8")
     environment.install("-c", pins, *wanted(), for_others=True)
+    environment.python("-m", "pip", *unwanted(), at=folder)
     run("npm", "install", "--silent", "--no-save", "--prefix", folder, PROXY)
     return folder
 
@@ -73,6 +74,12 @@ def installed() -> Path:
 def wanted() -> list[str]:
     """Return what the page installs with pip."""
     (line,) = re.findall(r"^\S+/bin/python -m pip install -c \S+ (.+)$", PAGE, re.MULTILINE)
+    return shlex.split(line)
+
+
+def unwanted() -> list[str]:
+    """Return what the page then lets pip do to take something away."""
+    (line,) = re.findall(r"^\S+/bin/python -m pip (uninstall .+)$", PAGE, re.MULTILINE)
     return shlex.split(line)
 
 

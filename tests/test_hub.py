@@ -201,6 +201,12 @@ def test_no_student_overhears_the_kernel_of_another(works: list[Work]) -> None:
     assert verdict == "silence"
 
 
+def test_no_kernel_has_a_debugger(works: list[Work]) -> None:
+    """It would let in whoever comes to its port."""
+    features = 'get_ipython().kernel.kernel_info["supported_features"]'
+    assert said_in(works[0], f"print('debugger' in {features})") == "False\n"
+
+
 def test_the_link_brings_what_is_new_and_keeps_the_answers(course: Path, works: list[Work]) -> None:
     work = works[1]
     original = next(course.glob(f"{LESSON}_*.ipynb"))
