@@ -181,6 +181,18 @@ def test_nobody_else_is_graded(course: Course) -> None:
     assert course.marks().keys() == CLASS.keys()
 
 
+def test_two_notebooks_of_one_student_stop_the_collecting(tmp_path: Path) -> None:
+    """As the page says, which tells what to do."""
+    require_nbgrader()
+    course, original = Course(tmp_path), ORIGINALS[GRADED]
+    for folder in ("anna_17", "anna_18"):
+        archive = tmp_path / "downloaded" / GRADED / "archive"
+        write(read(original), archive / folder / original.name)
+    with pytest.raises(AssertionError, match="Duplicate submission file"):
+        course.run("nbgrader zip_collect 01")
+    assert not (tmp_path / "submitted").exists()
+
+
 def test_the_numbers_of_another_are_wrong() -> None:
     """Or the points of the cheat would prove nothing."""
     assert RIGHT_FOR_ANYBODY == ["01.4"]  # the choice
