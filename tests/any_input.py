@@ -4,6 +4,7 @@ The examples of the docstrings are run, and what they call is noted with its arg
 no list of names to keep: a public name with an example is tried, and each has one.
 """
 
+import ast
 import contextlib
 import datetime
 import decimal
@@ -14,20 +15,18 @@ import inspect
 import io
 import math
 import pkgutil
-import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import CodeType, FrameType
+from types import CodeType
 from typing import Any
 
 import numpy as np
 import sympy
 
 import cammotion as cm
-from cammotion.arguments import calls, kinds
 
-WRAPPERS = {calls.__file__, kinds.__file__, contextlib.__file__}
+NOTE = "__note__"
 
 ODD: list[Any] = [
     *(None, True, False, 0, 1, -1, 2, 3.5, 8.0, 360, 361, -5, 1e-300, 1e300, -1e300, 10**400),
@@ -105,45 +104,66 @@ def callables(name: str, thing: Any) -> Iterator[tuple[str, Callable[..., Any]]]
 def recorded() -> list[Recorded]:
     """Run the examples of all docstrings, and return what public names they call, and with what."""
     known, calls = public(), []
-    under_way: dict[FrameType, Recorded] = {}
 
-    def called(frame: FrameType, _event: str, _: Any) -> Callable[..., Any] | None:
-        if frame.f_code not in known or not is_example(caller(frame)):
-            return None  # nothing within it is told, which would take a minute
-        label, function = known[frame.f_code]
-        given = {name: frame.f_locals[name] for name in inspect.signature(function).parameters}
-        if function.__name__ == "__init__":  # a new object each time, not one that is changed
-            label, function = label.removesuffix(".__init__"), type(given.pop("self"))
-        calls.append(Recorded(label, function, given, []))
-        under_way[frame] = calls[-1]
-        frame.f_trace_lines = False
-        return ended
-
-    def ended(frame: FrameType, event: str, result: Any) -> None:
-        if event == "return" and (call := under_way.pop(frame, None)):
-            call.made.append(frame.f_locals["self"] if isinstance(call.function, type) else result)
+    def note(function: Callable[..., Any], *args: Any, **named: Any) -> Any:
+        """Make a call of an example; if it is one of a public name, keep it."""
+        code, given = called(function, args)
+        if code not in known:
+            return function(*args, **named)
+        label, plain = known[code]
+        bound = inspect.signature(plain).bind(*given, **named)
+        bound.apply_defaults()
+        if plain.__name__ == "__init__":  # a new object each time, not one that is changed
+            label, plain = label.removesuffix(".__init__"), function
+            del bound.arguments["self"]
+        calls.append(Recorded(label, plain, {**bound.arguments}, []))
+        made, result = calls[-1].made, function(*args, **named)
+        made.append(result)
+        return result
 
     finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner(verbose=False)
     for module in pkgutil.walk_packages(cm.__path__, "cammotion."):
         if module.name.endswith("__main__"):
             continue
         for test in finder.find(importlib.import_module(module.name)):
-            sys.settrace(called)
-            try:
-                with contextlib.redirect_stdout(io.StringIO()):
-                    runner.run(test)
-            finally:
-                sys.settrace(None)
+            for example in test.examples:
+                example.source = noted(example.source)
+            test.globs[NOTE] = note
+            with contextlib.redirect_stdout(io.StringIO()):
+                runner.run(test)
     return calls
 
 
-def caller(frame: FrameType) -> FrameType | None:
-    """Return who has called, what is put around a function left out."""
-    back = frame.f_back
-    while back and back.f_code.co_filename in WRAPPERS:
-        back = back.f_back
-    return back
+def called(function: Callable[..., Any], args: Sequence[Any]) -> tuple[CodeType | None, list[Any]]:
+    """Return the code that a call comes to, and what is given to it by place, `self` included."""
+    given = [*args]
+    if inspect.isclass(function):
+        function, given = function.__init__, [None, *args]
+    elif not inspect.isroutine(function):
+        function, given = type(function).__call__, [function, *args]  # an object that is called
+    if inspect.ismethod(function):
+        given, function = [function.__self__, *args], function.__func__
+    return getattr(inspect.unwrap(function), "__code__", None), given
 
 
-def is_example(frame: FrameType | None) -> bool:
-    return frame is not None and frame.f_code.co_filename.startswith("<doctest")
+def noted(source: str) -> str:
+    """Return an example in which each call, and each index, is made by `note`."""
+    tree = Noting().visit(ast.parse(source, mode="single"))
+    return f"{ast.unparse(ast.fix_missing_locations(tree))}\n"
+
+
+class Noting(ast.NodeTransformer):
+    """It puts `note` before all that is called."""
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """Let it be made by `note`."""
+        self.generic_visit(node)
+        return ast.Call(ast.Name(NOTE, ast.Load()), [node.func, *node.args], node.keywords)
+
+    def visit_Subscript(self, node: ast.Subscript) -> ast.AST:
+        """Let what is read at an index be a call; a slice is none."""
+        self.generic_visit(node)
+        if not isinstance(node.ctx, ast.Load) or isinstance(node.slice, ast.Slice):
+            return node
+        method = ast.Attribute(node.value, "__getitem__", ast.Load())
+        return ast.Call(ast.Name(NOTE, ast.Load()), [method, node.slice], [])
