@@ -179,7 +179,7 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     peaks = [move.peak_acceleration for move in moves]
     ax.loglog(angles, peaks, "o", color=COLOURS[0], markersize=9)
     for angle, peak in zip(angles, peaks, strict=True):
-        write(ax, f"{angle:g}°: {peak:#.3g}", (angle, peak), offset=(8, 4))
+        write(ax, f"{angle:g}°: {as_text(peak, '#.3g')}", (angle, peak), offset=(8, 4))
     middle = np.sqrt(line.prod())
     on_line = (middle, law[0] * (line[0] / middle) ** 2)
     write(ax, "slope $-2$:\ntwice the angle,\na quarter", on_line, COLOURS[1], offset=(-8, -54))
