@@ -113,6 +113,33 @@ def test_the_mark_of_a_choice_stands_at_its_first_line(phone: Reader) -> None:
     assert all(abs(mark - line) < 5 for mark, line in places)
 
 
+def test_a_field_has_keys_for_all_numbers_of_its_range(phone: Reader) -> None:
+    found: dict[bool, set[str]] = {}
+    for name in ("05_motion_laws", "07_from_diagram_to_cam"):
+        page = phone.open(name)
+        assert page.evaluate(LIVES) == 0
+        for is_below, keys in page.locator(".cm-settings > div:has(input[type=text])").evaluate_all(
+            "(all) => all.map((row) => [row.querySelector('[type=range]').min < 0,"
+            " row.querySelector('[type=text]').inputMode])"
+        ):
+            found.setdefault(is_below, set()).add(keys)
+    assert found == {True: {"text"}, False: {"decimal"}}
+
+
+def test_a_prediction_that_may_be_two_numbers_is_asked_about(reader: Reader) -> None:
+    page = reader.open("12_your_machine")
+    form = page.locator("[data-predicts='12.rate']")
+    for typed, said, is_open in (
+        ("20,000", "“20,000” may be 20 or 20000: write it with a point, or with no mark.", False),
+        ("20000", "Kept. The answer opens further down.", True),
+    ):
+        form.get_by_role("textbox").fill(typed)
+        form.get_by_role("textbox").press("Enter")
+        expect(form.locator(".said")).to_have_text(said)
+        details = page.locator("[data-reveals='12.rate'] details")
+        assert details.evaluate("(each) => each.open") is is_open
+
+
 def test_each_lesson_of_the_contents_is_told_without_a_gap(phone: Reader) -> None:
     for item in phone.open("index").locator(".lessons li:has(.minutes)").all():
         above, below = (item.locator(f".{name}").bounding_box() for name in ("minutes", "question"))
