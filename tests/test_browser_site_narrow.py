@@ -88,6 +88,17 @@ def test_the_words_of_a_picture_can_be_read_on_a_telephone(phone: Reader, name: 
     assert page.evaluate(TOO_WIDE) is False
 
 
+def test_a_picture_that_is_moved_sideways_is_reached_by_keyboard(
+    phone: Reader, reader: Reader
+) -> None:
+    for one, reached in ((phone, 0), (reader, -1)):
+        page = one.open("01_timing_diagram")
+        page.evaluate(LOADED)
+        figures = page.locator(".cell > figure:not(.living)")
+        expect(figures.first).to_have_js_property("tabIndex", reached)
+        assert {*figures.evaluate_all("(all) => all.map((each) => each.tabIndex)")} == {reached}
+
+
 def test_a_machine_that_has_room_on_a_telephone_is_seen_whole(phone: Reader) -> None:
     page = phone.open("04_machine_in_motion")
     assert page.evaluate(LIVES) == 0
