@@ -21,7 +21,7 @@ sys.path.append(str(ROOT / "tests"))
 
 from lab import running_browser
 from site_pages import NOTEBOOKS, PAGES, files, written
-from test_browser_site import LIVES
+from site_reader import LIVES
 from test_site import weight
 
 from cammotion.site.build import build

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from explored import drawn, panel_of
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import cammotion as cm
 from cammotion.views.explorers.cam import OFFSET, PRIME, ROLLER
@@ -95,6 +96,27 @@ def test_a_cam_is_drawn_with_all_that_a_designer_wants(name: str) -> None:
     else:
         assert written == {"prime circle R 60", "roller r 10"}
     assert ax.get_aspect() == 1
+
+
+@pytest.mark.parametrize("size", [0.01, 0.1, 1, 100])
+@pytest.mark.parametrize("prime_mm", [15, 60])
+def test_a_small_and_a_large_cam_are_drawn_alike(size: float, prime_mm: float) -> None:
+    """What is written covers no number of an axis, and the arrow has the head of an arrow."""
+    parts = cm.rise(50 * size, over_deg=55), cm.dwell(100), cm.return_(50 * size, over_deg=55)
+    roller = cm.TranslatingRoller(10 * size)
+    ax = cm.plot_cam(cm.RollerCam(cm.motion("die", *parts, cm.dwell(150)), roller, prime_mm * size))
+    renderer = FigureCanvasAgg(ax.figure).get_renderer()  # type: ignore[arg-type,no-untyped-call]
+    ax.figure.draw(renderer)
+    for text in ax.texts:
+        assert "e+" not in text.get_text()
+        for number in [*ax.get_xticklabels(), *ax.get_yticklabels()]:
+            said = text.get_window_extent(renderer)
+            assert not said.overlaps(number.get_window_extent(renderer)), number
+    arrow = [p for p in ax.patches if p.get_edgecolor()[:3] == (0, 0, 0)]
+    arc, *barbs = (np.asarray(patch.get_path().vertices) for patch in arrow)
+    radius = np.hypot(*arc[0])
+    lengths = [float(np.hypot(*(barb[1] - barb[0]))) / radius for barb in barbs]
+    assert lengths == pytest.approx([0.13, 0.13], abs=0.02)
 
 
 def test_what_is_no_cam_is_not_drawn() -> None:

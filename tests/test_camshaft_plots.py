@@ -8,8 +8,10 @@ import pytest
 from cartons import packaging_machine
 from machines import Array, make_diagram
 from matplotlib import pyplot as plt
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import cammotion as cm
+from cammotion.views.ends import inches
 from cammotion.views.pictures import PictureFigure, describe
 
 mpl.use("agg")
@@ -70,6 +72,43 @@ def test_many_have_a_lane_each(count: int) -> None:
     ax = cm.plot_camshaft(cm.Camshaft(machine, loads))
     forces = ax.figure.axes[1]
     assert [text.get_text() for text in forces.get_yticklabels()] == list(machine.names)
+
+
+@pytest.mark.parametrize("start_deg", [0, 20, 100, 200, 300, 330])
+@pytest.mark.parametrize("angle_deg", [1, 30])
+@pytest.mark.parametrize("count", [1, 12])
+def test_the_peak_is_written_in_the_frame_and_over_no_number(
+    start_deg: float, angle_deg: float, count: int
+) -> None:
+    moves = cm.rise(50, over_deg=angle_deg), cm.dwell(50), cm.return_(50, over_deg=angle_deg)
+    parts = [*moves, cm.dwell(360 - 50 - 2 * angle_deg)]
+    motions = [cm.motion(f"no. {n}", *parts, start_deg=start_deg) for n in range(count)]
+    machine = cm.TimingDiagram(motions, rate_per_hour=9000)
+    loads = {name: cm.FollowerLoad(mass_kg=60) for name in machine.names}
+    ax = cm.plot_camshaft(cm.Camshaft(machine, loads))
+    renderer = FigureCanvasAgg(ax.figure).get_renderer()  # type: ignore[arg-type,no-untyped-call]
+    ax.figure.draw(renderer)
+    said, frame = ax.texts[0].get_window_extent(renderer), ax.get_window_extent(renderer)
+    assert frame.x0 - 1 <= said.x0
+    assert said.x1 <= frame.x1 + 1
+    for number in [*ax.get_xticklabels(), *ax.get_yticklabels()]:
+        assert not said.overlaps(number.get_window_extent(renderer)), number
+
+
+def test_the_torque_of_many_is_as_high_as_that_of_few() -> None:
+    heights = []
+    for count in (2, 5, 24):
+        machine = packaging_machine(count)
+        loads = {name: cm.FollowerLoad(mass_kg=3) for name in machine.names}
+        heights.append(inches(cm.plot_camshaft(cm.Camshaft(machine, loads)))[1])
+    assert heights == pytest.approx([heights[0]] * 3, rel=1e-6)
+
+
+def test_what_stands_has_no_torque_and_no_scale_of_rounding() -> None:
+    still = cm.TimingDiagram([cm.motion("still", cm.dwell(360))], rate_per_hour=2000)
+    ax = cm.plot_camshaft(cm.Camshaft(still, {"still": cm.FollowerLoad(mass_kg=12)}))
+    assert ax.get_ylim() == (-1, 1)
+    assert ax.texts[0].get_text().startswith("0 N m at ")
 
 
 def test_what_has_no_load_is_refused() -> None:

@@ -1,9 +1,11 @@
 """What a notebook is given for a picture: the picture, and words for who does not see it."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from explored import picture_in
+from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 
 import cammotion as cm
@@ -11,7 +13,7 @@ from cammotion.views import pictures
 from cammotion.views.pictures import PictureFigure, blank_axes, describe
 
 PNG = b"\x89PNG"
-PLOTS = {
+PLOTS: dict[str, Callable[[], Axes]] = {
     "timing": lambda: cm.plot_timing(cm.EXAMPLE.diagram, rows=["acceleration"]),
     "clearance": lambda: cm.plot_clearance(cm.EXAMPLE.diagram, cm.EXAMPLE.rule),
     "curves": lambda: cm.plot_curves(cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)),
@@ -52,6 +54,20 @@ def test_every_plot_says_in_words_what_it_shows(plot: str) -> None:
         for label in filter(None, (ax.get_xlabel(), ax.get_ylabel())):
             assert " ".join(label.split()).lower() in words.lower()
     assert " from " in words or "Bars: " in words
+
+
+def test_a_saved_picture_is_cut_to_what_is_drawn(tmp_path: Path) -> None:
+    moves = [cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=rate) for rate in (2000, 2100)]
+    shaft = cm.Camshaft(cm.EXAMPLE.diagram, {"die": cm.FollowerLoad(mass_kg=12)})
+    for ax in (
+        *(picture() for picture in PLOTS.values()),
+        cm.plot_curves(9 * moves),
+        cm.plot_camshaft(shaft),
+    ):
+        ax.figure.savefig(tmp_path / "picture.png")  # type: ignore[union-attr]
+        picture = plt.imread(tmp_path / "picture.png")
+        edges = picture[0], picture[-1], picture[:, 0], picture[:, -1]
+        assert all(edge.min() == 1 for edge in edges), ax.get_ylabel()
 
 
 def test_a_timing_diagram_is_told_with_its_moves_and_overlaps() -> None:

@@ -1,11 +1,13 @@
 """The pictures show the numbers they claim to show, and touch nothing else."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.container import BarContainer
 
 import cammotion as cm
@@ -54,6 +56,23 @@ def test_bars_are_as_high_as_the_peaks() -> None:
     assert isinstance(bars, BarContainer)
     assert bars.datavalues == pytest.approx([move.peak_acceleration for move in MOVES])
     assert [text.get_text() for text in ax.get_xticklabels()] == list("abcde")
+
+
+@pytest.mark.parametrize("angles", [(0.01, 1, 359), (0.5, 300), (55, 110), (55, 56)])
+def test_each_number_of_a_logarithmic_scale_is_that_of_its_place(angles: Sequence[float]) -> None:
+    moves = [cm.Move(stroke_mm=50, angle_deg=angle, rate_per_hour=2000) for angle in angles]
+    ax = cm.plot_inverse_square(moves)
+    renderer = FigureCanvasAgg(ax.figure).get_renderer()  # type: ignore[arg-type,no-untyped-call]
+    ax.figure.draw(renderer)
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = axis.get_view_interval()
+        seen = [tick for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high]
+        assert len(seen) >= 2
+        assert [float(tick.label1.get_text()) for tick in seen] == pytest.approx(
+            [tick.get_loc() for tick in seen]
+        )
+        boxes = [tick.label1.get_window_extent(renderer) for tick in seen]
+        assert not any(one.overlaps(other) for one, other in pairwise(boxes))
 
 
 def test_the_inverse_square_line_goes_through_every_point() -> None:

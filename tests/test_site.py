@@ -19,7 +19,7 @@ from cammotion.site.lessons import find_lessons
 from cammotion.teaching.design_exercise import DesignExercise
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
 from cammotion.teaching.expression_exercise import ExpressionExercise
-from cammotion.teaching.lessons import EXERCISES, find_exercise
+from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.variants import NAMELESS
 from cammotion.views.live.figure import MIME
 
@@ -189,6 +189,23 @@ def test_what_is_revealed_is_folded_and_waits_for_its_prediction(lesson: str) ->
     assert len(asked) == len({*asked})
     assert page(lesson).select("main details, main form, main h2")
     assert not page(lesson).select("main details[open]")
+
+
+def test_a_telephone_shows_letters_where_words_are_asked_for() -> None:
+    """Its keys for numbers have no letters, and some no sign."""
+    fields = {
+        str(field["id"]): str(field["inputmode"])
+        for lesson in LESSONS
+        for field in page(lesson).select("form input[type=text]")
+    }
+    for number, one in EXERCISES.items():
+        if isinstance(one, NumberExercise):
+            assert fields[f"answer-{number}"] == "decimal"
+            assert one.solution(NAMELESS) >= 0
+    for key, made in PREDICTIONS.items():
+        wanted = "text" if isinstance(made.true, str) else "decimal"
+        assert fields[f"prediction-{key}"] == wanted, key
+    assert {"text", "decimal"} == {*fields.values()}
 
 
 def test_pages_follow_one_another() -> None:

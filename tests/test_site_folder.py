@@ -57,6 +57,24 @@ def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
         folder.write(tmp_path / "not there" / "site", FILES)
 
 
+def test_the_folder_of_before_stays_where_the_new_one_cannot_be_put(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder.write(tmp_path / "site", {"index.html": b"old"})
+    rename = Path.rename
+
+    def refuse(path: Path, target: Path) -> Path:
+        if path.name == "site" and target == tmp_path / "site":
+            raise PermissionError(13, "Access is denied")
+        return rename(path, target)
+
+    monkeypatch.setattr(Path, "rename", refuse)
+    with pytest.raises(InputError, match=r"site cannot be written \(Access is denied\)"):
+        folder.write(tmp_path / "site", FILES)
+    assert (tmp_path / "site" / "index.html").read_bytes() == b"old"
+    assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
 def test_the_command_says_what_is_wrong(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
     assert "There are no notebooks in the folder" in capsys.readouterr().err

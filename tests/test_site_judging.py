@@ -135,6 +135,18 @@ def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
         assert answers == [each.how_far(text) for text in texts], each.key
 
 
+def test_a_page_asks_what_a_prediction_means_as_python_does() -> None:
+    made = PREDICTIONS["12.rate"]
+    typed = [*TYPED, "20,000", "3,857", "12.345", "about 10,500", "10,000 or 20,000"]
+    table = {"asked": made.asked, "true": [made.true], "low": made.low, "high": made.high}
+    said = run(
+        "return given.typed.map((text) => unclear(given.made, text, { readings }));",
+        {"made": table, "typed": typed},
+    )
+    assert said == [made.unclear(text) for text in typed]
+    assert len([text for text in said if text]) >= 2
+
+
 def test_predictions_in_percent_are_read_as_such() -> None:
     made = Prediction("00.test", "percent", 30)
     said = run(

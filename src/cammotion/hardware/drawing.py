@@ -19,7 +19,8 @@ from cammotion.quantities import Floats, InputError, Quantity
 BORE = Quantity("diameter of the bore", "mm", example=20)
 KEY = Quantity("width and the height of the keyway", "mm", example=6)
 
-_ARROW_DEG, _ARROW_MM, _ARROW_RADIUS = 50, 3, 0.6  # the last as a share of the least radius
+_ARROW_DEG, _ARROW_RADIUS = 50, 0.6  # to each side of the top; as a share of the least radius
+_HEAD_RAD = 0.1  # so long is the head of the arrow along its arc
 _CROSS = 1.25  # the centre's lines, as a share of the arrow's radius
 
 
@@ -86,7 +87,7 @@ def _centre(least: float) -> Iterator[Stroke]:
     turn = -math.tan((start - end) / 4)
     yield Stroke("ROTATION", along, np.array([turn, 0.0]), is_closed=False)
     for side in (0.82, 1.18):  # the arrow's head: back along the arc, inwards and outwards
-        back = end + _ARROW_MM / radius
+        back = end + _HEAD_RAD
         barb = radius * side**0.5 * math.cos(back), radius * side**0.5 * math.sin(back)
         yield _line("ROTATION", tuple(along[1]), barb)
 

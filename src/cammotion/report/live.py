@@ -13,6 +13,11 @@ from cammotion.views.live.parts import Control, Line, Panel, Point, Say
 
 _NARROWEST, _WIDEST = 0.4, 3.0  # times the angle of today
 _SLOWEST, _FASTEST = 0.4, 2.5  # times the rate of today
+_FIT = (  # the frame is as high as the figure in it, also when that gets another width
+    "new ResizeObserver(([{target}]) => this.style.height = "
+    "target.offsetHeight + this.offsetHeight - this.clientHeight + 'px')"
+    ".observe(this.contentDocument.body)"
+)
 
 
 def live_figure(machine: Machine) -> str:
@@ -29,6 +34,7 @@ def live_figure(machine: Machine) -> str:
     high = min(_WIDEST * move.angle_deg, float(DEG_PER_TURN))
     rate = machine.diagram.rate_per_hour
     least = 4 * way / (B / DEG_PER_TURN * 3600 / N) ** 2  # such a law rests at both its ends
+    name = f"The {move.kind} of the {machine.hardest}"
     figure = explore(
         Panel(
             lines=[
@@ -55,10 +61,10 @@ def live_figure(machine: Machine) -> str:
             ),
         },
         says=[Say("peak of the move: {a:.3f} m/s²", {"a": peak.subs(B, at)})],
+        title=name,
     )
-    name = f"The {move.kind} of the {machine.hardest}"
     return (
         f"<p>{escape(name)}, which is driven hardest: what it would need over another angle, at "
         f'another rate.</p>\n<div class="screen"><iframe title="{escape(name)}" '
-        f'srcdoc="{escape(figure.as_page())}"></iframe></div>\n'
+        f'onload="{_FIT}" srcdoc="{escape(figure.as_page())}"></iframe></div>\n'
     )

@@ -5,6 +5,8 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import NamedTuple
 
+from cammotion.views.scales import as_text
+
 
 class Opened(NamedTuple):
     """A number or a word that opens to where it comes from."""
@@ -18,7 +20,7 @@ Cell = str | float | Opened
 
 def short(value: float) -> str:
     """Return a number with four digits."""
-    return f"{value:.4g}".replace("inf", "∞")
+    return as_text(value, ".4g")
 
 
 def table(caption: str, heading: Sequence[str], rows: Iterable[tuple[bool, Sequence[Cell]]]) -> str:

@@ -73,8 +73,10 @@ class Arranger:
         elif called := _call(source, "predict"):
             variable, (key, words) = called
             self._keys[variable] = key
-            self._made.predictions.extend(filter(None, [PREDICTIONS.get(key)]))
-            _show(cell, forms.prediction_form(key, words), alone=True)
+            made = PREDICTIONS.get(key)
+            self._made.predictions.extend([made] if made else [])
+            is_number = made is not None and not isinstance(made.true, str)
+            _show(cell, forms.prediction_form(key, words, is_number=is_number), alone=True)
         elif called := _call(source, "reveal"):
             self._reveal(cell, called[0])
         elif _VARIANT.search(source):

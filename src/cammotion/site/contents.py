@@ -53,5 +53,6 @@ def _line(lesson: Lesson) -> str:
     question = escape(lesson.question)
     return (
         f'<li><a href="{lesson.name}.html"><span class="number">{lesson.number}</span> '
-        f"{escape(lesson.title)}</a>{minutes}<br>{question}</li>"
+        f"{escape(lesson.title)}</a>{minutes} "
+        f'<span class="question">{question}</span></li>'
     )

@@ -4,6 +4,7 @@ import json
 import re
 from typing import Any
 
+from cammotion.site.pictures import size_of
 from cammotion.views.animation.player import clock_of
 
 _TURN = re.compile(r'\bdur="([\d.]+)s"')
@@ -21,12 +22,13 @@ def animation(svg: str) -> str:
     if not turn or not cycle:
         return f'<div class="drawing cm-paper">{_bare(svg)}</div>'
     state = clock_of(float(turn[1]), float(cycle[1])) | {"angle_deg": 0}
-    return _living("player", _bare(svg), as_json(state))
+    width, _ = size_of(svg)
+    return _living("player", _bare(svg), as_json(state), f' style="--wide:{width:.0f}px"')
 
 
-def _living(module: str, shown: str, state: str) -> str:
+def _living(module: str, shown: str, state: str, style: str = "") -> str:
     return (
-        f'<figure class="living"><div data-module="{module}">{shown}</div>'
+        f'<figure class="living"{style}><div data-module="{module}">{shown}</div>'
         f'<script type="application/json">{in_script(state)}</script></figure>'
     )
 

@@ -1,6 +1,5 @@
 """The folder of pages on a disk: what is in it was made by us, or it is left alone."""
 
-import shutil
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -38,11 +37,22 @@ def write(folder: Path, files: Mapping[str, bytes]) -> None:
                 file = made / name
                 file.parent.mkdir(parents=True, exist_ok=True)
                 file.write_bytes(content)
-            if folder.exists():
-                folder.rename(Path(beside) / "before")
-            shutil.move(made, folder)
+            _put(made, folder, Path(beside) / "before")
     except OSError as wrong:
         raise InputError(
             f"The folder {shorten(folder.name, of=str)} cannot be written ({wrong.strerror}): give "
             "one in a folder that is there and that you may write to."
         ) from None
+
+
+def _put(made: Path, folder: Path, before: Path) -> None:
+    """Put what was made where the folder is, which is kept where that fails."""
+    was_there = folder.exists()
+    if was_there:
+        folder.rename(before)
+    try:
+        made.rename(folder)
+    except OSError:
+        if was_there:
+            before.rename(folder)
+        raise

@@ -14,6 +14,7 @@ _ELSEWHERE = (
     "What is asked for is {}. Such an answer needs Python: write it in the workbook, which checks "
     "it there."
 )
+_NUMBERS, _LETTERS = "decimal", "text"  # the keys that a telephone shows
 _FOLDED = "Show the answer (you made no prediction yet)"
 
 
@@ -30,7 +31,8 @@ def exercise_form(exercise: Exercise, machine: MillAndDie, render: Render) -> st
 
 def _fields(exercise: Exercise, machine: MillAndDie, render: Render) -> str:
     if isinstance(exercise, NumberExercise):
-        return _text_field(f"answer-{exercise.number}", exercise.wanted_for(machine), "Check")
+        asked = exercise.wanted_for(machine)
+        return _text_field(f"answer-{exercise.number}", asked, "Check", _NUMBERS)
     if isinstance(exercise, ChoiceExercise):
         options = "".join(
             f'<label><input type="radio" name="choice" value="{letter}"> '
@@ -41,11 +43,11 @@ def _fields(exercise: Exercise, machine: MillAndDie, render: Render) -> str:
     return f"<p><em>{escape(_ELSEWHERE.format(exercise.wanted))}</em></p>"
 
 
-def _text_field(name: str, asked: str, button: str) -> str:
+def _text_field(name: str, asked: str, button: str, keys: str) -> str:
     label = asked[0].upper() + asked[1:]
     return (
         f'<p class="field"><label for="{name}">{escape(label)}</label> '
-        f'<input id="{name}" type="text" inputmode="decimal" maxlength="200"> '
+        f'<input id="{name}" type="text" inputmode="{keys}" maxlength="200"> '
         f'<button type="submit">{button}</button></p>'
     )
 
@@ -58,13 +60,15 @@ def _hints(exercise: Exercise, render: Render) -> str:
     return f'<div class="hints">{inner}</div>'
 
 
-def prediction_form(key: str, asked: str) -> str:
-    """Return the form of a prediction."""
+def prediction_form(key: str, asked: str, *, is_number: bool) -> str:
+    """Return the form of a prediction, a number or words."""
     name = escape(key)
+    keys = _NUMBERS if is_number else _LETTERS
+    field = _text_field(f"prediction-{name}", f"I predict, {asked}", "Predict", keys)
     return (
         f'<form class="prediction" data-predicts="{name}" autocomplete="off" '
         f'aria-label="Prediction {name}">'
-        f"{_text_field(f'prediction-{name}', f'I predict, {asked}', 'Predict')}{_SAID}</form>"
+        f"{field}{_SAID}</form>"
     )
 
 

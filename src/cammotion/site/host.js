@@ -9,7 +9,7 @@ export function start(load) {
   const sections = document.querySelector(".sections details");
   if (sections) sections.open = matchMedia(WIDE).matches;
   document.querySelectorAll(".moving").forEach(letStop);
-  document.querySelectorAll("pre, .formula, .table").forEach(letScroll);
+  document.querySelectorAll("pre, .formula, .table, figure").forEach(letScroll);
   fillIn(load);
   liveAll([...document.querySelectorAll("[data-module]")], load);
 }
@@ -119,8 +119,10 @@ function predictIn(form, made, tools) {
     event.preventDefault();
     const typed = form.querySelector("input").value.trim();
     if (!typed) return;
-    const far = made ? howFar(made, typed, tools) : "";
-    form.querySelector(".said").textContent = "Kept. The answer opens further down.";
+    const asks = made ? unclear(made, typed, tools) : "",
+      far = made ? howFar(made, typed, tools) : "";
+    form.querySelector(".said").textContent = asks || "Kept. The answer opens further down.";
+    if (asks) return;
     for (const reveal of reveals) {
       reveal.querySelector(".said").textContent =
         `You predicted ${typed}${far && `: ${far}`}.`;

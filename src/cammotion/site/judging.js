@@ -27,6 +27,13 @@ export function numbersIn({ asked, low, high }, text, readings) {
   return sensible.length ? sensible : numbers;
 }
 
+/** What a typed prediction may be, "" unless that is more than one number. */
+export function unclear(made, text, { readings }) {
+  const numbers = numbersIn(made, text, readings);
+  if (numbers.length < 2) return "";
+  return `“${text}” may be ${numbers.join(" or ")}: write it with a point, or with no mark.`;
+}
+
 /** How far off a typed prediction is, "" where that is not one number beside another. */
 export function howFar(made, text, { format, readings }) {
   const numbers = numbersIn(made, text, readings);

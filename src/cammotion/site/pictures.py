@@ -35,7 +35,7 @@ class Pictures:
         self.own[file] = small
         return (
             f'<img class="cm-paper" src="{file}" alt="{escape(words)}" width="{width}" '
-            f'height="{height}" loading="lazy" decoding="async">'
+            f'height="{height}" style="--wide:{width}px" loading="lazy" decoding="async">'
         )
 
     def drawing(self, name: str, words: str, *, is_first: bool = False) -> str:

@@ -46,7 +46,8 @@ def _style() -> str:
         for names, (light, dark) in _CODE.items()
     )
     dark = "@media screen and (prefers-color-scheme:dark)"
-    turned = f"{dark}{{.cm-paper{{{paper.TURNED}}}.cm-paper .cm-paper{{filter:none}}}}\n"
+    on_paper = ".cm-paper,[data-module]>svg"  # this before, or without, its player
+    turned = f"{dark}{{{on_paper}{{{paper.TURNED}}}.cm-paper .cm-paper{{filter:none}}}}\n"
     return "".join([_read("page.css"), code, turned, live.style(), player.LOOK])
 
 

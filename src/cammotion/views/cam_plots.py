@@ -13,6 +13,7 @@ from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.roller_cam import RollerCam
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, write
+from cammotion.views.scales import as_text
 
 _TOLERANCE_MM = 0.01
 _THIN: dict[str, Any] = {"edgecolor": "#555555", "linewidth": 1.0}
@@ -67,11 +68,12 @@ def _circle(ax: Axes, cam: RollerCam | FlatFacedCam) -> None:
         name, radius = "base circle", cam.base_radius_mm
     else:
         name, radius = "prime circle", cam.prime_radius_mm
+    size = as_text(radius, ".4g")
     ax.add_patch(
-        Circle((0, 0), radius, fill=False, linestyle="--", **_THIN, label=f"{name} {radius:.4g} mm")
+        Circle((0, 0), radius, fill=False, linestyle="--", **_THIN, label=f"{name} {size} mm")
     )
     place = radius * np.array([-np.sqrt(0.5), -np.sqrt(0.5)])
-    write(ax, f"{name} R {radius:.4g}", (place[0], place[1]), _THIN["edgecolor"], offset=(0, -4))
+    write(ax, f"{name} R {size}", (place[0], place[1]), _THIN["edgecolor"], offset=(4, -4))
 
 
 def _stem(ax: Axes, cam: RollerCam | FlatFacedCam) -> None:
@@ -88,7 +90,7 @@ def _stem(ax: Axes, cam: RollerCam | FlatFacedCam) -> None:
         ax.plot(x, y, "+", color=COLOURS[1])
         write(
             ax,
-            f"roller r {cam.roller_radius_mm:.4g}",
+            f"roller r {as_text(cam.roller_radius_mm, '.4g')}",
             (x + cam.roller_radius_mm, y),
             COLOURS[1],
             (4, 2),

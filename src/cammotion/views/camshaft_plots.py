@@ -23,12 +23,15 @@ from cammotion.views.named import readable
 from cammotion.views.names import add_legend, labels
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import style_axes, write
+from cammotion.views.scales import as_text
 from cammotion.views.timing_plots import LEFT_INCHES, TICK_DEG, WIDTH_INCHES
 
-_TORQUE_INCHES, _FORCES_INCHES, _EDGES_INCHES = 2.6, 2.0, 1.2
+_TORQUE_INCHES, _FORCES_INCHES, _PAD_INCHES = 2.27, 2.0, 0.2
 _SAMPLES = 1441
 _BEFORE_DEG = 1e-6  # so near before a jump is just before it
+_NOTHING_N_m = 1e-9  # a torque below it is rounding
 _LEVELS = {"mean": "-.", "rms": ":"}
+_EDGE_DEG = 60  # so near to an end of the turn a text over the peak would leave the picture
 
 
 @checked
@@ -55,11 +58,11 @@ def plot_camshaft(shaft: Camshaft) -> Axes:
         )
     in_lanes = len(loaded) > SHARED_AXIS
     high = LANE_INCHES * len(loaded) if in_lanes else _FORCES_INCHES
-    ax = blank_axes(WIDTH_INCHES, _TORQUE_INCHES + high + _EDGES_INCHES)
+    ax = blank_axes(WIDTH_INCHES, (_TORQUE_INCHES + high + _PAD_INCHES) / 0.77)
     left = max(LEFT_INCHES, room_inches(labels([motion.name for motion in loaded])) + 0.45)
     ax.figure.subplots_adjust(left=left / WIDTH_INCHES, right=1 - 1.35 / WIDTH_INCHES)
     style_axes(ax, "cam angle in deg", "torque in N m")
-    forces = make_axes_locatable(ax).append_axes("top", size=high, pad=0.2, sharex=ax)
+    forces = make_axes_locatable(ax).append_axes("top", size=high, pad=_PAD_INCHES, sharex=ax)
     style_axes(forces, "", "force in N")
     places = _places(shaft)
 
@@ -87,18 +90,28 @@ def _draw_torque(ax: Axes, shaft: Camshaft, places: Floats) -> None:
     ax.fill_between(places, torque, color="#dddddd", zorder=1)
     ax.axhline(0, color="#000000", linewidth=0.8)
     levels = {"mean": shaft.mean_torque_N_m, "rms": shaft.rms_torque_N_m}
-    for name, value in levels.items():
-        said = f"{name} {0.0 if abs(value) < 1e-9 else value:.3g} N m"  # noqa: PLR2004 - rounding
+    for name, exact in levels.items():
+        value = _without_rounding(exact)
         level, style = np.full(places.shape, value), _LEVELS[name]
+        said = f"{name} {_newton_metres(value)}"
         ax.plot(places, level, color="#333333", linewidth=1.4, linestyle=style, label=said)
     peak = shaft.peak_torque()
     ax.plot(peak.at_deg, peak.value, "o", color="#000000", label="_peak")
     ax.margins(y=0.2)
-    below = peak.value < 0
-    where = min(max(peak.at_deg, 30.0), DEG_PER_TURN - 30.0)
-    said = f"{peak.value:.3g} N m at {peak.at_deg:.4g}°".replace("-", "−")
-    write(ax, said, (where, peak.value), offset=(0, -16 if below else 7))
+    if abs(peak.value) < _NOTHING_N_m:
+        ax.set_ylim(-1, 1)  # and no scale for what is rounding
+    aside = 8 * ((peak.at_deg < _EDGE_DEG) - (peak.at_deg > DEG_PER_TURN - _EDGE_DEG))
+    said = f"{_newton_metres(peak.value)} at {peak.at_deg:.4g}°"
+    write(ax, said, (peak.at_deg, peak.value), offset=(aside, -16 if peak.value < 0 else 7))
     add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
+
+
+def _newton_metres(torque: float) -> str:
+    return f"{as_text(_without_rounding(torque), '.3g')} N m".replace("-", "−")
+
+
+def _without_rounding(torque: float) -> float:
+    return 0.0 if abs(torque) < _NOTHING_N_m else torque
 
 
 def _places(shaft: Camshaft) -> Floats:

@@ -18,6 +18,7 @@ from matplotlib.text import Text
 
 from cammotion.views.names import printable
 from cammotion.views.paper import STYLE
+from cammotion.views.scales import as_text
 
 _EDGE_INCHES = 0.1
 _QUICK = {"compress_level": 3}  # a cell that runs waits for it
@@ -30,6 +31,10 @@ class PictureFigure(Figure):
     def _ipython_display_(self) -> None:
         """Show it ourselves: a plot's PNG alone has no words in JupyterLab."""
         display(as_bundle(self.png(), describe(self)), raw=True)  # type: ignore[no-untyped-call]
+
+    def savefig(self, *args: Any, **kwargs: Any) -> None:
+        """Save it cut to what is drawn, as a notebook shows it, unless told otherwise."""
+        super().savefig(*args, **{"bbox_inches": "tight"} | kwargs)
 
     def png(self) -> bytes:
         """Return the picture as a PNG, cut to what is drawn."""
@@ -107,7 +112,7 @@ def _range(curve: Line2D) -> str:
     low, high = (end(np.asarray(curve.get_ydata(), float)) + 0.0 for end in (np.nanmin, np.nanmax))
     name = str(curve.get_gid() or curve.get_label())
     name = "one" if name.startswith("_") else printable(name)
-    return f"{name} from {low:.3g} to {high:.3g}"
+    return f"{name} from {as_text(low, '.3g')} to {as_text(high, '.3g')}"
 
 
 def _words(texts: Iterable[Text]) -> list[str]:

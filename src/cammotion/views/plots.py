@@ -15,7 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.text import Annotation
-from matplotlib.ticker import LogLocator, NullLocator, ScalarFormatter
+from matplotlib.ticker import LogLocator, NullLocator
 
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import Move
@@ -40,6 +40,7 @@ CURVES = {
 _SAMPLES = 241
 _WIDTH_INCHES, _HEIGHT_INCHES, _BAR_INCHES = 7.5, 4.2, 0.24
 _WRITTEN = 11  # the size of a name at a curve, in points
+_WIDE = 3000  # where a scale ends so many times above its beginning, 20 and 50 have no room
 _HIGHER = 1.25  # so many times as high as all others is the bar of an infinite peak
 
 
@@ -179,12 +180,12 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     peaks = [move.peak_acceleration for move in moves]
     ax.loglog(angles, peaks, "o", color=COLOURS[0], markersize=9)
     for angle, peak in zip(angles, peaks, strict=True):
-        write(ax, f"{angle:g}°: {peak:#.3g}", (angle, peak), offset=(8, 4))
+        write(ax, f"{angle:g}°: {as_text(peak, '#.3g')}", (angle, peak), offset=(8, 4))
     middle = np.sqrt(line.prod())
     on_line = (middle, law[0] * (line[0] / middle) ** 2)
     write(ax, "slope $-2$:\ntwice the angle,\na quarter", on_line, COLOURS[1], offset=(-8, -54))
-    _plain_ticks(ax)
     ax.set_xlim(line[0], line[1] * 1.25)
+    _plain_ticks(ax)
     return ax
 
 
@@ -298,6 +299,8 @@ def _peak(move: Move, curve: str) -> float:
 def _plain_ticks(ax: Axes) -> None:
     """Write 50 and 0.5 on logarithmic axes where Matplotlib would write powers of ten."""
     for axis in (ax.xaxis, ax.yaxis):
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        low, high = axis.get_view_interval()
+        subs = (1, 2, 5) if high < _WIDE * low else (1,)
+        axis.set_major_locator(LogLocator(subs=subs))
         axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(ScalarFormatter())
+        axis.set_major_formatter(lambda value, _: as_text(value, "g"))

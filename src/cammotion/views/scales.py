@@ -7,6 +7,7 @@ from matplotlib.ticker import LogLocator
 from numpy.typing import ArrayLike
 
 _THOUSAND = 1000
+_PLAIN = 1e5  # a number below it is read without a power of ten
 _ONE_TWO_FIVE = LogLocator(subs=(1, 2, 5))
 
 
@@ -36,17 +37,22 @@ def round_down(value: float) -> float:
 def as_text(value: float, digits: str) -> str:
     """Return a number in so many `digits`, a format of Python's, and an infinite one as a sign.
 
-    >>> as_text(4.154, ".3g"), as_text(math.inf, ".3g")
-    ('4.15', '∞')
+    >>> as_text(4.154, ".3g"), as_text(41542, ".3g"), as_text(415.4, "#.3g"), as_text(math.inf, "g")
+    ('4.15', '41500', '415', '∞')
     """
-    return format(value, digits) if math.isfinite(value) else "∞"
+    if math.isinf(value):
+        return "∞"
+    text = format(value, digits)
+    if "e+" in text and abs(value) < _PLAIN:
+        text = f"{float(text):.0f}"
+    return text.removesuffix(".")
 
 
 def short_number(value: float) -> str:
     """Return a number for a scale.
 
-    >>> short_number(0.1111), short_number(-1000.4), short_number(-1e-12)
-    ('0.111', '−1000', '0')
+    >>> short_number(0.1111), short_number(-1000.4), short_number(94_923), short_number(-1e-12)
+    ('0.111', '−1000', '94920', '0')
     """
     value = round(value, 10) or 0.0
-    return f"{value:.{3 if abs(value) < _THOUSAND else 4}g}".replace("-", "−")
+    return as_text(value, ".3g" if abs(value) < _THOUSAND else ".4g").replace("-", "−")

@@ -21,7 +21,7 @@ from cammotion.views.named import readable
 from cammotion.views.names import as_label, labels, plain, printable, short
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import colour, mixed, style_axes
-from cammotion.views.scales import short_number
+from cammotion.views.scales import as_text, short_number
 from cammotion.views.timing_plots import TICK_DEG, WIDTH_INCHES
 
 _BAR_INCHES, _EDGES_INCHES, _GAP_INCHES = 0.3, 0.9, 0.75
@@ -125,7 +125,8 @@ def _draw_bars(
         face = "#dddddd" if number is None else mixed(colour(number), "white", 0.6)
         edge = "#000000" if number is None else colour(number)
         ax.barh(row, share, 0.6, facecolor=face, edgecolor=edge)
-        said = f"{effect.before:.3g} → {effect.after:.3g} {effect.unit}"
+        before, after = (as_text(value or 0.0, ".3g") for value in (effect.before, effect.after))
+        said = f"{before} → {after} {effect.unit}"
         plain(ax.text(1.01, row, said, fontsize=9, va="center", transform=ax.get_yaxis_transform()))
     ax.axvline(_FULL, color="#000000", linewidth=1)
     ax.set_yticks(range(len(rows)), rows)

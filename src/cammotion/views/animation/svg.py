@@ -4,6 +4,7 @@
 typed goes into texts and titles only.
 """
 
+import re
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -35,6 +36,8 @@ STYLE = """
 
 _DASHES = {"-": (), "--": (3.7, 1.6), "-.": (6.4, 1.6, 1, 1.6), ":": (1, 1.65)}
 _HATCH_PX = 7
+_LEFTWARDS = "\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc"  # letters of scripts that run to the left
+_RUN = re.compile(rf"[{_LEFTWARDS}](?:\W*[{_LEFTWARDS}])*")
 
 
 def sheet(width: float, height: float, title: str, description: str) -> draw.Drawing:
@@ -126,10 +129,15 @@ def label(
     whole = printable(text)
     style = {"fill": INK, "stroke": "white", "stroke_width": 3} | style
     shown = cut(whole, width, size, bold=style.get("font_weight") == "bold")
-    element = draw.Text(shown, size, px(x), px(y), **style)
+    element = draw.Text(_apart(shown), size, px(x), px(y), **style)
     if shown != whole:
         element.append_title(whole)
     return element
+
+
+def _apart(text: str) -> str:
+    """Return a text whose numbers stay whole and in their places beside a name in Hebrew."""
+    return _RUN.sub("\u2068\\g<0>\u2069", text)
 
 
 def polyline(points: Iterable[tuple[float, float]], **style: Any) -> Any:

@@ -76,7 +76,7 @@ function rowOf(control, id, set) {
   const field = html("input", {
     id,
     type: "text",
-    inputmode: "decimal",
+    inputmode: low < 0 ? "text" : "decimal", // some telephones have no sign among their numbers
     autocomplete: "off",
     "aria-describedby": `${id}e`,
   });

@@ -230,7 +230,8 @@ class Panel {
       Y: axis(bottom, top, y),
       label,
     };
-    put(root, { height: bottom + below });
+    // on paper, where nothing is drawn anew, it is scaled and not cut
+    put(root, { height: bottom + below, viewBox: `0 0 ${width} ${bottom + below}` });
     put(this.hole, { x: left - 2, y: top - 2, width: across + 4, height: height + 4 });
     this.grid.replaceChildren(
       ...(panel.bare ? [] : this.frame()),
