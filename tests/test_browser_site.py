@@ -88,6 +88,22 @@ def test_an_animation_plays_and_pauses(reader: Reader) -> None:
     expect(angle).not_to_have_text(stands)
 
 
+def test_what_nobody_sees_waits(reader: Reader) -> None:
+    page = reader.open("04_machine_in_motion")
+    assert page.evaluate(LIVES) == 0
+    player = page.locator("[data-module=player]").last
+    angle = player.locator(".cm-angle")
+    player.scroll_into_view_if_needed()
+    expect(angle).not_to_have_text(angle.inner_text())
+    page.evaluate("() => scrollTo(0, 0)")
+    page.wait_for_timeout(200)
+    stands = angle.text_content()
+    page.wait_for_timeout(400)
+    assert angle.text_content() == stands
+    player.scroll_into_view_if_needed()
+    expect(angle).not_to_have_text(str(stands))
+
+
 def test_a_drawing_that_moves_can_be_stopped(browser: Browser, reader: Reader) -> None:
     page = reader.open("00_start_here")
     image = page.locator(".moving img").first

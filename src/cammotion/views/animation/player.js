@@ -61,6 +61,9 @@ function render({ model, el }) {
   let angle = 0;
   let frame = null; // of the browser, while it plays
   let before = null;
+  let isSeen = true;
+  const watch = new IntersectionObserver((seen) => (isSeen = seen.at(-1).isIntersecting));
+  watch.observe(el);
 
   function setClock() {
     const seconds = (angle / TURN_DEG) * model.get("turn_s");
@@ -83,7 +86,8 @@ function render({ model, el }) {
   function step(now) {
     const seconds = before === null ? 0 : (now - before) / 1000;
     before = now;
-    show((angle + (seconds / cycle) * select.value * TURN_DEG) % TURN_DEG);
+    // where nobody sees it, it waits: drawing it costs as much there
+    if (isSeen) show((angle + (seconds / cycle) * select.value * TURN_DEG) % TURN_DEG);
     frame = requestAnimationFrame(step);
   }
 
@@ -119,6 +123,7 @@ function render({ model, el }) {
   play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
   return () => {
     cancelAnimationFrame(frame);
+    watch.disconnect();
     model.off("change:angle_deg", follow);
   };
 }
