@@ -143,6 +143,12 @@ class Curve(Alike):
                 values[here] = self.pieces[number].over(flat[here])
         return values.reshape(np.shape(places))
 
+    def settled(self, places: Floats, rounding: float) -> Floats:
+        """Return the places; what is within `rounding` of a joint or an end is there."""
+        ends = np.array([self.low, *self._joints, self.high])
+        near = ends[np.searchsorted(ends[:-1], places - rounding)]
+        return np.where(np.abs(places - near) <= rounding, near, places)
+
     @cached_property
     def _joints(self) -> Floats:
         return np.array([piece.low for piece in self.pieces[1:]])

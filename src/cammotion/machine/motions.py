@@ -200,8 +200,10 @@ class Motion:
         Where two segments meet it is that of the one which begins there: at 348.7 deg also where
         the angles before it add up to 348.70000000000005.
         """
-        time_s, phase = cycle_time(RATE.number(rate_per_hour)), self._begun(angle_deg)
-        return plain(over_time(order, self.curve.derived(order)(phase, "right"), time_s))
+        time_s, low, high = cycle_time(RATE.number(rate_per_hour)), self.curve.low, self.curve.high
+        phase = self.curve.settled(self._phase(angle_deg)[1], _ROUNDING)
+        values = self.curve.derived(order)(np.where(phase == high, low, phase), "right")
+        return plain(over_time(order, values, time_s))
 
     def where_beyond(self, limit_mm: float) -> list[Arc]:
         """Return the arcs of the turn over which `offset_mm` is larger than a limit, in deg.
@@ -248,17 +250,6 @@ class Motion:
         turns, since = np.divmod(CAM_ANGLE.array(angle_deg) - self.start_deg, DEG_PER_TURN)
         full = since >= DEG_PER_TURN  # as NumPy has it for -5e-324
         return turns + full, np.where(full, 0.0, since) + self.start_deg
-
-    def _begun(self, angle_deg: ArrayLike) -> Floats:
-        """Return the cam angle within the first turn, a joint for what differs by rounding."""
-        phase, joints = self._phase(angle_deg)[1], self._joints
-        near = joints[np.searchsorted(joints[:-1], phase - _ROUNDING)]
-        phase = np.where(np.abs(phase - near) <= _ROUNDING, near, phase)
-        return np.where(phase >= joints[-1], joints[0], phase)
-
-    @cached_property
-    def _joints(self) -> Floats:
-        return np.array([piece.low for piece in self.curve.pieces] + [self.curve.high])
 
     def _check_joint(self, before: Segment, after: Segment) -> None:
         gap = after.from_deg - before.to_deg
