@@ -200,10 +200,17 @@ def test_extremes_are_those_of_dense_samples(
     assert curve.at(0.55) == pytest.approx(written.at(0.55), abs=1e-12)
 
 
-def test_a_velocity_of_zero_in_the_middle_takes_no_line() -> None:
-    waits = MotionLaw("waits", (1 + (2 * x - 1) ** 3) / 2)
-    with pytest.raises(cm.InputError, match="stands in its middle"):
-        waits.with_constant_velocity(0.5)
+@pytest.mark.parametrize("share", [0.001, 0.3, 0.5, 0.7, 0.999])
+@pytest.mark.parametrize(
+    ("speed", "lack"), [(0, "stands"), (-1, "goes back"), (-0.01, "goes back")]
+)
+def test_a_velocity_that_is_not_above_0_in_the_middle_takes_no_line(
+    speed: float, lack: str, share: float
+) -> None:
+    """A line of its velocity would end where it began, or below: at -1 and half of the time."""
+    law = MotionLaw("waits", x + (speed - 1) * sympy.sin(4 * sympy.pi * x) / (4 * sympy.pi))
+    with pytest.raises(cm.InputError, match=f"{lack} in its middle"):
+        law.with_constant_velocity(share)
 
 
 def test_a_law_cannot_be_changed() -> None:

@@ -119,3 +119,19 @@ def test_a_function_without_a_proof_is_refused(curve: sympy.Expr, function: str)
 def test_bisection_ends_at_the_first_float(place: float, way: float) -> None:
     found = bisect(lambda here: here < place, place - way, place + way)
     assert found == place
+
+
+@pytest.mark.parametrize(("low", "high"), [(2, 5), (1, 3), (3, 4), (1, 6)])
+@pytest.mark.parametrize("is_turned", [False, True])
+def test_a_jerk_that_is_infinitely_steep_at_an_end_turns_where_it_turns(
+    low: int, high: int, is_turned: bool
+) -> None:
+    """Its slope, 2 p x^(p - 1) - q x^(q - 1), is infinite at 0, of no sign for intervals."""
+    p, q = sympy.Rational(low, 7), sympy.Rational(high, 7)
+    terms = ((2, p), (-1, q))
+    law = sum(factor * x ** (n + 3) / ((n + 3) * (n + 2) * (n + 1)) for factor, n in terms)
+    law = law.subs(x, 1 - x) if is_turned else law
+    jerk = read_piece(law, 0, 1).derivative.derivative.derivative
+    turn = float((2 * p / q) ** (1 / (q - p)))
+    turns = [turn] if turn < 1 else []
+    assert jerk.turns == pytest.approx([1 - place for place in turns] if is_turned else turns)

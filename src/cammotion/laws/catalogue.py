@@ -63,7 +63,7 @@ def polynomial(
 def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
     """Return a straight line in the middle, joined at both ends by polynomials of degree five.
 
-    `share` is the part of the time with constant velocity, from 0 on and below 1. The velocity is
+    `share` is the part of the time with constant velocity, from 0 to 0.99. The velocity is
     2/(1 + share), so that over each end the mean velocity is half of it; velocity and acceleration
     are continuous. Raises InputError for another share.
 

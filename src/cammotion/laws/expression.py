@@ -113,7 +113,8 @@ class Expression(Proved):
         except (ArithmeticError, ValueError, TypeError, iv.ComplexResult):
             return -inf, inf
         least, most = float(found.a), float(found.b)
-        slack = 1e-15 * max(abs(least), abs(most))  # numbers like 1/3 are floats in the formula
+        finite = [abs(end) for end in (least, most) if isfinite(end)]
+        slack = 1e-15 * max(finite, default=0)  # numbers like 1/3 are floats in the formula
         return (least - slack, most + slack) if least <= most else (-inf, inf)
 
     @cached_property

@@ -175,15 +175,20 @@ class MotionLaw(Alike):
     def with_constant_velocity(self, share: float) -> "MotionLaw":
         """Return the law with a share of constant velocity put into the middle of it.
 
-        `share` is the part of the time, from 0 on and below 1. Raises InputError for another one,
-        and for a law that is not symmetric or stands in its middle.
+        `share` is the part of the time, from 0 to 0.999. Raises InputError for another one, and for
+        a law that is not symmetric, or stands or goes back in its middle.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).with_constant_velocity(0.5).Cv:.3f}")
         1.200
         """
         part = exact(_SHARE.number(share))
-        if not self.is_symmetric or abs(self(0.5, 1)) < _MISSED:
-            lack = "stands in its middle" if self.is_symmetric else "is not symmetric"
+        speed = self(0.5, 1)
+        lacks = {
+            "is not symmetric": not self.is_symmetric,
+            "goes back in its middle": speed < -_MISSED,
+            "stands in its middle": speed < _MISSED,
+        }
+        if lack := next((words for words, is_so in lacks.items() if is_so), ""):
             raise InputError(
                 f"The law {self.name!r} {lack}, so that no constant velocity can be put in there."
             )
