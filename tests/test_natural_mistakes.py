@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy
 from IPython.core.interactiveshell import InteractiveShell
 from traitlets.config import Config
 
@@ -17,6 +18,7 @@ ANY: Any = cm  # so that the wrong kinds below are no error of the types
 DIAGRAM, DIE, RULE = cm.EXAMPLE.diagram, cm.EXAMPLE.die, cm.EXAMPLE.rule
 CYCLOIDAL, TURN = cm.LAWS["cycloidal"], np.arange(0, 360, 10)
 LOBE = 25 - 25 * np.cos(np.radians(TURN))
+T = sympy.Symbol("t")
 NEARLY = cm.MotionLaw("mine", 0.9999999 * cm.x)
 
 MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
@@ -71,6 +73,26 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
     "nearly a law": (
         lambda: NEARLY.check_way(),
         r"S\(1\) = 0\.9999999; a move goes from 0 to 1",
+    ),
+    "just above 1": (
+        lambda: CYCLOIDAL(1.0000000000000002),
+        r"x = t/tm is 1\.0000000000000002; .* at most 1:",
+    ),
+    "just more than a turn": (
+        lambda: cm.motion("die", *[cm.dwell(120.0000001)] * 3),
+        r"add up to 360\.0000003 deg; a cam turn is 360: take away 3e-07 deg",
+    ),
+    "a limit that is none": (
+        lambda: DIE.where_beyond(float("nan")),
+        r"^The limit is nan mm; .* for example 19 mm",
+    ),
+    "no derivative": (
+        lambda: DIE.derivative(-1, 180, 2000),
+        r"^The order of the derivative is -1; it has to be a whole number above 0 and at most 3",
+    ),
+    "an integral": (
+        lambda: cm.MotionLaw("mine", sympy.Integral(6 * T * (1 - T), (T, 0, cm.x))),
+        r"^The law uses the function Integral, whose turning points cannot be proved",
     ),
     "an angle for x": (lambda: CYCLOIDAL(27.5), r"x = t/tm is 27\.5; .* at most 1"),
     "a whole lobe": (

@@ -56,6 +56,7 @@ def test_a_shear_that_comes_up_to_speed_has_a_finite_peak() -> None:
     assert np.isfinite(acceleration)
     assert np.isfinite(jerk)  # matched to the cycloid, whose acceleration begins at 0
     assert shear.steps(1) == shear.steps(2) == []
+    assert cm.rise(20, over_deg=60, law="Matched") == cm.rise(20, over_deg=60, law=cm.MATCHED)
     with pytest.raises(cm.InputError, match="is to be matched too"):
         cm.motion("a", *[cm.rise(1, over_deg=180, law=cm.MATCHED)] * 2)
 

@@ -188,9 +188,14 @@ class Quantity:
     def _refusal(self, number: float, where: str = "") -> str:
         kind = self.kind if _is_usual(number) else f"number of {_TINY:g} to {1 / _TINY:g}"
         return (
-            f"The {self.name} is {number:g}{self._unit}{where}; it has to be a "
+            f"The {self.name} is {self._told(number)}{self._unit}{where}; it has to be a "
             f"{kind}{self.allowed}: give {self._example}."
         )
+
+    def _told(self, number: float) -> str:
+        """Return a number that is refused, with as many digits as show why."""
+        short = f"{number:g}"
+        return repr(float(number)) if self._inside(float(short)) else short
 
 
 def keep_numbers(owner: object, **readers: Callable[[Any], float]) -> None:

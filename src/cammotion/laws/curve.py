@@ -17,6 +17,7 @@ from cammotion.laws.piece import Number, Piece, Placed
 from cammotion.quantities import Floats
 
 _SAME_PLACE = 1e-12  # what the ends of two pieces may differ by and be one joint
+_ROUNDING = 1e-10  # what a sum of angles in deg may miss a joint by
 
 
 class Branch(NamedTuple):
@@ -143,11 +144,11 @@ class Curve(Alike):
                 values[here] = self.pieces[number].over(flat[here])
         return values.reshape(np.shape(places))
 
-    def settled(self, places: Floats, rounding: float) -> Floats:
-        """Return the places; what is within `rounding` of a joint or an end is there."""
+    def settled(self, places: Floats) -> Floats:
+        """Return the places; what misses a joint or an end by the rounding of sums is there."""
         ends = np.array([self.low, *self._joints, self.high])
-        near = ends[np.searchsorted(ends[:-1], places - rounding)]
-        return np.where(np.abs(places - near) <= rounding, near, places)
+        near = ends[np.searchsorted(ends[:-1], places - _ROUNDING)]
+        return np.where(np.abs(places - near) <= _ROUNDING, near, places)
 
     @cached_property
     def _joints(self) -> Floats:

@@ -15,6 +15,7 @@ from cammotion.quantities import InputError, Quantity, keep_numbers
 
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
+LIMIT = Quantity("limit", "mm", example=19, low=-math.inf)
 PART_ANGLE = Quantity("angle of a segment", "deg", example=55, high=FULL_TURN_DEG)
 _ANY_ANGLE = replace(PART_ANGLE, low=-math.inf, high=math.inf)
 
@@ -69,12 +70,13 @@ class Segment:
         span = f"from {self.from_deg:g} to {self.to_deg:g} deg"
         if self.is_dwell and self.change_mm:
             raise InputError(
-                f"The dwell {span} begins at {self.from_mm:g} mm and ends at {self.to_mm:g} mm; a "
-                "dwell stays where it is: give it one position, or a law, for example 'cycloidal'."
+                f"The dwell {span} begins at {self.from_mm:.12g} mm and ends at "
+                f"{self.to_mm:.12g} mm; a dwell stays where it is: give it one position, or a law, "
+                "for example 'cycloidal'."
             )
         if not self.is_dwell and not self.change_mm:
             raise InputError(
-                f"The move {span} begins and ends at {self.from_mm:g} mm: give it a stroke, or "
+                f"The move {span} begins and ends at {self.from_mm:.12g} mm: give it a stroke, or "
                 "make it a dwell (law=None)."
             )
 
