@@ -53,6 +53,13 @@ def test_a_polynomial_turns_at_the_simple_roots_of_its_slope(roots: set[int]) ->
     assert turning_points(curve, 0, 1) == pytest.approx(turns, abs=1e-10)
 
 
+def test_a_wave_of_very_many_turns_is_refused() -> None:
+    """A single wave too, whose turns are known: to ask each of them would take minutes."""
+    with pytest.raises(cm.InputError, match="turns so often"):
+        MotionLaw("wave", sympy.sin(PI / 2 * (4 * 10**8 + 1) * x)).where_above(0.5)
+    assert len(MotionLaw("wave", sympy.sin(PI / 2 * 2001 * x)).where_above(0.5)) == 501
+
+
 def test_two_turns_close_together_are_found() -> None:
     """They are 1e-5 apart, 7 such pairs; 720 samples, a usual number, see none of them."""
     half, wave = 5e-6, 14 * PI

@@ -11,7 +11,7 @@ from mpmath import iv
 
 from cammotion.laws.symbols import x
 from cammotion.laws.turning import Proved
-from cammotion.quantities import Floats, InputError
+from cammotion.quantities import Floats, InputError, shorten
 
 _KNOWN = ("sin", "cos", "tan", "exp", "log", "sqrt")
 _NAMES = {"mpf": iv.mpf, "pi": iv.pi, "E": iv.e} | {name: getattr(iv, name) for name in _KNOWN}
@@ -149,6 +149,7 @@ def real_number(expression: sympy.Expr) -> float:
         value = inf
     if not isfinite(value):
         raise InputError(
-            f"The law holds the number {expression}, which is not real and finite: a position is."
+            f"The law holds the number {shorten(expression, of=str)}, which is not real and "
+            "finite: a position is."
         )
     return value

@@ -22,7 +22,15 @@ from cammotion.laws.curve import Curve, mirrored
 from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain, shorten
+from cammotion.quantities import (
+    Floats,
+    InputError,
+    Numbers,
+    Quantity,
+    WrongAnswerError,
+    plain,
+    shorten,
+)
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
@@ -226,7 +234,7 @@ class MotionLaw(Alike):
                 f"The law {self.name!r} turns back on its way, and so passes some places more than "
                 "once: use where_above, which returns every interval."
             )
-        roots = np.clip([self._first(s) for s in places.flat], 0.0, 1.0).reshape(places.shape)
+        roots = np.clip(self._first(places.ravel()), 0.0, 1.0).reshape(places.shape)
         off = np.abs(self(roots) - places) > _MISSED
         if np.any(off):
             raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
@@ -282,9 +290,9 @@ class MotionLaw(Alike):
         steps = ((0.0, curve.ends[0]), *curve.steps, (1.0, after - curve.ends[1]))
         return tuple((at, by) for at, by in steps if abs(by) > JUMP * curve.largest)
 
-    def _first(self, s: float) -> float:
-        branches = self.curve.branches
-        branch = next((branch for branch in branches if s <= branch.at_high), branches[-1])
-        if s <= branch.at_low:
-            return branch.low
-        return branch.high if s >= branch.at_high else branch.solve(s)
+    def _first(self, heights: Floats) -> Floats:
+        found, left = np.full(heights.shape, 1.0), np.full(heights.shape, True)
+        for branch in self.curve.branches:
+            here = left & (heights <= branch.at_high)
+            found[here], left = branch.reach(heights[here]), left & ~here
+        return found
