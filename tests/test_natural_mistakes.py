@@ -75,8 +75,8 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
         r"S\(1\) = 0\.9999999; a move goes from 0 to 1",
     ),
     "just above 1": (
-        lambda: CYCLOIDAL(1.0000000000000002),
-        r"x = t/tm is 1\.0000000000000002; .* at most 1:",
+        lambda: CYCLOIDAL(1.0000000001),
+        r"x = t/tm is 1\.0000000001; .* at most 1:",
     ),
     "just more than a turn": (
         lambda: cm.motion("die", *[cm.dwell(120.0000001)] * 3),
