@@ -20,7 +20,7 @@ from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
-from cammotion.machine.segments import CAM_ANGLE, LIMIT, Segment
+from cammotion.machine.segments import CAM_ANGLE, LIMIT, Segment, told
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain, shorten
 from cammotion.shown import as_table
 
@@ -257,12 +257,12 @@ class Motion:
             raise InputError(
                 f"Segments of {self.name!r} overlap: the {before.kind} ends at "
                 f"{before.to_deg:.12g} deg, but the {after.kind} after it begins at "
-                f"{after.from_deg:.12g} deg: let it begin {-gap:g} deg later."
+                f"{after.from_deg:.12g} deg: let it begin {told(gap)} deg later."
             )
         if gap > _ROUNDING:
             raise InputError(
                 f"The segments of {self.name!r} leave a gap from {before.to_deg:.12g} to "
-                f"{after.from_deg:.12g} deg: add a dwell of {gap:g} deg."
+                f"{after.from_deg:.12g} deg: add a dwell of {told(gap)} deg."
             )
         if abs(after.from_mm - before.to_mm) > _ROUNDING:
             raise InputError(
@@ -275,7 +275,7 @@ class Motion:
         total = self.segments[-1].to_deg - self.start_deg
         missing = DEG_PER_TURN - total
         if abs(missing) > _ROUNDING:
-            fix = f"add a dwell of {missing:g}" if missing > 0 else f"take away {-missing:g}"
+            fix = f"{'add a dwell of' if missing > 0 else 'take away'} {told(missing)}"
             raise InputError(
                 f"The segments of {self.name!r} add up to {total:.12g} deg; a cam turn is "
                 f"{DEG_PER_TURN}: {fix} deg."
@@ -285,8 +285,8 @@ class Motion:
         way = self.segments[-1].to_mm - self.start_mm
         if self.stops is None and abs(way) > _ROUNDING:
             raise InputError(
-                f"The motion {self.name!r} ends {abs(way):g} mm from where it began: add a "
-                f"{'return' if way > 0 else 'rise'} of {abs(way):g} mm, or make it with "
+                f"The motion {self.name!r} ends {told(way)} mm from where it began: add a "
+                f"{'return' if way > 0 else 'rise'} of {told(way)} mm, or make it with "
                 "indexing_motion if it moves on from stop to stop."
             )
         if self.stops is None:
