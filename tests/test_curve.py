@@ -277,6 +277,14 @@ def test_a_law_that_jumps_moves_nothing() -> None:
     for use in (lambda: jump.inverse(0.3), lambda: cm.EXAMPLE.die.with_law(jump)):
         with pytest.raises(cm.InputError, match=r"jumps at x = 0\.5"):
             use()
+    for gap in (4e-7, 1e-8):  # as of numbers with six or eight digits: no jump, and it is passed
+        steep = 2 - 2 * gap
+        meets = sympy.Piecewise((steep * x**2, x <= half), (1 - steep * (1 - x) ** 2, True))
+        typed = MotionLaw("typed", meets)
+        assert typed.inverse(np.linspace(0.499, 0.501, 41)) == pytest.approx(
+            cm.LAWS["parabolic"].inverse(np.linspace(0.499, 0.501, 41)), abs=gap
+        )
+        assert typed.inverse(0.5) == pytest.approx(0.5)
     back = MotionLaw("b", sympy.Piecewise((8 * x / 5, x <= half), (0.2 + 0.8 * x, True)))
     assert not back.is_monotone
 

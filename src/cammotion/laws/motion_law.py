@@ -66,10 +66,9 @@ class MotionLaw(Alike):
     made_of = ("name", "curve")
 
     def __init__(self, name: str, s: sympy.Expr | Curve, also_called: tuple[str, ...] = ()) -> None:
-        is_curve = isinstance(s, Curve)
-        curve = s if is_curve else Curve(read(*zone) for zone in cut(name, s))
+        curve = s if isinstance(s, Curve) else Curve(read(*zone) for zone in cut(name, s))
         known = {"name": name, "curve": curve, "also_called": also_called}
-        self.__dict__.update(known if is_curve else known | {"s": s})
+        self.__dict__.update(known if s is curve else known | {"s": s})
 
     def __setattr__(self, name: str, _: object) -> None:
         raise AttributeError(f"A motion law cannot be changed: make another one with its {name}.")
@@ -126,7 +125,7 @@ class MotionLaw(Alike):
 
     @cached_property
     def Cq(self) -> float:  # noqa: N802
-        """The torque factor of the inertia: the largest abs(V A)."""
+        """The torque factor of the inertia: the largest abs(V A) away from the jumps of V."""
         return Curve(piece.torque() for piece in self.curve.pieces).largest
 
     @property
@@ -235,7 +234,8 @@ class MotionLaw(Alike):
                 "once: use where_above, which returns every interval."
             )
         roots = np.clip(self._first(places.ravel()), 0.0, 1.0).reshape(places.shape)
-        off = np.abs(self(roots) - places) > _MISSED
+        gap = max((by for _, by in self.curve.steps), default=0.0)  # no more than a rounding
+        off = np.abs(self(roots) - places) > _MISSED + gap
         if np.any(off):
             raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
         return plain(roots)

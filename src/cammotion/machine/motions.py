@@ -176,7 +176,7 @@ class Motion:
         """
         turns, phase = self._phase(angle_deg)
         pitches = np.mod(turns, self.stops) if self.stops else 0.0
-        return plain(self.curve(phase) + self.pitch_mm * pitches)
+        return plain(self.curve(phase) + (self.pitch_mm * pitches + 0.0))  # 0, not -0
 
     def offset_mm(self, angle_deg: ArrayLike) -> Numbers:
         """Return what a clearance is judged by, in mm, at a cam angle in deg, number or array.
