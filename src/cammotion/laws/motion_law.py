@@ -183,7 +183,7 @@ class MotionLaw(Alike):
         """Return the law with a share of constant velocity put into the middle of it.
 
         `share` is the part of the time, from 0 to 0.999. Raises InputError for another one, and for
-        a law that is not symmetric, or stands or goes back in its middle.
+        a law that is not symmetric, stands in its middle, or would go back there too far.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).with_constant_velocity(0.5).Cv:.3f}")
         1.200
@@ -192,8 +192,8 @@ class MotionLaw(Alike):
         speed = self(0.5, 1)
         lacks = {
             "is not symmetric": not self.is_symmetric,
-            "goes back in its middle": speed < -_MISSED,
-            "stands in its middle": speed < _MISSED,
+            "stands in its middle": abs(speed) < _MISSED,
+            "would go back there as far as it goes on": part * speed + 1 - part < _MISSED,
         }
         if lack := next((words for words, is_so in lacks.items() if is_so), ""):
             raise InputError(
