@@ -183,7 +183,7 @@ class MotionLaw(Alike):
         """Return the law with a share of constant velocity put into the middle of it.
 
         `share` is the part of the time, from 0 to 0.999. Raises InputError for another one, and for
-        a law that is not symmetric, stands in its middle, or would go back there too far.
+        a law that is not symmetric, stands in its middle, or would go back there as far as on.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).with_constant_velocity(0.5).Cv:.3f}")
         1.200
@@ -193,7 +193,7 @@ class MotionLaw(Alike):
         lacks = {
             "is not symmetric": not self.is_symmetric,
             "stands in its middle": abs(speed) < _MISSED,
-            "would go back there as far as it goes on": part * speed + 1 - part < _MISSED,
+            "would go back there as far as it goes on": abs(part * speed + 1 - part) < _MISSED,
         }
         if lack := next((words for words, is_so in lacks.items() if is_so), ""):
             raise InputError(
