@@ -49,6 +49,7 @@ WAY = ("dimensionless displacement S", "for example 0.5")
 CAM_ANGLE = ("cam angle", "for example 180 deg")
 ANY_TIME = ("time", "for example 0.9 s")
 POSITION = ("position", "for example 50 mm")
+LIMIT = ("limit", "for example 19 mm")
 PART_ANGLE = ("angle of a segment", "for example 55 deg")
 STEP = ("step of the table", "for example 1 deg")
 
@@ -142,7 +143,7 @@ QUANTITIES: list[tuple[str, Call, tuple[str, str], list[tuple[Any, str]]]] = [
     ("Motion.offset_mm", PUNCH.offset_mm, CAM_ANGLE, ANYWHERE),
     ("Motion.derivative", lambda v: PUNCH.derivative(1, v, 2000), CAM_ANGLE, ANYWHERE),
     ("Motion.derivative", lambda v: PUNCH.derivative(1, 180, v), RATE, ONE_POSITIVE),
-    ("Motion.where_beyond", PUNCH.where_beyond, POSITION, ONE_NUMBER),
+    ("Motion.where_beyond", PUNCH.where_beyond, LIMIT, ONE_NUMBER),
     ("TimingDiagram.angle_deg", DIAGRAM.angle_deg, ANY_TIME, ANYWHERE),
     *[
         row
@@ -162,8 +163,8 @@ QUANTITIES: list[tuple[str, Call, tuple[str, str], list[tuple[Any, str]]]] = [
             ),
         )
     ],
-    ("beyond", lambda v: cm.beyond("die", v), POSITION, ONE_NUMBER),
-    ("within", lambda v: cm.within("die", v), POSITION, ONE_NUMBER),
+    ("beyond", lambda v: cm.beyond("die", v), LIMIT, ONE_NUMBER),
+    ("within", lambda v: cm.within("die", v), LIMIT, ONE_NUMBER),
     (
         "write_curves",
         lambda v: cm.write_curves(DIAGRAM, "never-written.csv", step_deg=v),

@@ -122,13 +122,17 @@ NOT_SMOOTH = {
     "a root of what is below zero": (x - 1) ** sympy.Rational(1, 3) + 1,
     "a pole": 1 / (x - sympy.Rational(1, 3)),
     "a logarithm of zero": sympy.log(x),
+    "more than a float can hold": sympy.Integer(10) ** 400 * x,
 }
 
 
 @pytest.mark.parametrize("curve", NOT_SMOOTH.values(), ids=NOT_SMOOTH)
 def test_what_is_not_real_and_finite_is_no_law(curve: sympy.Expr) -> None:
-    with pytest.raises(cm.InputError, match=r"not real and finite|real and finite: a position"):
+    with pytest.raises(
+        cm.InputError, match=r"not real and finite|real and finite: a position"
+    ) as refusal:
         MotionLaw("no law", curve)
+    assert len(str(refusal.value)) < 300
 
 
 NOT_IN_ORDER = [
@@ -200,10 +204,19 @@ def test_extremes_are_those_of_dense_samples(
     assert curve.at(0.55) == pytest.approx(written.at(0.55), abs=1e-12)
 
 
-def test_a_velocity_of_zero_in_the_middle_takes_no_line() -> None:
-    waits = MotionLaw("waits", (1 + (2 * x - 1) ** 3) / 2)
-    with pytest.raises(cm.InputError, match="stands in its middle"):
-        waits.with_constant_velocity(0.5)
+@pytest.mark.parametrize("share", [0.001, 0.3, 0.5, 0.7, 0.999])
+@pytest.mark.parametrize("speed", [0, -1, -0.1])
+def test_a_line_that_does_not_go_on_ends_where_it_can(speed: float, share: float) -> None:
+    """At -1 and half of the time it ends where it began, and nothing is left to be stretched."""
+    law = MotionLaw("waits", x + (speed - 1) * sympy.sin(4 * sympy.pi * x) / (4 * sympy.pi))
+    way = share * speed + 1 - share  # of the whole law, before it is stretched
+    if speed and abs(way) > 1e-9:
+        middle = law.with_constant_velocity(share)(0.5, 1)
+        assert middle == pytest.approx(speed / way)
+        return
+    lack = "would go back there as far as" if speed else "stands in its middle"
+    with pytest.raises(cm.InputError, match=lack):
+        law.with_constant_velocity(share)
 
 
 def test_a_law_cannot_be_changed() -> None:
@@ -266,6 +279,14 @@ def test_a_law_that_jumps_moves_nothing() -> None:
     for use in (lambda: jump.inverse(0.3), lambda: cm.EXAMPLE.die.with_law(jump)):
         with pytest.raises(cm.InputError, match=r"jumps at x = 0\.5"):
             use()
+    for gap in (4e-7, 1e-8):  # as of numbers with six or eight digits: no jump, and it is passed
+        steep = 2 - 2 * gap
+        meets = sympy.Piecewise((steep * x**2, x <= half), (1 - steep * (1 - x) ** 2, True))
+        typed = MotionLaw("typed", meets)
+        assert typed.inverse(np.linspace(0.499, 0.501, 41)) == pytest.approx(
+            cm.LAWS["parabolic"].inverse(np.linspace(0.499, 0.501, 41)), abs=gap
+        )
+        assert typed.inverse(0.5) == pytest.approx(0.5)
     back = MotionLaw("b", sympy.Piecewise((8 * x / 5, x <= half), (0.2 + 0.8 * x, True)))
     assert not back.is_monotone
 

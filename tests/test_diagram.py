@@ -121,6 +121,11 @@ def test_where_two_motions_overlap() -> None:
     assert earlier.overlap("die", "mill") == [(345, 360)]
 
 
+def test_a_motion_that_is_named_twice_does_not_overlap_itself() -> None:
+    assert OVERLAPPED.overlap("die", "Die", OVERLAPPED["die"]) == OVERLAPPED.overlap("die") == []
+    assert OVERLAPPED.overlap("die", "mill", "DIE") == OVERLAPPED.overlap()
+
+
 def test_an_overlap_across_360_deg_is_one_arc() -> None:
     late = make_diagram(make_mill(middle_deg=0), make_die(124.84))
     [across] = late.overlap("mill", "die")

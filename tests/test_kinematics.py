@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -82,8 +83,35 @@ def test_arrays_broadcast_and_scalars_stay_scalars() -> None:
 def test_arrays_that_do_not_fit_together_are_refused() -> None:
     with pytest.raises(cm.InputError, match=r"shapes differ .*angle_deg has \(2,\)"):
         cm.indexing_time([10, 20], [1000, 2000, 3000])
-    with pytest.raises(cm.InputError, match=r"shapes differ .*stroke_mm has \(2,\)"):
+    with pytest.raises(
+        cm.InputError, match=r"shapes differ .*stroke_mm has \(2,\), angle_deg has \(3,\)"
+    ):
         cm.peak_acceleration([10, 20], [50, 60, 70], 2000)
+
+
+@given(strokes, angles, rates, st.integers(-4, 4))
+def test_a_time_that_misses_the_end_by_its_rounding_is_the_end(
+    stroke: float, angle: float, rate: float, last: int
+) -> None:
+    """angle/360*3600/rate is often a last digit more than the package's own time."""
+    move = cm.Move(stroke_mm=stroke, angle_deg=angle, rate_per_hour=rate)
+    by_hand = angle / 360 * 3600 / rate
+    for end in (by_hand, by_hand * (1 + last * 2.3e-16)):
+        assert move.displacement_mm([end, 0])[0] == pytest.approx(stroke, rel=1e-12)
+    with pytest.raises(cm.InputError, match=r"^The time is "):
+        move.displacement_mm(by_hand * (1 + 1e-9))
+
+
+@pytest.mark.parametrize("s", [2 * cm.x, 16 * cm.x**2 * (1 - cm.x) ** 2, (1 + cm.x) / 2])
+def test_a_law_that_does_not_go_from_0_to_1_makes_no_move(s: sympy.Expr) -> None:
+    """Its stroke would be another one; its peaks were infinite, by the jump at its end."""
+    law = cm.MotionLaw("mine", s)
+    said = r"^The law 'mine' goes from .* subtract S\(0\)"
+    with pytest.raises(cm.InputError, match=said):
+        cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000, law=law)
+    for peak in (cm.peak_velocity, cm.peak_acceleration, cm.peak_jerk):
+        with pytest.raises(cm.InputError, match=said):
+            peak(50, 55, 2000, law)
 
 
 def test_a_law_may_be_given_by_name_or_itself() -> None:

@@ -337,6 +337,14 @@ def test_the_inverse_leads_back(own: MotionLaw) -> None:
     assert own.inverse(own(well_conditioned)) == pytest.approx(well_conditioned, abs=1e-12)
 
 
+@pytest.mark.parametrize("own", MONOTONE, ids=str)
+@pytest.mark.parametrize("count", [1, 8, 9, 4000])
+def test_many_inverses_at_once_are_those_of_one_after_the_other(own: MotionLaw, count: int) -> None:
+    ways = np.random.default_rng(count).permutation(np.linspace(0, 1, count))
+    alone = [own.inverse(way) for way in ways[:25]]
+    assert own.inverse(ways)[:25] == pytest.approx(alone, abs=1e-14)
+
+
 @examples(100)
 @given(unit_interval)
 def test_the_inverse_is_solved_to_the_last_bit(s: float) -> None:

@@ -355,3 +355,10 @@ def test_another_law_changes_how_and_not_where() -> None:
     assert not np.allclose(other.position_mm(160), die.position_mm(160))
     with pytest.raises(cm.InputError, match="modified sine"):
         die.with_law("modified sin")
+
+
+def test_an_index_backwards_begins_at_0_and_not_at_minus_0() -> None:
+    back = cm.indexing_motion("back", cm.return_(5.26, over_deg=360), stops=3, start_deg=725)
+    places = np.asarray(back.position_mm(725 + 360 * np.arange(4)))
+    assert places.tolist() == [0, -5.26, -10.52, 0]
+    assert not np.signbit(places[[0, 3]]).any()

@@ -8,7 +8,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
 from IPython.core.interactiveshell import InteractiveShell
+from machines import examples
 from traitlets.config import Config
 
 import cammotion as cm
@@ -17,6 +21,7 @@ ANY: Any = cm  # so that the wrong kinds below are no error of the types
 DIAGRAM, DIE, RULE = cm.EXAMPLE.diagram, cm.EXAMPLE.die, cm.EXAMPLE.rule
 CYCLOIDAL, TURN = cm.LAWS["cycloidal"], np.arange(0, 360, 10)
 LOBE = 25 - 25 * np.cos(np.radians(TURN))
+T = sympy.Symbol("t")
 NEARLY = cm.MotionLaw("mine", 0.9999999 * cm.x)
 
 MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
@@ -72,6 +77,38 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
         lambda: NEARLY.check_way(),
         r"S\(1\) = 0\.9999999; a move goes from 0 to 1",
     ),
+    "just above 1": (
+        lambda: CYCLOIDAL(1.0000000001),
+        r"x = t/tm is 1\.0000000001; .* at most 1:",
+    ),
+    "just more than a turn": (
+        lambda: cm.motion("die", *[cm.dwell(120.0000001)] * 3),
+        r"add up to 360\.0000003 deg; a cam turn is 360: take away 3e-07 deg",
+    ),
+    "thirds with seven digits": (
+        lambda: cm.scca(0.3333333, 0.3333333, 0.3333333),
+        r"0\.3333333 \+ 0\.3333333 \+ 0\.3333333, add up to 0\.9999999: let",
+    ),
+    "nearly to 1": (
+        lambda: cm.polynomial((0, 0, 0), (1.0000001, 0, 0)),
+        r"from s = 0 to 1\.0000001; a motion law goes from 0 to 1",
+    ),
+    "a turn back": (
+        lambda: cm.Segment(from_deg=0, to_deg=-349.5, from_mm=0, to_mm=5, law="cycloidal"),
+        r"ends before it begins: if it goes on over 360 deg, give to_deg=10\.5\.$",
+    ),
+    "a limit that is none": (
+        lambda: DIE.where_beyond(float("nan")),
+        r"^The limit is nan mm; .* for example 19 mm",
+    ),
+    "no derivative": (
+        lambda: DIE.derivative(-1, 180, 2000),
+        r"^The order of the derivative is -1; it has to be a whole number above 0 and at most 3",
+    ),
+    "an integral": (
+        lambda: cm.MotionLaw("mine", sympy.Integral(6 * T * (1 - T), (T, 0, cm.x))),
+        r"^The law uses the function Integral, whose turning points cannot be proved",
+    ),
     "an angle for x": (lambda: CYCLOIDAL(27.5), r"x = t/tm is 27\.5; .* at most 1"),
     "a whole lobe": (
         lambda: cm.law_from_points([*TURN / 360, 1], [*LOBE / 50, 0]),
@@ -99,6 +136,18 @@ def test_a_mistake_is_told(mistake: str) -> None:
     with pytest.raises(cm.InputError, match=said) as refusal:
         make()
     assert len(str(refusal.value)) < 400
+
+
+@examples(50)
+@given(st.integers(1, 10**9), st.integers(1, 10**9))
+def test_a_motion_that_lacks_a_dwell_has_it_when_it_does_as_it_is_told(up: int, down: int) -> None:
+    """Of angles with many digits too: what is told has all of them."""
+    up_deg, down_deg = up / 6e6, down / 6e6
+    parts = [cm.rise(up_deg, over_deg=up_deg), cm.return_(up_deg, over_deg=down_deg)]
+    with pytest.raises(cm.InputError, match=r"add a dwell of [\d.e-]+ deg\.$") as told:
+        cm.motion("die", *parts)
+    missing = float(str(told.value).split("add a dwell of ")[1].removesuffix(" deg."))
+    assert cm.motion("die", *parts, cm.dwell(missing)).segments[2].to_deg == pytest.approx(360)
 
 
 def test_laws_of_a_table_are_no_names(tmp_path: Path) -> None:

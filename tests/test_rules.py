@@ -1,5 +1,8 @@
 """Rules about moving and standing, and names of rules, against samples."""
 
+import re
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -157,3 +160,24 @@ def test_names_in_another_case_are_the_same_motions() -> None:
     assert cm.find_violations(wide, loud) == cm.find_violations(wide, RULE)
     with pytest.raises(cm.InputError, match="Both halves of the clearance rule are about 'die'"):
         cm.find_violations(wide, cm.ClearanceRule(cm.beyond("die", 1), cm.within("Die", 2)))
+
+
+def test_what_is_broken_by_nothing_is_broken_by_0_and_not_by_less() -> None:
+    """Both stand, or the die is just where it may not be; no more than that can be said in mm."""
+    machine = make_diagram(make_mill(), make_die(50))
+    for rule in (
+        cm.ClearanceRule(cm.standing("die"), only_while=cm.moving("mill")),
+        cm.ClearanceRule(cm.within("die", 0), only_while=cm.standing("mill")),
+    ):
+        found = cm.find_violations(machine, rule)
+        assert found
+        for one in found:
+            assert one.excess_mm == 0
+            assert " is 0 mm " in str(one)
+
+
+@pytest.mark.parametrize("make", [cm.moving, cm.standing, lambda it: cm.beyond(it, 19)])
+@pytest.mark.parametrize("motion", [None, 5, ["die"]])
+def test_a_condition_is_about_a_motion_by_its_name_or_itself(make: Any, motion: Any) -> None:
+    with pytest.raises(cm.InputError, match=rf"is given motion={re.escape(repr(motion))}: give a"):
+        make(motion)

@@ -53,6 +53,13 @@ def test_a_polynomial_turns_at_the_simple_roots_of_its_slope(roots: set[int]) ->
     assert turning_points(curve, 0, 1) == pytest.approx(turns, abs=1e-10)
 
 
+def test_a_wave_of_very_many_turns_is_refused() -> None:
+    """A single wave too, whose turns are known: to ask each of them would take minutes."""
+    with pytest.raises(cm.InputError, match="turns so often"):
+        MotionLaw("wave", sympy.sin(PI / 2 * (4 * 10**8 + 1) * x)).where_above(0.5)
+    assert len(MotionLaw("wave", sympy.sin(PI / 2 * 2001 * x)).where_above(0.5)) == 501
+
+
 def test_two_turns_close_together_are_found() -> None:
     """They are 1e-5 apart, 7 such pairs; 720 samples, a usual number, see none of them."""
     half, wave = 5e-6, 14 * PI
@@ -119,3 +126,19 @@ def test_a_function_without_a_proof_is_refused(curve: sympy.Expr, function: str)
 def test_bisection_ends_at_the_first_float(place: float, way: float) -> None:
     found = bisect(lambda here: here < place, place - way, place + way)
     assert found == place
+
+
+@pytest.mark.parametrize(("low", "high"), [(2, 5), (1, 3), (3, 4), (1, 6)])
+@pytest.mark.parametrize("is_turned", [False, True])
+def test_a_jerk_that_is_infinitely_steep_at_an_end_turns_where_it_turns(
+    low: int, high: int, is_turned: bool
+) -> None:
+    """Its slope, 2 p x^(p - 1) - q x^(q - 1), is infinite at 0, of no sign for intervals."""
+    p, q = sympy.Rational(low, 7), sympy.Rational(high, 7)
+    terms = ((2, p), (-1, q))
+    law = sum(factor * x ** (n + 3) / ((n + 3) * (n + 2) * (n + 1)) for factor, n in terms)
+    law = law.subs(x, 1 - x) if is_turned else law
+    jerk = read_piece(law, 0, 1).derivative.derivative.derivative
+    turn = float((2 * p / q) ** (1 / (q - p)))
+    turns = [turn] if turn < 1 else []
+    assert jerk.turns == pytest.approx([1 - place for place in turns] if is_turned else turns)

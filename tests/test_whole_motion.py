@@ -56,8 +56,29 @@ def test_a_shear_that_comes_up_to_speed_has_a_finite_peak() -> None:
     assert np.isfinite(acceleration)
     assert np.isfinite(jerk)  # matched to the cycloid, whose acceleration begins at 0
     assert shear.steps(1) == shear.steps(2) == []
+    assert cm.rise(20, over_deg=60, law="Matched") == cm.rise(20, over_deg=60, law=cm.MATCHED)
     with pytest.raises(cm.InputError, match="is to be matched too"):
         cm.motion("a", *[cm.rise(1, over_deg=180, law=cm.MATCHED)] * 2)
+
+
+@examples(40)
+@given(st.lists(st.integers(1, 899), min_size=3, max_size=3), st.integers(-3600, 9000))
+def test_at_a_joint_it_is_what_begins_there_in_any_turn(tenths: list[int], start: int) -> None:
+    """The joints are told in tenths of a degree, which do not add up exactly in floats."""
+    up, high, down = (tenth / 10 for tenth in tenths)
+    parabolic = cm.LAWS["constant acceleration"]
+    die = cm.motion(
+        "die",
+        *(cm.rise(5.26, over_deg=up, law=parabolic), cm.dwell(high)),
+        *(cm.return_(5.26, over_deg=down, law=parabolic), cm.dwell(360 - up - high - down)),
+        start_deg=start / 10,
+    )
+    begins = [4 * 5.26e-3 / (up / 360 * TURN_S) ** 2, 0, -4 * 5.26e-3 / (down / 360 * TURN_S) ** 2]
+    joints = np.cumsum([start, *tenths[:2]])
+    for turn in (-2, 0, 1, 24):
+        places = (joints + 3600 * turn) / 10
+        assert die.derivative(2, places, RATE) == pytest.approx(begins), places
+        assert die.derivative(2, float(places[0]), RATE) == pytest.approx(begins[0])
 
 
 def test_an_axis_at_constant_speed_is_not_accelerated() -> None:

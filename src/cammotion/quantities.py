@@ -63,8 +63,8 @@ class WrongAnswerError(RuntimeError):
 class Quantity:
     """A physical quantity with its unit and the range in which it makes sense.
 
-    `low` itself is allowed only where `low_included` is set; `high` always is. `kind` says in words
-    what is asked for.
+    `low` itself is allowed only where `low_included` is set; `high` always is. What misses an
+    end by no more than `rounding` is there. `kind` says in words what is asked for.
 
     >>> Quantity("indexing angle", "deg", example=55, high=360).array([27.5, 55])
     array([27.5, 55. ])
@@ -77,6 +77,7 @@ class Quantity:
     high: float = math.inf
     low_included: bool = False
     kind: str = "finite number"
+    rounding: float = 0.0
 
     def array(self, value: ArrayLike) -> Floats:
         """Return `value` as an array of floats of the same shape, each of them in range.
@@ -92,9 +93,13 @@ class Quantity:
         if is_above and array.max() <= self.high < math.inf:
             return array
         inside = self._inside(array)
-        if not inside.all():
-            raise InputError(self._out_of_range(array, inside))
-        return array
+        if inside.all():
+            return array
+        if self.rounding:
+            near = np.clip(array, self.low, self.high)
+            if np.all(np.abs(array - near) <= self.rounding):
+                return near
+        raise InputError(self._out_of_range(array, inside))
 
     def number(self, value: Any) -> float:
         """Return `value`, a single number, as a float; raises InputError like `array`."""
@@ -188,9 +193,15 @@ class Quantity:
     def _refusal(self, number: float, where: str = "") -> str:
         kind = self.kind if _is_usual(number) else f"number of {_TINY:g} to {1 / _TINY:g}"
         return (
-            f"The {self.name} is {number:g}{self._unit}{where}; it has to be a "
+            f"The {self.name} is {self._told(number)}{self._unit}{where}; it has to be a "
             f"{kind}{self.allowed}: give {self._example}."
         )
+
+    def _told(self, number: float) -> str:
+        """Return a number that is refused, with as many digits as show why."""
+        short = f"{number:g}"
+        is_hidden = short in (f"{self.low:g}", f"{self.high:g}") or self._inside(float(short))
+        return repr(float(number)) if is_hidden and number not in (self.low, self.high) else short
 
 
 def keep_numbers(owner: object, **readers: Callable[[Any], float]) -> None:

@@ -43,8 +43,8 @@ def polynomial(
     values = [_boundary(side, which) for which, side in (("start", start), ("end", end))]
     if values[0][0] != 0 or values[1][0] != 1:
         raise InputError(
-            f"The polynomial goes from s = {float(values[0][0]):g} to {float(values[1][0]):g}; a "
-            "motion law goes from 0 to 1: scale the values."
+            f"The polynomial goes from s = {float(values[0][0]):.12g} to "
+            f"{float(values[1][0]):.12g}; a motion law goes from 0 to 1: scale the values."
         )
     curve = _through(values[0], values[1], sympy.Integer(1))
     title = name or f"polynomial of degree {len(values[0]) + len(values[1]) - 1}"
@@ -63,7 +63,7 @@ def polynomial(
 def fifth_degree_linear(share: float, *, name: str = "") -> MotionLaw:
     """Return a straight line in the middle, joined at both ends by polynomials of degree five.
 
-    `share` is the part of the time with constant velocity, from 0 on and below 1. The velocity is
+    `share` is the part of the time with constant velocity, from 0 to 0.99. The velocity is
     2/(1 + share), so that over each end the mean velocity is half of it; velocity and acceleration
     are continuous. Raises InputError for another share.
 

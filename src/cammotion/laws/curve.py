@@ -13,10 +13,12 @@ import numpy as np
 import sympy
 
 from cammotion.alike import Alike
-from cammotion.laws.piece import Number, Piece, Placed
+from cammotion.laws.piece import Number, Piece, Placed, bisect_many
 from cammotion.quantities import Floats
 
 _SAME_PLACE = 1e-12  # what the ends of two pieces may differ by and be one joint
+_FEW = 8  # that are solved for one by one, which is quicker
+_ROUNDING = 1e-10  # what a sum of angles in deg may miss a joint by
 
 
 class Branch(NamedTuple):
@@ -31,6 +33,16 @@ class Branch(NamedTuple):
     def solve(self, height: float) -> float:
         """Return where it passes a height between those at its ends."""
         return self.piece.solve(height, self.low, self.high)
+
+    def reach(self, heights: Floats) -> Floats:
+        """Return where it comes to each height, if it rises; its ends for those beyond them."""
+        if heights.size <= _FEW:
+            roots = np.array([self.solve(height) for height in heights])
+        else:
+            ends = (np.full(heights.shape, end) for end in (self.low, self.high))
+            roots = bisect_many(lambda places: self.piece.over(places) < heights, *ends)
+        roots = np.where(heights >= self.at_high, self.high, roots)
+        return np.where(heights <= self.at_low, self.low, roots)
 
 
 class Curve(Alike):
@@ -142,6 +154,12 @@ class Curve(Alike):
                 here = which == number
                 values[here] = self.pieces[number].over(flat[here])
         return values.reshape(np.shape(places))
+
+    def settled(self, places: Floats) -> Floats:
+        """Return the places; what misses a joint or an end by the rounding of sums is there."""
+        ends = np.array([self.low, *self._joints, self.high])
+        near = ends[np.searchsorted(ends[:-1], places - _ROUNDING)]
+        return np.where(np.abs(places - near) <= _ROUNDING, near, places)
 
     @cached_property
     def _joints(self) -> Floats:

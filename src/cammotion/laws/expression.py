@@ -11,7 +11,7 @@ from mpmath import iv
 
 from cammotion.laws.symbols import x
 from cammotion.laws.turning import Proved
-from cammotion.quantities import Floats, InputError
+from cammotion.quantities import Floats, InputError, shorten
 
 _KNOWN = ("sin", "cos", "tan", "exp", "log", "sqrt")
 _NAMES = {"mpf": iv.mpf, "pi": iv.pi, "E": iv.e} | {name: getattr(iv, name) for name in _KNOWN}
@@ -113,7 +113,8 @@ class Expression(Proved):
         except (ArithmeticError, ValueError, TypeError, iv.ComplexResult):
             return -inf, inf
         least, most = float(found.a), float(found.b)
-        slack = 1e-15 * max(abs(least), abs(most))  # numbers like 1/3 are floats in the formula
+        finite = [abs(end) for end in (least, most) if isfinite(end)]
+        slack = 1e-15 * max(finite, default=0)  # numbers like 1/3 are floats in the formula
         return (least - slack, most + slack) if least <= most else (-inf, inf)
 
     @cached_property
@@ -123,7 +124,7 @@ class Expression(Proved):
             return None
         simple = self._expression.rewrite([sympy.sinh, sympy.cosh, sympy.tanh], sympy.exp)
         parts = (part for part in sympy.preorder_traversal(simple) if part.args)
-        others = {part.func.__name__ for part in parts if not isinstance(part, _FORMS)}
+        others = {part.func.__name__ for part in parts if not isinstance(part, _FORMS)} - {"Tuple"}
         if others:
             raise InputError(
                 f"The law uses the function {', '.join(sorted(others))}, whose turning points "
@@ -148,6 +149,7 @@ def real_number(expression: sympy.Expr) -> float:
         value = inf
     if not isfinite(value):
         raise InputError(
-            f"The law holds the number {expression}, which is not real and finite: a position is."
+            f"The law holds the number {shorten(expression, of=str)}, which is not real and "
+            "finite: a position is."
         )
     return value

@@ -22,7 +22,15 @@ from cammotion.laws.curve import Curve, mirrored
 from cammotion.laws.reader import Zone, cut, read, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import InputError, Numbers, Quantity, WrongAnswerError, plain, shorten
+from cammotion.quantities import (
+    Floats,
+    InputError,
+    Numbers,
+    Quantity,
+    WrongAnswerError,
+    plain,
+    shorten,
+)
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
@@ -58,10 +66,9 @@ class MotionLaw(Alike):
     made_of = ("name", "curve")
 
     def __init__(self, name: str, s: sympy.Expr | Curve, also_called: tuple[str, ...] = ()) -> None:
-        is_curve = isinstance(s, Curve)
-        curve = s if is_curve else Curve(read(*zone) for zone in cut(name, s))
+        curve = s if isinstance(s, Curve) else Curve(read(*zone) for zone in cut(name, s))
         known = {"name": name, "curve": curve, "also_called": also_called}
-        self.__dict__.update(known if is_curve else known | {"s": s})
+        self.__dict__.update(known if s is curve else known | {"s": s})
 
     def __setattr__(self, name: str, _: object) -> None:
         raise AttributeError(f"A motion law cannot be changed: make another one with its {name}.")
@@ -118,7 +125,7 @@ class MotionLaw(Alike):
 
     @cached_property
     def Cq(self) -> float:  # noqa: N802
-        """The torque factor of the inertia: the largest abs(V A)."""
+        """The torque factor of the inertia: the largest abs(V A) away from the jumps of V."""
         return Curve(piece.torque() for piece in self.curve.pieces).largest
 
     @property
@@ -175,15 +182,20 @@ class MotionLaw(Alike):
     def with_constant_velocity(self, share: float) -> "MotionLaw":
         """Return the law with a share of constant velocity put into the middle of it.
 
-        `share` is the part of the time, from 0 on and below 1. Raises InputError for another one,
-        and for a law that is not symmetric or stands in its middle.
+        `share` is the part of the time, from 0 to 0.999. Raises InputError for another one, and for
+        a law that is not symmetric, stands in its middle, or would go back there as far as on.
 
         >>> print(f"{MotionLaw('cubic', 3 * x**2 - 2 * x**3).with_constant_velocity(0.5).Cv:.3f}")
         1.200
         """
         part = exact(_SHARE.number(share))
-        if not self.is_symmetric or abs(self(0.5, 1)) < _MISSED:
-            lack = "stands in its middle" if self.is_symmetric else "is not symmetric"
+        speed = self(0.5, 1)
+        lacks = {
+            "is not symmetric": not self.is_symmetric,
+            "stands in its middle": abs(speed) < _MISSED,
+            "would go back there as far as it goes on": abs(part * speed + 1 - part) < _MISSED,
+        }
+        if lack := next((words for words, is_so in lacks.items() if is_so), ""):
             raise InputError(
                 f"The law {self.name!r} {lack}, so that no constant velocity can be put in there."
             )
@@ -221,8 +233,9 @@ class MotionLaw(Alike):
                 f"The law {self.name!r} turns back on its way, and so passes some places more than "
                 "once: use where_above, which returns every interval."
             )
-        roots = np.clip([self._first(s) for s in places.flat], 0.0, 1.0).reshape(places.shape)
-        off = np.abs(self(roots) - places) > _MISSED
+        roots = np.clip(self._first(places.ravel()), 0.0, 1.0).reshape(places.shape)
+        gap = max((by for _, by in self.curve.steps), default=0.0)  # no more than a rounding
+        off = np.abs(self(roots) - places) > _MISSED + gap
         if np.any(off):
             raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
         return plain(roots)
@@ -277,9 +290,9 @@ class MotionLaw(Alike):
         steps = ((0.0, curve.ends[0]), *curve.steps, (1.0, after - curve.ends[1]))
         return tuple((at, by) for at, by in steps if abs(by) > JUMP * curve.largest)
 
-    def _first(self, s: float) -> float:
-        branches = self.curve.branches
-        branch = next((branch for branch in branches if s <= branch.at_high), branches[-1])
-        if s <= branch.at_low:
-            return branch.low
-        return branch.high if s >= branch.at_high else branch.solve(s)
+    def _first(self, heights: Floats) -> Floats:
+        found, left = np.full(heights.shape, 1.0), np.full(heights.shape, True)
+        for branch in self.curve.branches:
+            here = left & (heights <= branch.at_high)
+            found[here], left = branch.reach(heights[here]), left & ~here
+        return found

@@ -173,3 +173,16 @@ def bisect(is_before: Callable[[float], bool], low: float, high: float) -> float
         else:
             high = middle
     return high
+
+
+def bisect_many(is_before: Callable[[Floats], Any], low: Floats, high: Floats) -> Floats:
+    """Return the same as `bisect` for many at once, in an array.
+
+    >>> bisect_many(lambda x: x * x < [2, 3], np.array([1.0, 1.0]), np.array([2.0, 2.0]))
+    array([1.41421356, 1.73205081])
+    """
+    while np.any(halved := (low < (middle := (low + high) / 2)) & (middle < high)):
+        before = is_before(middle)
+        low = np.where(halved & before, middle, low)
+        high = np.where(halved & ~before, middle, high)
+    return high

@@ -64,7 +64,7 @@ def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
     parts = _PART.array(b), _PART.array(d)
     most = np.max(np.add(*parts))
     if most > 1 + _ROUNDING:
-        raise InputError(f"b + d of the SCCA law is {most:g}: let b and d add up to at most 1.")
+        raise InputError(f"b + d of the SCCA law is {most:.12g}: let b and d add up to at most 1.")
     return plain(np.asarray(scca_factor(*parts, pi=np.pi)))
 
 
@@ -73,8 +73,8 @@ def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
     parts = [exact(part) for part in (b, c, d)]
     if abs(sum(parts) - 1) > _ROUNDING:
         raise InputError(
-            f"The zones of the SCCA law, {b:g} + {c:g} + {d:g}, add up to {float(sum(parts)):g}: "
-            "let b, c and d add up to 1."
+            f"The zones of the SCCA law, {b:.12g} + {c:.12g} + {d:.12g}, add up to "
+            f"{float(sum(parts)):.12g}: let b, c and d add up to 1."
         )
     b_, c_, d_ = parts[0], parts[1], 1 - parts[0] - parts[1]
     if d_ < 0 or not parts[2]:  # rounding must not become a zone

@@ -20,6 +20,7 @@ from cammotion.laws.turning import Proved
 from cammotion.quantities import Floats
 
 _ULP = math.ulp(1.0)
+_OFTEN = 1e5  # rad, over which a wave turns too often to be asked for each time
 _NOTHING = 4 * _ULP  # what is left of terms that cancel each other, as a share of their size
 
 
@@ -100,7 +101,9 @@ class Series(Proved):
         if len(self.powers) <= 2 and not self.waves:  # noqa: PLR2004 - a straight line
             return []
         if len(self.powers) == len(self.waves) == 1:
-            return self.waves[0].crests(self.low, self.high)
+            (wave,) = self.waves
+            if abs(wave.frequency) * (self.high - self.low) < _OFTEN:
+                return wave.crests(self.low, self.high)
         return super().turns
 
     @cached_property

@@ -12,6 +12,7 @@ from abc import abstractmethod
 from collections.abc import Iterator
 from functools import cached_property
 from itertools import pairwise
+from math import isfinite
 
 from cammotion.laws.piece import Piece, bisect
 from cammotion.quantities import InputError
@@ -67,7 +68,7 @@ class _Slopes:
     """The slope of a curve (order 0) and its derivatives over intervals."""
 
     def __init__(self, curve: Proved, low: float, high: float) -> None:
-        self._chain = [curve.derivative]
+        self._curve, self._chain = curve, [curve.derivative]
         self._spent = 0
         roundings = (most - least for least, most in (curve.bounds(p, p) for p in (low, high)))
         self._negligible = max(NEGLIGIBLE, *roundings)
@@ -77,7 +78,7 @@ class _Slopes:
 
     def runs(self, low: float, high: float) -> Iterator[_Run]:
         """Yield in order where the curve rises or falls; what is negligible is left out."""
-        order = next((n for n in range(_ORDERS) if self._sign(n, low, high)), None)
+        order = next((n for n in range(_ORDERS) if self._is_signed(n, low, high)), None)
         if order is not None:
             ends = [low, high]
             for lower in reversed(range(order)):
@@ -85,8 +86,7 @@ class _Slopes:
             for start, end in pairwise(ends):
                 if sign := self._sign_between(start, end):
                     yield sign, start, end
-        elif (high - low) * max(map(abs, self._bounds(0, low, high))) > self._negligible:
-            middle = (low + high) / 2
+        elif self._matters(low, middle := (low + high) / 2, high):
             yield from self.runs(low, middle)
             yield from self.runs(middle, high)
 
@@ -101,6 +101,21 @@ class _Slopes:
         """Return 1 or -1 where it is proved to keep this sign over the interval, 0 elsewhere."""
         least, most = self._bounds(order, low, high)
         return 1 if least > 0 else -1 if most < 0 else 0
+
+    def _is_signed(self, order: int, low: float, high: float) -> bool:
+        """Whether it is proved to keep its sign, and those before it to be finite at the ends."""
+        least, most = self._bounds(order, low, high)
+        return (least > 0 or most < 0) and (not order or isfinite(most - least))
+
+    def _matters(self, low: float, middle: float, high: float) -> bool:
+        """Whether there is a float between two places, and the curve may change between them."""
+        if not low < middle < high:
+            return False
+        change = (high - low) * max(map(abs, self._bounds(0, low, high)))
+        if not isfinite(change):
+            least, most = self._curve.bounds(low, high)
+            change = most - least
+        return change > self._negligible
 
     def _sign_between(self, low: float, high: float) -> int:
         """Return the sign of a slope that does not change it; here and there it may touch zero."""

@@ -199,7 +199,7 @@ first, with_motion(...), or give the name.
         """
         moving = [
             arcs((segment.from_deg, segment.to_deg) for segment in self[motion].moves)
-            for motion in motions or self.names
+            for motion in {name_of(self[motion]) for motion in motions or self.names}
         ]
         return unwrap(
             arcs(arc for these, those in combinations(moving, 2) for arc in intersect(these, those))

@@ -104,7 +104,7 @@ def peak_velocity(
     >>> print(f"{peak_velocity(50, 55, 2000):.4f} m/s")
     0.3636 m/s
     """
-    return _peak(1, as_law(law).Cv, stroke_mm, angle_deg, rate_per_hour)
+    return _peak(1, _of_a_move(law).Cv, stroke_mm, angle_deg, rate_per_hour)
 
 
 def peak_acceleration(
@@ -118,14 +118,14 @@ def peak_acceleration(
     `stroke_mm` is the stroke hm in mm, `angle_deg` the indexing angle Bm in deg (above 0, at most
     360), `rate_per_hour` the machine rate N in pieces/h; numbers or arrays that broadcast. `law`
     is the name of a motion law or a law; for the cycloidal one Ca = 2 pi. Raises InputError for a
-    value out of range or an unknown law.
+    value out of range, and a law that is unknown or does not go from 0 to 1.
 
     >>> print(f"{peak_acceleration(50, 55, 2000):.3f} m/s2")
     4.154 m/s2
     >>> peak_acceleration(50, [55, 110], 2000).round(3)  # twice the angle, a quarter
     array([4.154, 1.039])
     """
-    return _peak(2, as_law(law).Ca, stroke_mm, angle_deg, rate_per_hour)
+    return _peak(2, _of_a_move(law).Ca, stroke_mm, angle_deg, rate_per_hour)
 
 
 def peak_jerk(
@@ -142,7 +142,7 @@ def peak_jerk(
     >>> print(f"{peak_jerk(50, 55, 2000):.1f} m/s3")
     94.9 m/s3
     """
-    return _peak(3, as_law(law).Cj, stroke_mm, angle_deg, rate_per_hour)
+    return _peak(3, _of_a_move(law).Cj, stroke_mm, angle_deg, rate_per_hour)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,7 +165,7 @@ class Move:
         keep_numbers(
             self, stroke_mm=STROKE.number, angle_deg=ANGLE.number, rate_per_hour=RATE.number
         )
-        object.__setattr__(self, "law", as_law(self.law))  # looked up once
+        object.__setattr__(self, "law", _of_a_move(self.law))  # looked up once
 
     @cached_property
     def time_s(self) -> float:
@@ -209,8 +209,8 @@ class Move:
 
     def _curve(self, derivative: int, time_s: ArrayLike) -> Numbers:
         tm = self.time_s
-        time = Quantity("time", "s", example=tm / 2, high=tm, low_included=True).array(time_s)
-        factor = as_law(self.law)(time / tm, derivative)
+        time = Quantity("time", "s", tm / 2, high=tm, low_included=True, rounding=1e-12 * tm)
+        factor = as_law(self.law)(time.array(time_s) / tm, derivative)
         return dimensional(derivative, factor, self.stroke_mm, tm)
 
 
@@ -224,7 +224,20 @@ def over_time(derivative: int, value: Numbers, cycle_time_s: float) -> Numbers:
     return value / MM_PER_M * (DEG_PER_TURN / cycle_time_s) ** derivative
 
 
-def _peak(derivative: int, factor: float, stroke_mm: ArrayLike, *time_of: ArrayLike) -> Numbers:
-    stroke, time = STROKE.array(stroke_mm), np.asarray(indexing_time(*time_of))
-    broadcast(stroke_mm=stroke, time_s=time)
-    return plain(dimensional(derivative, factor, stroke, time))
+def _peak(
+    derivative: int,
+    factor: float,
+    stroke_mm: ArrayLike,
+    angle_deg: ArrayLike,
+    rate_per_hour: ArrayLike,
+) -> Numbers:
+    stroke, angle, rate = STROKE.array(stroke_mm), ANGLE.array(angle_deg), RATE.array(rate_per_hour)
+    broadcast(stroke_mm=stroke, angle_deg=angle, rate_per_hour=rate)
+    return plain(dimensional(derivative, factor, stroke, indexing_time(angle, rate)))
+
+
+def _of_a_move(law: str | MotionLaw) -> MotionLaw:
+    """Return the law; raise InputError for one that does not go from 0 to 1."""
+    found = as_law(law)
+    found.check_way()
+    return found

@@ -20,12 +20,13 @@ from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
-from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment
+from cammotion.machine.segments import CAM_ANGLE, LIMIT, Segment, told
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain, shorten
 from cammotion.shown import as_table
 
 _NOISE = 1e-8  # what is less, as a share of the largest value of all, is rounding everywhere
 _ROUNDING = 1e-9  # by so much angles in deg and positions in mm may differ and mean the same
+_ORDER = Quantity("order of the derivative", "", example=2, high=3)
 HEADING = ("motion", "from deg", "to deg", "from mm", "to mm", "law")
 
 
@@ -106,7 +107,7 @@ class Motion:
 
         Also where a turn meets the next. A millionth of the largest value beside it is rounding.
         """
-        curve, steps = self.curve.derived(order), []
+        curve, steps = self.curve.derived(_ORDER.whole(order)), []
         pieces, noise = curve.pieces, _NOISE * curve.largest
         for before, after in zip((pieces[-1], *pieces), pieces, strict=False):
             by = after.at(after.low) - before.at(before.high)
@@ -120,8 +121,9 @@ class Motion:
 
         It is in mm/deg^order, and infinite where the derivative before it jumps.
         """
-        jumps = any(self.steps(lower) for lower in range(1, order))
-        return math.inf if jumps else self.curve.derived(order).largest
+        curve = self.curve.derived(_ORDER.whole(order))
+        jumps = any(self.steps(lower) for lower in range(1, int(order)))
+        return math.inf if jumps else curve.largest
 
     @cached_property
     def turning_degs(self) -> tuple[float, ...]:
@@ -148,11 +150,9 @@ class Motion:
 
     def shifted(self, angle_deg: float) -> "Motion":
         """Return the same motion, begun so many deg later, or earlier if below 0."""
-        way = CAM_ANGLE.number(angle_deg)
-        segments = (
-            replace(s, from_deg=s.from_deg + way, to_deg=s.to_deg + way) for s in self.segments
-        )
-        return replace(self, segments=tuple(segments))
+        by, old = CAM_ANGLE.number(angle_deg), self.segments
+        new = (replace(s, from_deg=s.from_deg + by, to_deg=s.to_deg + by) for s in old)
+        return replace(self, segments=tuple(new))
 
     def with_law(self, law: str | MotionLaw) -> "Motion":
         """Return the same motion with another law for all its moves.
@@ -176,7 +176,7 @@ class Motion:
         """
         turns, phase = self._phase(angle_deg)
         pitches = np.mod(turns, self.stops) if self.stops else 0.0
-        return plain(self.curve(phase) + self.pitch_mm * pitches)
+        return plain(self.curve(phase) + (self.pitch_mm * pitches + 0.0))  # 0, not -0
 
     def offset_mm(self, angle_deg: ArrayLike) -> Numbers:
         """Return what a clearance is judged by, in mm, at a cam angle in deg, number or array.
@@ -197,10 +197,13 @@ class Motion:
     def derivative(self, order: int, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:
         """Return the velocity, acceleration or jerk (order 1, 2, 3) at a machine rate, in m and s.
 
-        Where two segments meet it is that of the one which begins there.
+        Where two segments meet, but for rounding, it is that of the one which begins there.
         """
-        time_s, (_, phase) = cycle_time(RATE.number(rate_per_hour)), self._phase(angle_deg)
-        return plain(over_time(order, self.curve.derived(order)(phase, "right"), time_s))
+        time_s = cycle_time(RATE.number(rate_per_hour))
+        curve = self.curve.derived(_ORDER.whole(order))
+        phase = curve.settled(self._phase(angle_deg)[1])
+        begun = np.where(phase == curve.high, curve.low, phase)
+        return plain(over_time(order, curve(begun, "right"), time_s))
 
     def where_beyond(self, limit_mm: float) -> list[Arc]:
         """Return the arcs of the turn over which `offset_mm` is larger than a limit, in deg.
@@ -212,7 +215,7 @@ class Motion:
         >>> print(f"{start:.4f} {end:.4f}")
         15.0383 134.9617
         """
-        limit = POSITION.number(limit_mm)
+        limit = LIMIT.number(limit_mm)
         if limit not in self._beyond:  # rules ask the same again and again
             self._beyond[limit] = self._solve_beyond(limit)
         return list(self._beyond[limit])
@@ -253,28 +256,28 @@ class Motion:
         if gap < -_ROUNDING:
             raise InputError(
                 f"Segments of {self.name!r} overlap: the {before.kind} ends at "
-                f"{before.to_deg:g} deg, but the {after.kind} after it begins at "
-                f"{after.from_deg:g} deg: let it begin {-gap:g} deg later."
+                f"{before.to_deg:.12g} deg, but the {after.kind} after it begins at "
+                f"{after.from_deg:.12g} deg: let it begin {told(gap)} deg later."
             )
         if gap > _ROUNDING:
             raise InputError(
-                f"The segments of {self.name!r} leave a gap from {before.to_deg:g} to "
-                f"{after.from_deg:g} deg: add a dwell of {gap:g} deg."
+                f"The segments of {self.name!r} leave a gap from {before.to_deg:.12g} to "
+                f"{after.from_deg:.12g} deg: add a dwell of {told(gap)} deg."
             )
         if abs(after.from_mm - before.to_mm) > _ROUNDING:
             raise InputError(
                 f"The motion {self.name!r} jumps at {after.from_deg:g} deg from "
-                f"{before.to_mm:g} to {after.from_mm:g} mm: let each segment begin where the one "
-                "before it ends."
+                f"{before.to_mm:.12g} to {after.from_mm:.12g} mm: let each segment begin where "
+                "the one before it ends."
             )
 
     def _check_turn(self) -> None:
         total = self.segments[-1].to_deg - self.start_deg
         missing = DEG_PER_TURN - total
         if abs(missing) > _ROUNDING:
-            fix = f"add a dwell of {missing:g}" if missing > 0 else f"take away {-missing:g}"
+            fix = f"{'add a dwell of' if missing > 0 else 'take away'} {told(missing)}"
             raise InputError(
-                f"The segments of {self.name!r} add up to {total:g} deg; a cam turn is "
+                f"The segments of {self.name!r} add up to {total:.12g} deg; a cam turn is "
                 f"{DEG_PER_TURN}: {fix} deg."
             )
 
@@ -282,8 +285,8 @@ class Motion:
         way = self.segments[-1].to_mm - self.start_mm
         if self.stops is None and abs(way) > _ROUNDING:
             raise InputError(
-                f"The motion {self.name!r} ends {abs(way):g} mm from where it began: add a "
-                f"{'return' if way > 0 else 'rise'} of {abs(way):g} mm, or make it with "
+                f"The motion {self.name!r} ends {told(way)} mm from where it began: add a "
+                f"{'return' if way > 0 else 'rise'} of {told(way)} mm, or make it with "
                 "indexing_motion if it moves on from stop to stop."
             )
         if self.stops is None:

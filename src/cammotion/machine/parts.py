@@ -52,7 +52,7 @@ def _move(way: int, stroke_mm: float, over_deg: float, law: str | MotionLaw) -> 
     return Part(
         part_angle(over_deg),
         way * STROKE.number(stroke_mm),
-        law if isinstance(law, str) and law == MATCHED else as_law(law),
+        MATCHED if isinstance(law, str) and law.casefold() == MATCHED else as_law(law),
     )
 
 

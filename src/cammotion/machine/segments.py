@@ -10,11 +10,12 @@ from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
 from cammotion.machine.arcs import ROUNDING_DEG
-from cammotion.machine.kinematics import FULL_TURN_DEG
+from cammotion.machine.kinematics import DEG_PER_TURN, FULL_TURN_DEG
 from cammotion.quantities import InputError, Quantity, keep_numbers
 
 CAM_ANGLE = Quantity("cam angle", "deg", example=180, low=-math.inf)
 POSITION = Quantity("position", "mm", example=50, low=-math.inf)
+LIMIT = Quantity("limit", "mm", example=19, low=-math.inf)
 PART_ANGLE = Quantity("angle of a segment", "deg", example=55, high=FULL_TURN_DEG)
 _ANY_ANGLE = replace(PART_ANGLE, low=-math.inf, high=math.inf)
 
@@ -25,7 +26,7 @@ def part_angle(angle_deg: float) -> float:
     if 1.1 * FULL_TURN_DEG < angle <= 2 * FULL_TURN_DEG:
         raise InputError(
             f"The angle of a segment is {angle:g} deg, and a turn of the cam is 360: give at most "
-            f"that, or {angle / 2:g} if you count the 720 deg of a crankshaft."
+            f"that, or {angle / 2:.12g} if you count the 720 deg of a crankshaft."
         )
     return PART_ANGLE.number(angle)
 
@@ -57,24 +58,25 @@ class Segment:
             to_deg=CAM_ANGLE.number,
             to_mm=POSITION.number,
         )
+        span = f"from {self.from_deg:.12g} to {self.to_deg:.12g} deg"
         if self.angle_deg < 0:
             raise InputError(
-                f"The segment from {self.from_deg:g} to {self.to_deg:g} deg ends before it begins: "
-                f"if it goes on over 360 deg, give to_deg={self.to_deg + FULL_TURN_DEG:g}."
+                f"The segment {span} ends before it begins: if it goes on over 360 deg, give "
+                f"to_deg={self.to_deg + DEG_PER_TURN:.12g}."
             )
         part_angle(self.angle_deg)
         if self.law is not None:
             object.__setattr__(self, "law", as_law(self.law))  # looked up once
             as_law(self.law).check_way()
-        span = f"from {self.from_deg:g} to {self.to_deg:g} deg"
         if self.is_dwell and self.change_mm:
             raise InputError(
-                f"The dwell {span} begins at {self.from_mm:g} mm and ends at {self.to_mm:g} mm; a "
-                "dwell stays where it is: give it one position, or a law, for example 'cycloidal'."
+                f"The dwell {span} begins at {self.from_mm:.12g} mm and ends at "
+                f"{self.to_mm:.12g} mm; a dwell stays where it is: give it one position, or a law, "
+                "for example 'cycloidal'."
             )
         if not self.is_dwell and not self.change_mm:
             raise InputError(
-                f"The move {span} begins and ends at {self.from_mm:g} mm: give it a stroke, or "
+                f"The move {span} begins and ends at {self.from_mm:.12g} mm: give it a stroke, or "
                 "make it a dwell (law=None)."
             )
 
@@ -120,3 +122,12 @@ def with_dwells(moves: Iterable[Segment], ends: Iterable[float]) -> Iterator[Seg
         if end - move.to_deg > ROUNDING_DEG:
             height = move.to_mm
             yield Segment(from_deg=move.to_deg, to_deg=end, from_mm=height, to_mm=height)
+
+
+def told(difference: float) -> str:
+    """Return the size of a difference of angles or positions, with all digits that count.
+
+    >>> told(360 - 210.8888888)
+    '149.1111112'
+    """
+    return f"{round(abs(difference), 9):.12g}"

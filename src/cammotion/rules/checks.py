@@ -26,7 +26,7 @@ def find_violations(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tup
     (2, ())
     """
     return tuple(
-        Violation(rule, start, end, -room.mm, room.at_deg)
+        Violation(rule, start, end, 0.0 - room.mm, room.at_deg)  # 0, not -0
         for rule in every_rule(diagram, rules)
         for start, end in rule.violated_arcs(diagram)
         if (room := rule.room(diagram, (start, end)))

@@ -5,11 +5,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cammotion.arguments import checked
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement
 from cammotion.machine.diagram import TimingDiagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import POSITION, Segment
+from cammotion.machine.segments import LIMIT, Segment
 from cammotion.quantities import keep_numbers
 
 
@@ -26,7 +27,7 @@ class Condition:
     is_beyond: bool
 
     def __post_init__(self) -> None:
-        keep_numbers(self, limit_mm=POSITION.number)
+        keep_numbers(self, limit_mm=LIMIT.number)
 
     @property
     def opposite(self) -> "Condition":
@@ -103,6 +104,7 @@ class Moving(Condition):
         return "moving" if self.is_beyond else "standing"
 
 
+@checked
 def beyond(motion: str | Motion, limit_mm: float) -> Condition:
     """Return the condition that a motion is further than `limit_mm`, for a `ClearanceRule`.
 
@@ -115,6 +117,7 @@ def beyond(motion: str | Motion, limit_mm: float) -> Condition:
     return Condition(name_of(motion), limit_mm, True)
 
 
+@checked
 def within(motion: str | Motion, limit_mm: float) -> Condition:
     """Return the condition that a motion is at most at `limit_mm`, for a `ClearanceRule`.
 
@@ -126,6 +129,7 @@ def within(motion: str | Motion, limit_mm: float) -> Condition:
     return Condition(name_of(motion), limit_mm, False)
 
 
+@checked
 def moving(motion: str | Motion) -> Condition:
     """Return the condition that a motion is in one of its moves, for a `ClearanceRule`.
 
@@ -136,6 +140,7 @@ def moving(motion: str | Motion) -> Condition:
     return Moving(name_of(motion), 0.0, True)
 
 
+@checked
 def standing(motion: str | Motion) -> Condition:
     """Return the condition that a motion is in one of its dwells, for a `ClearanceRule`.
 
