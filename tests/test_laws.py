@@ -352,6 +352,13 @@ def test_the_inverse_is_solved_to_the_last_bit(s: float) -> None:
         assert own(own.inverse(s)) == pytest.approx(s, abs=2e-14)
 
 
+@pytest.mark.parametrize("own", MONOTONE, ids=str)
+def test_what_a_law_returns_is_never_refused_by_its_inverse(own: MotionLaw) -> None:
+    """Its own rounding may carry it past 1, in the polynomial 4-5-6-7 by 36 units."""
+    ways = own(np.concatenate([np.geomspace(1e-6, 0.5, 4000), 1 - np.geomspace(1e-6, 0.5, 4000)]))
+    assert own(own.inverse(ways)) == pytest.approx(ways, abs=1e-13)
+
+
 def test_the_inverse_near_a_flat_end() -> None:
     """There S = 2/3 pi^2 x^3, so that x is the cube root of a very small number."""
     assert CYCLOIDAL.inverse(1e-9) == pytest.approx((1e-9 * 3 / 2 / np.pi**2) ** (1 / 3), rel=1e-5)
@@ -427,7 +434,7 @@ def test_a_law_begins_at_0_and_ends_at_1_and_nowhere_else(name: str) -> None:
             for places in (outside, [0.5, outside], np.array([0.5, outside])):
                 with pytest.raises(cm.InputError, match=r"^The dimensionless time x = t/tm is"):
                     law(places, derivative)
-    for outside in just:
+    for outside in (-1e-9, 1 + 1e-9, 1.5, 2.0):  # what is nearer is rounding
         with pytest.raises(cm.InputError, match=r"^The dimensionless displacement S is"):
             law.inverse(outside)
     for wrong in (-1, 4, 1.5):

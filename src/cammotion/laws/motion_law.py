@@ -10,6 +10,7 @@ Cv, Ca and Cj.
 """
 
 import math
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -33,11 +34,11 @@ from cammotion.quantities import (
 )
 
 _TIME = Quantity("dimensionless time x = t/tm", "", example=0.5, high=1.0, low_included=True)
-_WAY = Quantity("dimensionless displacement S", "", example=0.5, high=1.0, low_included=True)
+_ROUNDING = 1e-12  # of S
+_WAY = replace(_TIME, name="dimensionless displacement S", rounding=_ROUNDING)
 _HEIGHT = Quantity("displacement S", "", example=0.5, low=-math.inf)
 _ORDER = Quantity("derivative (S, V, A, J)", "", example=2, high=3, low_included=True)
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
-_ROUNDING = 1e-12  # of S
 _MISSED = 1e-9  # by so much S may miss 0 and 1 at its ends, and what was solved for
 JUMP = 1e-6  # what is smaller at a joint, as a share of the largest value, is rounding
 _JERK = 3  # the highest derivative a law is asked for
