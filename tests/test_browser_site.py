@@ -88,6 +88,17 @@ def test_an_animation_plays_and_pauses(reader: Reader) -> None:
     expect(angle).not_to_have_text(stands)
 
 
+def test_a_page_lives_where_the_browser_is_never_idle(browser: Browser) -> None:
+    """Drawings that move may keep it busy for minutes."""
+    busy = reader_in(browser, DESK, "light", "move")
+    busy.page.add_init_script(
+        "globalThis.requestIdleCallback = (then, { timeout = 1e6 } = {}) => "
+        "setTimeout(then, timeout);"
+    )
+    assert busy.open("04_machine_in_motion").evaluate(LIVES) == 0
+    busy.page.context.close()
+
+
 def test_what_nobody_sees_waits(reader: Reader) -> None:
     page = reader.open("04_machine_in_motion")
     assert page.evaluate(LIVES) == 0

@@ -2,7 +2,10 @@
 // `load` returns a module by its name. It is the last of three files, which are one module.
 
 const WIDE = "(min-width: 84rem)"; // as in the style: the list of sections has a margin there
-const idle = globalThis.requestIdleCallback ?? ((then) => setTimeout(then, 50)); // Safari has none
+// Soon, also where drawings that move leave no idle moment; Safari has no such callback.
+const idle = globalThis.requestIdleCallback
+  ? (then) => requestIdleCallback(then, { timeout: 200 })
+  : (then) => setTimeout(then, 50);
 const HEAD = /^(Right\.|Not yet\.)(.*)$/s;
 
 export function start(load) {
