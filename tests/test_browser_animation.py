@@ -12,7 +12,7 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
-from lab import ROOT, LabPage, calm, require_chromium, running_browser, running_lab
+from lab import ROOT, LabPage, calm, running_lab
 from machines import RULE
 from PIL import Image
 from playwright.sync_api import Browser, Locator, Page, expect
@@ -27,6 +27,8 @@ CELLS = (
     """\
 import cammotion as cm
 from cammotion.views.animation import animate
+
+pytest_plugins = ["chromium"]
 mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
 die = cm.motion(
     "die",
@@ -77,13 +79,6 @@ def assert_at(angle: float, now: list[dict[str, float]], at_zero: list[dict[str,
         assert here["mill"] == pytest.approx(turned, abs=0.2)
     cursors = [here["cursor"] - there["cursor"] for here, there in zip(now, at_zero, strict=True)]
     assert cursors[0] == pytest.approx(cursors[1], abs=TOLERANCE_PX)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    require_chromium()
-    with running_browser() as started:
-        yield started
 
 
 @pytest.fixture(scope="module")

@@ -1,14 +1,14 @@
 """The page of a report in a real Chromium: nothing is cut, and numbers stay beside their names."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from lab import require_chromium, running_browser
 from playwright.sync_api import Browser
 
 import cammotion as cm
 from cammotion.report.live import live_figure
+
+pytest_plugins = ["chromium"]
 
 SIZES = (1280, 768, 390, 320)
 HEBREW, ARABIC = "\u05de\u05db\u05d5\u05e0\u05d4", "\u0645\u0637\u0631\u0642\u0629"
@@ -30,13 +30,6 @@ PLACES = """(name) => {
 }"""
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    require_chromium()
-    with running_browser() as running:
-        yield running
-
-
 @pytest.mark.parametrize("width", SIZES)
 def test_the_live_figure_is_seen_whole(browser: Browser, tmp_path: Path, width: int) -> None:
     machine = cm.Machine("press", cm.EXAMPLE.diagram, [cm.EXAMPLE.rule])
@@ -55,9 +48,7 @@ def test_the_live_figure_is_seen_whole(browser: Browser, tmp_path: Path, width: 
     shown.close()
 
 
-@pytest.mark.parametrize(
-    "name", ["\u05de\u05db\u05d5\u05e0\u05d4", "\u0645\u0637\u0631\u0642\u0629"]
-)
+@pytest.mark.parametrize("name", [HEBREW, ARABIC])
 def test_a_number_stands_behind_a_name_that_runs_to_the_left(
     browser: Browser, tmp_path: Path, name: str
 ) -> None:

@@ -1,11 +1,10 @@
 """The site in a real Chromium, opened from the disk: it lives, it answers, and it asks nobody."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from firefox import running_firefox
-from lab import calm, require_chromium, running_browser
+from lab import calm
 from playwright.sync_api import Browser, expect
 from site_pages import PAGES, files, written
 from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
@@ -14,19 +13,14 @@ from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
 from cammotion.teaching.lessons import PREDICTIONS, find_exercise
 from cammotion.teaching.variants import NAMELESS
 
+pytest_plugins = ["chromium"]
+
 BROKEN = """() => [...document.images].filter((image) => image.complete && !image.naturalWidth)
   .map((image) => image.src)"""
 STATES = """() => [...document.querySelectorAll(".cm-angle, .cm-said")]
   .map((each) => each.innerText)"""
 FOCUS = "(place) => document.querySelector(place).focus()"
 WHITE = "rgb(253, 252, 249)"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    require_chromium()
-    with running_browser() as running:
-        yield running
 
 
 @pytest.fixture(scope="module")

@@ -1,12 +1,11 @@
 """The site where it is narrow: on a telephone, on paper, with a word that has no end."""
 
-from collections.abc import Iterator
-
 import pytest
-from lab import require_chromium, running_browser
 from playwright.sync_api import Browser, Page, expect
 from site_pages import LESSONS, written
 from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
+
+pytest_plugins = ["chromium"]
 
 READABLE_PX = 9
 """So large is the smallest word in a picture, as it is shown."""
@@ -40,13 +39,6 @@ LOADED = """async () => {
     await image.decode();
   }
 }"""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    require_chromium()
-    with running_browser() as running:
-        yield running
 
 
 @pytest.fixture(scope="module")

@@ -235,8 +235,8 @@ class MotionLaw(Alike):
                 "once: use where_above, which returns every interval."
             )
         roots = np.clip(self._first(places.ravel()), 0.0, 1.0).reshape(places.shape)
-        gap = max((by for _, by in self.curve.steps), default=0.0)  # no more than a rounding
-        off = np.abs(self(roots) - places) > _MISSED + gap
+        sides = [self.curve(roots, side) for side in ("left", "right")]  # apart at a joint only
+        off = np.abs(places - np.clip(places, np.min(sides, 0), np.max(sides, 0))) > _MISSED
         if np.any(off):
             raise WrongAnswerError("law.inverse", f"{self.name!r} is not at S = {places[off]}")
         return plain(roots)

@@ -37,11 +37,13 @@ def round_down(value: float) -> float:
 def as_text(value: float, digits: str) -> str:
     """Return a number in so many `digits`, a format of Python's, and an infinite one as a sign.
 
-    >>> as_text(4.154, ".3g"), as_text(41542, ".3g"), as_text(415.4, "#.3g"), as_text(math.inf, "g")
-    ('4.15', '41500', '415', '∞')
+    >>> as_text(4.154, ".3g"), as_text(41542, ".3g"), as_text(415.4, "#.3g")
+    ('4.15', '41500', '415')
+    >>> as_text(math.inf, ".3g"), as_text(-math.inf, ".3g")
+    ('∞', '-∞')
     """
     if math.isinf(value):
-        return "∞"
+        return "∞" if value > 0 else "-∞"
     text = format(value, digits)
     if "e+" in text and abs(value) < _PLAIN:
         text = f"{float(text):.0f}"
