@@ -2,12 +2,16 @@
 
 import os
 import sys
-from typing import Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile  # type: ignore[import-untyped]
 
 from starter.refresh import keep_as_png
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 collect_ignore = ["tests/data"]
 # These take longest. They begin first, a browser beside what reckons, and all end together.
@@ -45,6 +49,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Put first what takes longest."""
     places = {name: place for place, name in enumerate(LONG)}
     items.sort(key=lambda item: places.get(item.path.stem, len(LONG)))
+
+
+@pytest.fixture(scope="module")  # one that stays open lets no other test run a loop of events
+def browser() -> "Iterator[Browser]":
+    """Run a Chromium for a file of tests; skip them where there is none."""
+    from lab import require_chromium, running_browser
+
+    require_chromium()
+    with running_browser() as running:
+        yield running
 
 
 def pytest_runtest_setup() -> None:

@@ -27,8 +27,6 @@ CELLS = (
     """\
 import cammotion as cm
 from cammotion.views.animation import animate
-
-pytest_plugins = ["chromium"]
 mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
 die = cm.motion(
     "die",

@@ -8,8 +8,6 @@ from playwright.sync_api import Browser
 import cammotion as cm
 from cammotion.report.live import live_figure
 
-pytest_plugins = ["chromium"]
-
 SIZES = (1280, 768, 390, 320)
 HEBREW, ARABIC = "\u05de\u05db\u05d5\u05e0\u05d4", "\u0645\u0637\u0631\u0642\u0629"
 FITS = """async () => {

@@ -13,8 +13,6 @@ from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
 from cammotion.teaching.lessons import PREDICTIONS, find_exercise
 from cammotion.teaching.variants import NAMELESS
 
-pytest_plugins = ["chromium"]
-
 BROKEN = """() => [...document.images].filter((image) => image.complete && !image.naturalWidth)
   .map((image) => image.src)"""
 STATES = """() => [...document.querySelectorAll(".cm-angle, .cm-said")]

@@ -5,8 +5,6 @@ from playwright.sync_api import Browser, Page, expect
 from site_pages import LESSONS, written
 from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
 
-pytest_plugins = ["chromium"]
-
 READABLE_PX = 9
 """So large is the smallest word in a picture, as it is shown."""
 SMALLEST_PX = 14  # of a picture of Matplotlib: 10 points, 100 dots an inch
