@@ -8,6 +8,7 @@ are printed as diffs, for somebody to judge whether they change anything at all.
 
 import argparse
 import ast
+import compileall
 import contextlib
 import difflib
 import os
@@ -25,6 +26,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from itertools import islice
 from pathlib import Path
+from py_compile import PycInvalidationMode
 from queue import SimpleQueue
 from typing import Any, Literal
 
@@ -259,6 +261,10 @@ class Bench:
         for number in range(processes):
             copy = folder / str(number)
             shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*NOT_COPIED))
+            # a broken file is known by its text, the others are not compiled for each mutant
+            compileall.compile_dir(
+                copy / "src", quiet=1, invalidation_mode=PycInvalidationMode.CHECKED_HASH
+            )
             self.free.put(copy)
 
     def is_whole(self) -> bool:
