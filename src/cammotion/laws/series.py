@@ -20,6 +20,7 @@ from cammotion.laws.turning import Proved
 from cammotion.quantities import Floats
 
 _ULP = math.ulp(1.0)
+_QUARTER = math.pi / 2
 _OFTEN = 1e5  # rad, over which a wave turns too often to be asked for each time
 _NOTHING = 4 * _ULP  # what is left of terms that cancel each other, as a share of their size
 
@@ -57,8 +58,10 @@ class Wave(NamedTuple):
     def bounds(self, start: float, end: float) -> tuple[float, float]:
         """Return the least and the most from one place to another, but for rounding."""
         values = self.at(start), self.at(end)
-        turns = sorted((self.frequency * u + self.phase) for u in (start, end))
-        first, last = (turn / (math.pi / 2) + self.quarters for turn in turns)
+        first = (self.frequency * start + self.phase) / _QUARTER + self.quarters
+        last = (self.frequency * end + self.phase) / _QUARTER + self.quarters
+        if first > last:
+            first, last = last, first
         crest, trough = (1, 3) if self.amplitude > 0 else (3, 1)
         top = abs(self.amplitude)
         return (
