@@ -18,18 +18,19 @@ DISTANCE = "the pusher stays at least 5 mm above the flap"
 ARC_EXAMPLE = "205 to 305"
 YES = ("yes", "x", "true")
 _ONLY = re.compile(r"\s+only\s+(?:while|if|when)\s+", re.IGNORECASE)
+_LIMIT = r"(?P<limit>[-+−\d]\S*?)\s*"
 _HALF = re.compile(
     r"(?P<name>\S.*?)\s+(?:(?:may\s+be|is)\s+)?(?:(?P<side>beyond|within)\s+"
-    r"(?P<limit>[-+\d]\S*?)\s*(?:mm)?|(?P<way>moving|standing))\.?",
+    rf"{_LIMIT}(?:mm)?|(?P<way>moving|standing))\.?",
     re.IGNORECASE | re.DOTALL,
 )
 _APART = [
     re.compile(pattern, re.IGNORECASE | re.DOTALL)
     for pattern in (
-        r"(?P<part>\S.*?)\s+(?:(?:stays|is)\s+)?at\s+least\s+(?P<limit>[-+\d]\S*?)\s*(?:mm\s+)?"
-        r"\s*above\s+(?P<other>\S.*?)\.?",
+        rf"(?P<part>\S.*?)\s+(?:(?:stays|is)\s+)?at\s+least\s+{_LIMIT}(?:mm\s+)?"
+        r"above\s+(?P<other>\S.*?)\.?",
         r"(?P<part>\S.*?)\s+[-−]\s+(?P<other>\S.*?)\s+(?:is\s+)?at\s+least\s+"
-        r"(?P<limit>[-+\d]\S*?)\s*(?:mm)?\.?",
+        rf"{_LIMIT}(?:mm)?\.?",
     )
 ]
 _THE = re.compile(r"^the\s+", re.IGNORECASE)

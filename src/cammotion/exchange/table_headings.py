@@ -62,7 +62,8 @@ def heading_of(words: str) -> Heading:
     >>> heading_of("velocity in m/s")[:2], heading_of("t [s]")[:2], heading_of("Leitwert (mm)")[:2]
     (('other', ''), ('time', 's'), ('', 'mm'))
     """
-    text = re.sub(r"([°º\"″%])", r" \1 ", words.lower().replace("0..1", "turn").replace("_", " "))
+    text = re.sub(r'"([^"]*)"', r" \1 ", words.lower())  # a pair of them quotes
+    text = re.sub(r"([°º\"″%])", r" \1 ", text.replace("0..1", "turn").replace("_", " "))
     tokens = re.findall(r"[^\s\[\](){}<>,:;=/|]+", text)
     kinds = [_KINDS[token] for token in tokens if token in _KINDS]
     if OTHER in kinds or _RATE.search(text):
