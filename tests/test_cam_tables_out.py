@@ -1,6 +1,7 @@
 """Cam tables out: what a controller reads is the motion, evenly spaced and closed."""
 
 from dataclasses import replace
+from decimal import Decimal
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -146,6 +147,16 @@ def test_the_last_position_is_the_first_to_the_last_digit(tmp_path: Path) -> Non
         )
         lines = paths["die"].read_text().splitlines()
         assert lines[0].split()[1] == lines[-1].split()[1]
+
+
+def test_the_last_digit_is_that_of_the_number(tmp_path: Path) -> None:
+    """As exact arithmetic rounds it: 1.115 is a little less, and 100 times it is not."""
+    for way in (1.115, 4.035, 8.325):
+        die = cm.motion("die", cm.dwell(360), start_mm=way)
+        diagram = cm.TimingDiagram([die], 2000)
+        path = write_cam_tables(diagram, tmp_path, decimals=2, overwrite=True)["die"]
+        exact = Decimal(way).quantize(Decimal("0.01"))
+        assert {line.split(";")[1] for line in path.read_text().splitlines()[1:]} == {str(exact)}
 
 
 def test_no_zero_has_a_sign(tmp_path: Path) -> None:

@@ -154,7 +154,7 @@ def _angle(angle: float) -> str:
 
 
 def _fixed(values: Floats, places: int) -> list[str]:
-    return [f"{value:.{places}f}" for value in (values.round(places) + 0.0).tolist()]  # no -0.0
+    return [f"{value:z.{places}f}" for value in values.tolist()]
 
 
 def _places_for(values: Floats, places: int) -> int:
