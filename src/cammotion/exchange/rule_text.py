@@ -82,8 +82,9 @@ def _condition(half: str, text: str, names: list[str], decimal: str) -> Conditio
 
 def _motion(text: str, names: list[str]) -> str:
     """Return the name of a motion, with which "the" may stand."""
-    said = " ".join(text.split())
-    return one_of("motion", said if said in names else _THE.sub("", said), names)
+    tidied = " ".join(text.split())
+    ways = (text, _THE.sub("", text), tidied, _THE.sub("", tidied))
+    return one_of("motion", next((said for said in ways if said in names), ways[-1]), names)
 
 
 def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:
