@@ -272,6 +272,28 @@ def test_quotation_marks_are_no_inches(tmp_path: Path, heading: str) -> None:
     assert read(path, "\n".join(['deg;lift "', *TURN]).encode()).position_mm.max() == 508
 
 
+@pytest.mark.parametrize(
+    "unit",
+    ["1/100 mm", "[1/100 mm]", "(0,01 mm)", "10^-3 mm", "_0.01mm", "x10 um", "[thou]", "[-]"],
+)
+def test_a_unit_that_is_none_of_ours_is_asked(tmp_path: Path, unit: str) -> None:
+    """And not taken for mm."""
+    raw, said = "\n".join([f"deg;lift {unit}", *TURN]).encode(), unit.strip("_()[]")
+    with pytest.raises(InputError, match=f"second column is in '{re.escape(said)}': give the mm"):
+        read(tmp_path / "cam.csv", raw)
+    assert read(tmp_path / "cam.csv", raw, position=0.01).position_mm.max() == pytest.approx(0.2)
+    assert read(tmp_path / "cam.csv", raw, position="mm").position_mm.max() == 20
+
+
+@pytest.mark.parametrize(
+    "words", ["Hub2 mm", "y2 [mm]", "lift (at 2)", "cam;7\ndeg;mm", "position"]
+)
+def test_a_number_beside_a_unit_is_no_scale(tmp_path: Path, words: str) -> None:
+    heading = words if ";" in words else f"deg;{words}"
+    raw = "\n".join([heading, *TURN]).encode()
+    assert read(tmp_path / "cam.csv", raw).position_mm.max() == 20
+
+
 def test_more_than_any_table_is_not_read(tmp_path: Path) -> None:
     with (tmp_path / "cam.csv").open("wb") as file:
         file.truncate(200_000_000)

@@ -6,6 +6,7 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from machines import Array, make_diagram, make_die, make_mill
@@ -125,6 +126,18 @@ def test_small_derivatives_keep_their_digits(tmp_path: Path) -> None:
     largest = [max((row[n] for row in rows), key=lambda cell: abs(float(cell))) for n in (2, 3, 4)]
     assert largest == ["1.333", "0.02792", "0.001170"]
     assert not any(cell.strip("-0.") == "" and "-" in cell for row in rows for cell in row)
+
+
+def test_no_digit_is_more_than_a_float_has(tmp_path: Path) -> None:
+    """Of a jerk of 94,919.7 mm/s3 the twelfth decimal is no part of the number."""
+    paths = write_cam_tables(DIAGRAM, tmp_path, decimals=12, derivatives="s", step_deg=5)
+    jerks = [line.split(";")[4] for line in paths["die"].read_text().splitlines()[1:]]
+    time_s = mpmath.mpf(55) / 200  # of a rise of 50 mm by a cycloid
+    for jerk, angle in zip(jerks[30:41], range(150, 205, 5), strict=True):
+        wave = mpmath.cos(2 * mpmath.pi * mpmath.mpf(angle - 150) / 55)
+        exact = wave * 50 * (2 * mpmath.pi) ** 2 / time_s**3
+        assert len(jerk.partition(".")[2]) == 10
+        assert abs(mpmath.mpf(jerk) - exact) < 1.1e-10
 
 
 def test_codesys_reads_two_rising_columns(tmp_path: Path) -> None:

@@ -98,6 +98,12 @@ def test_all_parts_of_a_workbook_count_together(tmp_path: Path) -> None:
         cm.read_machine(tmp_path / "m.xlsx")
 
 
+def test_a_table_may_begin_with_any_letters(tmp_path: Path) -> None:
+    """PK are those of a zip, too."""
+    (tmp_path / "m.csv").write_bytes(b"PKW\n" + TABLE.read_bytes())
+    assert cm.read_machine(tmp_path / "m.csv").diagram == cm.read_machine(TABLE).diagram
+
+
 def test_a_deep_nest_is_no_traceback(tmp_path: Path) -> None:
     nest = "<si>" + "<t>" * 100_000 + "</t>" * 100_000 + "</si>"
     parts = {RELATIONS: "<all/>", BOOK: "<workbook/>", "xl/sharedStrings.xml": f"<sst>{nest}</sst>"}

@@ -19,6 +19,7 @@ FORMS = ("plain", "codesys")
 
 _ANGLE = 10  # decimals of an angle: 0.3, and not 0.30000000000000004
 _WHOLE = 1e-9  # by such a share a step may miss a whole part of the turn
+_DIGITS = 14  # behind the first one, which a float has for sure
 _INT = 32_767  # points that CODESYS counts in an INT
 _ORDERS = {1: "velocity", 2: "acceleration", 3: "jerk"}
 _UNITS = {"deg": "mm/deg", "s": "mm/s"}
@@ -158,9 +159,13 @@ def _fixed(values: Floats, places: int) -> list[str]:
 
 
 def _places_for(values: Floats, places: int) -> int:
-    """Return the decimals with which the largest value has `places` behind its first digit."""
+    """Return the decimals with which the largest value has `places` behind its first digit.
+
+    No more than a float has: what would stand behind is no part of the number.
+    """
     largest = float(np.abs(values).max())
-    return places - math.floor(math.log10(largest)) if 0 < largest < 1 else places
+    before = math.floor(math.log10(largest)) if largest else 0
+    return max(min(places - min(before, 0), _DIGITS - before), 0)
 
 
 def _write(

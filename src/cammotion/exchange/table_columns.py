@@ -222,7 +222,7 @@ class _Attempt:
                 for word, cell in zip(words, cells, strict=False):
                     word.append(cell)
         if any(words) or not self._above():
-            return [heading_of(" ".join(word)) for word in words]
+            return [heading_of(", ".join(word)) for word in words]
         known = two_headings(_said(self.lines[self._above()[-1]]))
         return [*known, *[Heading("", "")] * (count - len(known))]
 

@@ -55,7 +55,7 @@ def open_source(path: str | Path) -> Source:
     file = as_path(path)
     name = shorten(file.name, of=str)
     content = read_bytes(file, at_most=LARGEST_BYTES)
-    if content.startswith((ZIP, OLD)):
+    if content.startswith((*ZIP, OLD)):
         return from_book(name, content)
     return from_text(name, decode(name, content))
 

@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from cammotion.exchange.xlsx_in import OLD, ZIP
 from cammotion.files import as_path, read_bytes
 from cammotion.quantities import InputError, shorten
 
@@ -25,7 +26,7 @@ _ENDS_INSIDE = re.compile(  # of lines, in a cell in quotes
     r'(?:^|(?<=[;\t,|]))"(?:[^"\n]|"")*(?:\n(?:[^"\n]|"")*){1,3}"(?=[;\t,|]|$)', re.MULTILINE
 )
 _SEP = re.compile(r' *"?sep=(\\t|.)"?[;, \t]*', re.IGNORECASE)
-_BINARY = {b"PK\x03\x04": "a workbook of a spreadsheet", b"\xd0\xcf\x11\xe0": "an old workbook"}
+_BINARY = {**dict.fromkeys(ZIP, "a workbook of a spreadsheet"), OLD: "an old workbook"}
 
 
 class Line(NamedTuple):

@@ -18,7 +18,7 @@ from cammotion.quantities import InputError
 
 LARGEST = 20_000_000  # bytes that all parts together may unpack to
 MOST_PARTS, MOST_ROWS, MOST_COLUMNS = 1000, 20_000, 200
-ZIP, OLD = b"PK", b"\xd0\xcf\x11\xe0"
+ZIP, OLD = (b"PK\x03\x04", b"PK\x05\x06"), b"\xd0\xcf\x11\xe0"
 """What a zip begins with, and an old workbook or one that is locked by a password."""
 
 _BOOK = "xl/workbook.xml"
