@@ -13,8 +13,8 @@ from machines import examples
 
 import cammotion as cm
 from cammotion.exchange.machine_files import machine_rows
+from cammotion.exchange.machine_source import open_source
 from cammotion.exchange.rule_text import arcs_as_text, arcs_from_text, rule_as_text, rule_from_text
-from cammotion.exchange.table_source import open_source
 from cammotion.exchange.xlsx_in import read_sheets
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
 

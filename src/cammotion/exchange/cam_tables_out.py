@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cammotion.exchange.table_columns import DECIMALS, SEPARATORS
+from cammotion.exchange.cam_table_columns import DECIMALS, SEPARATORS
 from cammotion.files import as_path, is_folder, stems, write_all
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time

@@ -7,8 +7,7 @@ from typing import Any
 
 from cammotion.exchange.all_faults import Faults
 from cammotion.exchange.cells import Plain, decimal_mark
-from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
-from cammotion.exchange.segment_lines import (
+from cammotion.exchange.machine_lines import (
     HEADING,
     IN_FULL,
     NUMBERS,
@@ -19,7 +18,8 @@ from cammotion.exchange.segment_lines import (
     Laws,
     Record,
 )
-from cammotion.exchange.table_source import Source
+from cammotion.exchange.machine_source import Source
+from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram

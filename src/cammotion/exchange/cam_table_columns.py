@@ -13,9 +13,9 @@ from itertools import product
 import numpy as np
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.table_headings import Heading, heading_of, pick, two_headings
+from cammotion.exchange.cam_table_headings import Heading, heading_of, pick, two_headings
+from cammotion.exchange.cam_table_text import Line, Text
 from cammotion.exchange.table_numbers import is_grouped, number_of, proves_groups
-from cammotion.exchange.table_text import Line, Text
 from cammotion.quantities import Floats, InputError, shorten
 
 SEPARATORS = {"\t": "tabs", ";": "semicolons", "|": "bars", ",": "commas", " ": "spaces"}

@@ -1,4 +1,4 @@
-"""A file as lines of text, whatever wrote it: encodings, ends of lines, comments."""
+"""A cam table as lines of text, whatever wrote it: encodings, ends of lines, comments."""
 
 import codecs
 import re

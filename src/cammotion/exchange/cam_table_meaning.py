@@ -10,8 +10,8 @@ from typing import NoReturn
 
 import numpy as np
 
-from cammotion.exchange.table_columns import Columns
-from cammotion.exchange.table_headings import DISTANCE, LENGTHS, TIME, odd_unit
+from cammotion.exchange.cam_table_columns import Columns
+from cammotion.exchange.cam_table_headings import DISTANCE, LENGTHS, TIME, odd_unit
 from cammotion.exchange.table_numbers import step_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten

@@ -1,4 +1,4 @@
-"""What the words over a column say: what it is, and in what unit."""
+"""What the words over a column of a cam table say: what it is, and in what unit."""
 
 import re
 from collections.abc import Iterator, Sequence
