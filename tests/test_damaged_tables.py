@@ -8,7 +8,9 @@ import pytest
 from damaged import BOOK, RELATIONS, TABLE, changed, damages, zipped
 
 import cammotion as cm
+from cammotion.exchange.rule_text import nameless
 from cammotion.report.__main__ import BAD_INPUT, main
+from cammotion.rules.rule import Rule
 
 
 def test_two_hundred_damaged_tables_are_refused_in_sentences(tmp_path: Path) -> None:
@@ -51,6 +53,26 @@ def test_very_many_slips_are_told_as_far_as_they_can_be_read(tmp_path: Path) -> 
     with pytest.raises(cm.InputError, match=r"And \d+ more: mend these first\.$") as refusal:
         cm.read_machine(tmp_path / "m.csv")
     assert len(str(refusal.value)) <= 1000
+
+
+def test_a_table_of_more_lines_than_any_machine_is_not_read(tmp_path: Path) -> None:
+    (tmp_path / "m.csv").write_bytes(TABLE.read_bytes() + b"x,0\n" * 20_000)
+    with pytest.raises(cm.InputError, match=r"m\.csv has 200\d\d lines, and .* at most 20000"):
+        cm.read_machine(tmp_path / "m.csv")
+
+
+def test_a_rule_is_made_once_and_not_for_each_pair(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A thousand rules took half a minute."""
+    made: list[Rule] = []
+
+    def counted(rule: Rule) -> Rule:
+        made.append(rule)
+        return nameless(rule)
+
+    monkeypatch.setattr("cammotion.exchange.machine_table.nameless", counted)
+    more = [f"{',' * 9}die beyond {n} only while mill within 0.65" for n in range(100, 150)]
+    machine = cm.machine_from_text("\n".join([TABLE.read_text("utf-8").strip(), *more]))
+    assert len(made) == len(machine.rules) > 50
 
 
 def test_a_workbook_names_rows_as_a_spreadsheet_does(tmp_path: Path) -> None:
