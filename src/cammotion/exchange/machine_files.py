@@ -21,7 +21,7 @@ _BOOK = ".xlsx"
 
 
 def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine:
-    r"""Return the machine that a table says, a CSV file or the first such sheet of an .xlsx.
+    r"""Return the machine of a table: a CSV file, or the first such sheet in sight of an .xlsx.
 
     A line is a segment, as `write_segments` writes it: motion, stops, from and to in deg, from and
     to in mm, law, machine rate in pieces/h. A motion that is not named is that of the line above.
