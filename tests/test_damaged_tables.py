@@ -61,6 +61,16 @@ def test_a_table_of_more_lines_than_any_machine_is_not_read(tmp_path: Path) -> N
         cm.read_machine(tmp_path / "m.csv")
 
 
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_a_cell_of_several_lines_does_not_shift_the_numbers(tmp_path: Path, end: str) -> None:
+    heading, *rows = TABLE.read_text("utf-8").splitlines()
+    lines = ['"Press', "", 'of the hall"', f'{heading},"my', 'notes"', *rows]
+    lines[7] = lines[7].replace("205", "2O5")
+    (tmp_path / "m.csv").write_bytes(end.join(lines).encode())
+    with pytest.raises(cm.InputError, match=r"^Line 8 of m\.csv: 'from in deg' is '2O5'"):
+        cm.read_machine(tmp_path / "m.csv")
+
+
 def test_a_rule_is_made_once_and_not_for_each_pair(monkeypatch: pytest.MonkeyPatch) -> None:
     """A thousand rules took half a minute."""
     made: list[Rule] = []
