@@ -18,6 +18,8 @@ except ImportError as missing:
     if not str(missing.name).startswith("starter"):
         raise
     sys.exit("The folder starter is not whole: download the workbook again.")
+except KeyboardInterrupt:
+    sys.exit("\nStopped before anything was done.")
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))

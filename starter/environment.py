@@ -35,6 +35,7 @@ def ensure(whole: bool = False) -> None:
 
 def make(reason: str, whole: bool) -> None:
     """Make .venv from nothing; leave nothing half-made behind if that fails."""
+    check_path()
     check_modules()
     if reason:
         print(f"The environment in .venv is not used: {reason}.")
@@ -91,6 +92,15 @@ def record(step: str, whole: bool) -> None:
     pinned = download.pinned_packages(whole)
     versions = {name: version for name, version in now.versions.items() if name in pinned}
     inspection.write_stamp(now._replace(versions=versions, whole=whole))
+
+
+def check_path() -> None:
+    """Refuse a folder whose path no variable can list: Python makes no environment there."""
+    if os.pathsep in str(VENV):
+        raise WorkbookError(
+            f"In {ROOT} no Python environment can be made, since the path has a {os.pathsep!r} "
+            "(a Mac shows it as a slash). Rename that folder, and start again."
+        )
 
 
 def check_modules() -> None:

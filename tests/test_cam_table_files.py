@@ -235,6 +235,72 @@ def test_no_text(tmp_path: Path, raw: bytes, said: str) -> None:
         read(tmp_path / "cam.csv", raw)
 
 
+def test_all_broken_rows_are_told_at_once(tmp_path: Path) -> None:
+    lines = put(put(put(HEADED, 5, "3O;0.134"), 9, "70;"), 38, "360;?")
+    with pytest.raises(InputError) as refused:
+        read(tmp_path / "cam.csv", "\n".join(lines).encode())
+    told = [line.partition(", where")[0] for line in str(refused.value).splitlines()]
+    assert told == [
+        "Line 5 of cam.csv is '3O;0.134'",
+        "Line 9 of cam.csv is '70;'",
+        "Line 38 of cam.csv is '360;?'",
+    ]
+
+
+def test_a_row_is_shown_where_no_line_has_two_numbers(tmp_path: Path) -> None:
+    lines = ["Cam 7", "angle;lift", *(f"{line} mm" for line in TURN)]
+    with pytest.raises(InputError, match=r"two numbers \(line 3 is '0;0\.000 mm'\): give"):
+        read(tmp_path / "cam.csv", "\n".join(lines).encode())
+
+
+HEADINGS = [
+    '"angle\n[deg]";"lift\n[mm]"',
+    '"angle [deg]"; "lift" max',
+    'deg;"the ""lift"" in\n\nmm"',
+]
+
+
+@pytest.mark.parametrize("heading", HEADINGS)
+def test_quotation_marks_are_no_inches(tmp_path: Path, heading: str) -> None:
+    """A cell of a spreadsheet may go over several lines; those below keep their numbers."""
+    path, lines = tmp_path / "cam.csv", [*heading.split("\n"), *TURN]
+    table = read(path, "\r\n".join(lines).encode())
+    assert (table.position_mm.max(), table.step_mm) == (20, 0.001)
+    assert f"from line {len(lines) - 36} to {len(lines)}" in table.said
+    with pytest.raises(InputError, match=f"Line {len(lines) - 1} of cam.csv is '350;x'"):
+        read(path, "\n".join([*lines[:-2], "350;x", lines[-1]]).encode())
+    assert read(path, "\n".join(['deg;lift "', *TURN]).encode()).position_mm.max() == 508
+
+
+@pytest.mark.parametrize(
+    "unit",
+    ["1/100 mm", "[1/100 mm]", "(0,01 mm)", "10^-3 mm", "_0.01mm", "x10 um", "[thou]", "[-]"],
+)
+def test_a_unit_that_is_none_of_ours_is_asked(tmp_path: Path, unit: str) -> None:
+    """And not taken for mm."""
+    raw, said = "\n".join([f"deg;lift {unit}", *TURN]).encode(), unit.strip("_()[]")
+    with pytest.raises(InputError, match=f"second column is in '{re.escape(said)}': give the mm"):
+        read(tmp_path / "cam.csv", raw)
+    assert read(tmp_path / "cam.csv", raw, position=0.01).position_mm.max() == pytest.approx(0.2)
+    assert read(tmp_path / "cam.csv", raw, position="mm").position_mm.max() == 20
+
+
+@pytest.mark.parametrize(
+    "words", ["Hub2 mm", "y2 [mm]", "lift (at 2)", "cam;7\ndeg;mm", "position"]
+)
+def test_a_number_beside_a_unit_is_no_scale(tmp_path: Path, words: str) -> None:
+    heading = words if ";" in words else f"deg;{words}"
+    raw = "\n".join([heading, *TURN]).encode()
+    assert read(tmp_path / "cam.csv", raw).position_mm.max() == 20
+
+
+def test_more_than_any_table_is_not_read(tmp_path: Path) -> None:
+    with (tmp_path / "cam.csv").open("wb") as file:
+        file.truncate(200_000_000)
+    with pytest.raises(InputError, match=r"cam\.csv has more than 50 MB, far more"):
+        cm.read_cam_table(tmp_path / "cam.csv")
+
+
 def test_no_file(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"There is no file cam\.csv"):
         cm.read_cam_table(tmp_path / "cam.csv")

@@ -1,10 +1,12 @@
 """Cam tables out: what a controller reads is the motion, evenly spaced and closed."""
 
 from dataclasses import replace
+from decimal import Decimal
 from itertools import product
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from machines import Array, make_diagram, make_die, make_mill
@@ -126,6 +128,18 @@ def test_small_derivatives_keep_their_digits(tmp_path: Path) -> None:
     assert not any(cell.strip("-0.") == "" and "-" in cell for row in rows for cell in row)
 
 
+def test_no_digit_is_more_than_a_float_has(tmp_path: Path) -> None:
+    """Of a jerk of 94,919.7 mm/s3 the twelfth decimal is no part of the number."""
+    paths = write_cam_tables(DIAGRAM, tmp_path, decimals=12, derivatives="s", step_deg=5)
+    jerks = [line.split(";")[4] for line in paths["die"].read_text().splitlines()[1:]]
+    time_s = mpmath.mpf(55) / 200  # of a rise of 50 mm by a cycloid
+    for jerk, angle in zip(jerks[30:41], range(150, 205, 5), strict=True):
+        wave = mpmath.cos(2 * mpmath.pi * mpmath.mpf(angle - 150) / 55)
+        exact = wave * 50 * (2 * mpmath.pi) ** 2 / time_s**3
+        assert len(jerk.partition(".")[2]) == 10
+        assert abs(mpmath.mpf(jerk) - exact) < 1.1e-10
+
+
 def test_codesys_reads_two_rising_columns(tmp_path: Path) -> None:
     paths = write_cam_tables(DIAGRAM, tmp_path, form="codesys", points=256)
     assert [path.name for path in paths.values()] == ["mill.txt", "die.txt"]
@@ -146,6 +160,16 @@ def test_the_last_position_is_the_first_to_the_last_digit(tmp_path: Path) -> Non
         )
         lines = paths["die"].read_text().splitlines()
         assert lines[0].split()[1] == lines[-1].split()[1]
+
+
+def test_the_last_digit_is_that_of_the_number(tmp_path: Path) -> None:
+    """As exact arithmetic rounds it: 1.115 is a little less, and 100 times it is not."""
+    for way in (1.115, 4.035, 8.325):
+        die = cm.motion("die", cm.dwell(360), start_mm=way)
+        diagram = cm.TimingDiagram([die], 2000)
+        path = write_cam_tables(diagram, tmp_path, decimals=2, overwrite=True)["die"]
+        exact = Decimal(way).quantize(Decimal("0.01"))
+        assert {line.split(";")[1] for line in path.read_text().splitlines()[1:]} == {str(exact)}
 
 
 def test_no_zero_has_a_sign(tmp_path: Path) -> None:

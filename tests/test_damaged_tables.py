@@ -8,7 +8,9 @@ import pytest
 from damaged import BOOK, RELATIONS, TABLE, changed, damages, zipped
 
 import cammotion as cm
+from cammotion.exchange.rule_text import nameless
 from cammotion.report.__main__ import BAD_INPUT, main
+from cammotion.rules.rule import Rule
 
 
 def test_two_hundred_damaged_tables_are_refused_in_sentences(tmp_path: Path) -> None:
@@ -51,6 +53,36 @@ def test_very_many_slips_are_told_as_far_as_they_can_be_read(tmp_path: Path) -> 
     with pytest.raises(cm.InputError, match=r"And \d+ more: mend these first\.$") as refusal:
         cm.read_machine(tmp_path / "m.csv")
     assert len(str(refusal.value)) <= 1000
+
+
+def test_a_table_of_more_lines_than_any_machine_is_not_read(tmp_path: Path) -> None:
+    (tmp_path / "m.csv").write_bytes(TABLE.read_bytes() + b"x,0\n" * 20_000)
+    with pytest.raises(cm.InputError, match=r"m\.csv has 200\d\d lines, and .* at most 20000"):
+        cm.read_machine(tmp_path / "m.csv")
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_a_cell_of_several_lines_does_not_shift_the_numbers(tmp_path: Path, end: str) -> None:
+    heading, *rows = TABLE.read_text("utf-8").splitlines()
+    lines = ['"Press', "", 'of the hall"', f'{heading},"my', 'notes"', *rows]
+    lines[7] = lines[7].replace("205", "2O5")
+    (tmp_path / "m.csv").write_bytes(end.join(lines).encode())
+    with pytest.raises(cm.InputError, match=r"^Line 8 of m\.csv: 'from in deg' is '2O5'"):
+        cm.read_machine(tmp_path / "m.csv")
+
+
+def test_a_rule_is_made_once_and_not_for_each_pair(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A thousand rules took half a minute."""
+    made: list[Rule] = []
+
+    def counted(rule: Rule) -> Rule:
+        made.append(rule)
+        return nameless(rule)
+
+    monkeypatch.setattr("cammotion.exchange.machine_table.nameless", counted)
+    more = [f"{',' * 9}die beyond {n} only while mill within 0.65" for n in range(100, 150)]
+    machine = cm.machine_from_text("\n".join([TABLE.read_text("utf-8").strip(), *more]))
+    assert len(made) == len(machine.rules) > 50
 
 
 def test_a_workbook_names_rows_as_a_spreadsheet_does(tmp_path: Path) -> None:
@@ -96,6 +128,12 @@ def test_all_parts_of_a_workbook_count_together(tmp_path: Path) -> None:
     (tmp_path / "m.xlsx").write_bytes(zipped(parts))
     with pytest.raises(cm.InputError, match="unpacks to more than 20 MB"):
         cm.read_machine(tmp_path / "m.xlsx")
+
+
+def test_a_table_may_begin_with_any_letters(tmp_path: Path) -> None:
+    """PK are those of a zip, too."""
+    (tmp_path / "m.csv").write_bytes(b"PKW\n" + TABLE.read_bytes())
+    assert cm.read_machine(tmp_path / "m.csv").diagram == cm.read_machine(TABLE).diagram
 
 
 def test_a_deep_nest_is_no_traceback(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import cammotion
+import cammotion.exchange
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "cammotion"
@@ -160,6 +161,12 @@ def test_records_are_frozen() -> None:
     assert len({*records}) >= 20
     loose = [each.__qualname__ for each in records if each.__setattr__ is object.__setattr__]
     assert not loose, "these records can be changed"
+
+
+def test_the_largest_room_introduces_its_modules() -> None:
+    """Who looks for a file format finds it by the words of the room."""
+    named = {*re.findall(r"`(\w+)`", cammotion.exchange.__doc__ or "")}
+    assert named == {path.stem for path in (PACKAGE / "exchange").glob("[!_]*.py")}
 
 
 def test_the_small_shared_package_stays_small() -> None:

@@ -189,7 +189,7 @@ def test_a_table_that_would_not_come_back_is_an_error_of_ours(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for wrong in (str.upper, lambda _: "", lambda name: f"a, {name}\n"):
-        monkeypatch.setattr("cammotion.exchange.tables.name_cell", wrong)
+        monkeypatch.setattr("cammotion.exchange.diagram_tables.name_cell", wrong)
         with pytest.raises(cm.WrongAnswerError, match=r"^write_segments has checked its answer"):
             cm.write_segments(make_diagram(), tmp_path / "m.csv")
     assert not [*tmp_path.iterdir()]

@@ -13,8 +13,8 @@ from machines import examples
 
 import cammotion as cm
 from cammotion.exchange.machine_files import machine_rows
+from cammotion.exchange.machine_source import open_source
 from cammotion.exchange.rule_text import arcs_as_text, arcs_from_text, rule_as_text, rule_from_text
-from cammotion.exchange.table_source import open_source
 from cammotion.exchange.xlsx_in import read_sheets
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
 
@@ -203,7 +203,9 @@ def test_a_name_that_spoils_a_rule_is_refused(tmp_path: Path) -> None:
     assert not [*tmp_path.iterdir()]
 
 
-@pytest.mark.parametrize("name", ["die beyond 3", "the beyond within", "The die", "=die"])
+@pytest.mark.parametrize(
+    "name", ["die beyond 3", "the beyond within", "The die", "=die", "die\xa02", "die  2\nb"]
+)
 def test_an_odd_name_comes_back(tmp_path: Path, name: str) -> None:
     path = cm.write_machine(named(name), tmp_path / "m.csv")
     assert cm.read_machine(path) == named(name)

@@ -18,7 +18,7 @@ from typing import Any
 
 import pytest
 from packaging.requirements import Requirement
-from small_workbook import move_starter, raiser
+from small_workbook import assert_refused, lay_out, move_starter, raiser, run
 
 from starter import commands, download, environment, inspection, installer, paths, processes
 from starter.errors import WorkbookError
@@ -405,6 +405,14 @@ def test_a_python_without_its_modules_is_refused(
     with pytest.raises(WorkbookError, match=r"apt install python3\.\d+-venv(.|\n)*uv"):
         environment.ensure()
     assert not (root / ".venv").exists()
+
+
+def test_a_path_in_which_no_environment_can_be_made_is_refused(tmp_path: Path) -> None:
+    """As that of a folder that is called 1/2 in the Finder; what is there stays."""
+    root = lay_out(tmp_path / f"Kurs 1{os.pathsep}2")
+    (root / ".venv").mkdir()
+    assert_refused(run(root, "setup"), f"since the path has a {os.pathsep!r}", "Rename that folder")
+    assert [path.name for path in root.glob(".venv*")] == [".venv"]
 
 
 def test_too_small_a_disk_is_refused(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -270,6 +270,27 @@ def test_a_full_disk_loses_nothing_and_leaves_nothing(tmp_path: Path, there: boo
     assert write(DIAGRAM, path, overwrite=there).stat().st_size > 100
 
 
+@pytest.mark.parametrize("there", [True, False])
+def test_a_name_is_that_of_a_whole_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, there: bool
+) -> None:
+    """Where it is killed while it writes: what bears the name is no half table."""
+    path, write_bytes, seen = tmp_path / "mine.csv", Path.write_bytes, []
+    if there:
+        path.write_text("a week's work")
+
+    def watched(part: Path, content: bytes) -> int:
+        written = write_bytes(part, content[: len(content) // 2])
+        seen.append(path.read_text())
+        return written + write_bytes(part, content)
+
+    monkeypatch.setattr(Path, "write_bytes", watched)
+    write(DIAGRAM, path, overwrite=there)
+    assert seen == ["a week's work" if there else ""]
+    assert [*tmp_path.iterdir()] == [path]
+    assert read_segments(path) == DIAGRAM
+
+
 def test_what_is_written_over_stays_what_it_was(tmp_path: Path) -> None:
     """A link stays a link, and who may read a file may read the new one."""
     path, link = tmp_path / "mine.csv", tmp_path / "link.csv"

@@ -96,6 +96,12 @@ def test_a_broken_python_is_not_called_a_broken_download(root: Path) -> None:
     assert "download the workbook again" not in result.stderr
 
 
+def test_who_stops_it_while_it_loads_sees_no_traceback(root: Path) -> None:
+    """A slow disk needs a while for that."""
+    (root / "starter" / "paths.py").write_text("raise KeyboardInterrupt\n")
+    assert_refused(run(root, "setup"), "Stopped before anything was done.")
+
+
 def test_an_unknown_number_lists_the_known(root: Path) -> None:
     """The user sees what there is."""
     assert_refused(run(root, "fresh", "77"), "00_start_here, 02_maximum_acceleration")

@@ -18,10 +18,10 @@ from .dynamics.response import MoveResponse, StartResponse, SteadyResponse
 from .dynamics.springs import critical_harmonic, natural_frequency, springs_in_series
 from .dynamics.turns import Flight
 from .exchange.cam_files import write_cam
-from .exchange.cam_tables import read_cam_table
+from .exchange.cam_tables_in import read_cam_table
 from .exchange.cam_tables_out import write_cam_tables
+from .exchange.diagram_tables import read_segments, write_curves, write_segments
 from .exchange.machine_files import machine_from_text, read_machine, write_machine
-from .exchange.tables import read_segments, write_curves, write_segments
 from .hardware.contact import hertz_pressure
 from .hardware.disc_cam import Undercut
 from .hardware.fits import (

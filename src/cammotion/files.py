@@ -45,7 +45,7 @@ def _encoded(text: str) -> bytes:
 
 
 def _write(contents: Mapping[Path, bytes], *, overwrite: bool) -> None:
-    """Write new files, and those that are there already beside them, which only then they replace.
+    """Write all files beside their places, which they take only when all are whole.
 
     Whatever stands in the way of one, all is as it was before.
     """
@@ -70,10 +70,10 @@ def _part(path: Path, *, overwrite: bool, undo: ExitStack) -> tuple[Path, Path]:
         if not overwrite or not target.exists():
             target.open("xb").close()
             undo.callback(target.unlink, missing_ok=True)
+        elif not target.is_file():  # a device takes what is written; a folder refuses it
             return target, target
-        if not target.is_file():  # a device takes what is written; a folder refuses it
-            return target, target
-        target.open("r+b").close()  # what may not be written to may not be replaced
+        else:
+            target.open("r+b").close()  # what may not be written to may not be replaced
         handle, name = tempfile.mkstemp(prefix=".cammotion-", dir=target.parent)
         os.close(handle)
         part = Path(name)

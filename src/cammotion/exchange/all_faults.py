@@ -20,12 +20,11 @@ class Faults:
     """
 
     def __init__(self) -> None:
-        self.found: list[str] = []
+        self._found: dict[str, None] = {}
 
     def add(self, sentence: str) -> None:
         """Keep a sentence, once."""
-        if sentence not in self.found:
-            self.found.append(sentence)
+        self._found[sentence] = None
 
     @contextmanager
     def at(self, where: str = "") -> Iterator[None]:
@@ -37,13 +36,14 @@ class Faults:
 
     def check(self) -> None:
         """Raise one InputError with all sentences, a line each, as far as they can be read."""
-        if not self.found:
+        found = [*self._found]
+        if not found:
             return
-        told = self.found[:1]
-        for sentence in self.found[1:]:
+        told = found[:1]
+        for sentence in found[1:]:
             if sum(map(len, told)) + len(sentence) > _LONGEST:
                 break
             told.append(sentence)
-        if left := len(self.found) - len(told):
+        if left := len(found) - len(told):
             told.append(f"And {left} more: mend these first.")
         raise InputError("\n".join(told))

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cammotion.exchange.table_columns import DECIMALS, SEPARATORS
+from cammotion.exchange.cam_table_columns import DECIMALS, SEPARATORS
 from cammotion.files import as_path, is_folder, stems, write_all
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
@@ -19,6 +19,7 @@ FORMS = ("plain", "codesys")
 
 _ANGLE = 10  # decimals of an angle: 0.3, and not 0.30000000000000004
 _WHOLE = 1e-9  # by such a share a step may miss a whole part of the turn
+_DIGITS = 14  # behind the first one, which a float has for sure
 _INT = 32_767  # points that CODESYS counts in an INT
 _ORDERS = {1: "velocity", 2: "acceleration", 3: "jerk"}
 _UNITS = {"deg": "mm/deg", "s": "mm/s"}
@@ -154,13 +155,17 @@ def _angle(angle: float) -> str:
 
 
 def _fixed(values: Floats, places: int) -> list[str]:
-    return [f"{value:.{places}f}" for value in (values.round(places) + 0.0).tolist()]  # no -0.0
+    return [f"{value:z.{places}f}" for value in values.tolist()]
 
 
 def _places_for(values: Floats, places: int) -> int:
-    """Return the decimals with which the largest value has `places` behind its first digit."""
+    """Return the decimals with which the largest value has `places` behind its first digit.
+
+    No more than a float has: what would stand behind is no part of the number.
+    """
     largest = float(np.abs(values).max())
-    return places - math.floor(math.log10(largest)) if 0 < largest < 1 else places
+    before = math.floor(math.log10(largest)) if largest else 0
+    return max(min(places - min(before, 0), _DIGITS - before), 0)
 
 
 def _write(

@@ -23,18 +23,22 @@ class Plain(str):
 
 
 def cut_rows(file: str, text: str, separator: str) -> list[list[str]]:
-    """Return the rows of a table, cut into cells.
+    """Return the rows of a table, cut into cells, each in the place of its first line.
 
-    `file` is the name to tell in the InputError for what cannot be cut.
+    A row that goes on over further lines, in quotes, has empty rows in theirs. `file` is the name
+    to tell in the InputError for what cannot be cut.
     """
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    rows: list[list[str]] = []
     try:
-        return list(reader)
+        for row in reader:
+            rows += [row, *([] for _ in range(len(rows) + 1, reader.line_num))]
     except csv.Error as wrong:
         raise InputError(
             f"Line {reader.line_num} of {file} cannot be cut into cells ({wrong}): look for a "
             "quotation mark too many."
         ) from None
+    return rows
 
 
 def rows_as_text(rows: Iterable[Iterable[object]]) -> str:

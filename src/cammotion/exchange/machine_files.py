@@ -6,11 +6,11 @@ from typing import Any
 
 from cammotion.arguments import checked
 from cammotion.exchange.cells import name_cell, rows_as_text
+from cammotion.exchange.diagram_tables import is_same, segment_rows
+from cammotion.exchange.machine_lines import RULE, STILL
+from cammotion.exchange.machine_source import Source, from_book, from_text, open_source
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.rule_text import arcs_as_text, rule_as_text
-from cammotion.exchange.segment_lines import RULE, STILL
-from cammotion.exchange.table_source import Source, from_book, from_text, open_source
-from cammotion.exchange.tables import is_same, segment_rows
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
 from cammotion.files import as_path, write_new
 from cammotion.laws.motion_law import MotionLaw
@@ -21,7 +21,7 @@ _BOOK = ".xlsx"
 
 
 def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine:
-    r"""Return the machine that a table says, a CSV file or the first such sheet of an .xlsx.
+    r"""Return the machine of a table: a CSV file, or the first such sheet in sight of an .xlsx.
 
     A line is a segment, as `write_segments` writes it: motion, stops, from and to in deg, from and
     to in mm, law, machine rate in pieces/h. A motion that is not named is that of the line above.

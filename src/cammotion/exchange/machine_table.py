@@ -7,8 +7,7 @@ from typing import Any
 
 from cammotion.exchange.all_faults import Faults
 from cammotion.exchange.cells import Plain, decimal_mark
-from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
-from cammotion.exchange.segment_lines import (
+from cammotion.exchange.machine_lines import (
     HEADING,
     IN_FULL,
     NUMBERS,
@@ -19,7 +18,8 @@ from cammotion.exchange.segment_lines import (
     Laws,
     Record,
 )
-from cammotion.exchange.table_source import Source
+from cammotion.exchange.machine_source import Source
+from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
@@ -47,8 +47,11 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
     doubtful = _doubtful(segments, faults)
     motions: list[Motion] = []
+    lines: dict[str, list[Record]] = {}
+    for record in records:
+        lines.setdefault(record.cells["motion"], []).append(record)
     for name in names:
-        own = [record for record in records if record.cells["motion"] == name]
+        own = lines[name]
         with faults.at():
             stops = _stops(own)
             if name not in doubtful and all(one.segment for one in own if one.is_segment):
@@ -164,7 +167,8 @@ def _rules(
     records: list[Record], names: list[str], motions: list[Motion], faults: Faults
 ) -> list[Rule]:
     """Return the rules of all lines; two that forbid all between them are a fault, too."""
-    found: list[tuple[str, Rule]] = []
+    rules: list[Rule] = []
+    found: dict[Rule, str] = {}
     read = {motion.name: motion for motion in motions}
     for record in records:
         if not record.cells[RULE]:
@@ -174,21 +178,23 @@ def _rules(
             own = [read[name] for name in rule.motions if name in read]
             if len(own) == len(rule.motions):
                 every_rule(TimingDiagram(own, 1), rule)
-            for where, other in found:
-                if nameless(rule) == nameless(other):
-                    raise InputError(f"the rule stands in {where} already: leave out one of them.")
+            bare = nameless(rule)
+            if where := found.get(bare):
+                raise InputError(f"the rule stands in {where} already: leave out one of them.")
+            for other, where in found.items():
                 if forbidden := _forbidden(rule, other):
                     raise InputError(
                         f"with the rule in {where} it forbids {forbidden}: mend one of them."
                     )
-            found.append((record.where, rule))
-    return [rule for _, rule in found]
+            found[bare] = record.where
+            rules.append(rule)
+    return rules
 
 
 def _forbidden(one: Rule, other: Rule) -> str:
     """Return what two rules together forbid for ever; nothing if they can both be kept."""
     if isinstance(one, ClearanceRule) and isinstance(other, ClearanceRule):
-        contradict = (one.when, one.only_while) == (other.when, other.only_while.opposite)
+        contradict = one.when == other.when and one.only_while == other.only_while.opposite
         return f"that the {one.when.motion} is ever {one.when}" if contradict else ""
     if isinstance(one, DistanceRule) and isinstance(other, DistanceRule):
         crossed = one.motions == other.motions[::-1] and one.at_least_mm + other.at_least_mm > 0

@@ -18,18 +18,19 @@ DISTANCE = "the pusher stays at least 5 mm above the flap"
 ARC_EXAMPLE = "205 to 305"
 YES = ("yes", "x", "true")
 _ONLY = re.compile(r"\s+only\s+(?:while|if|when)\s+", re.IGNORECASE)
+_LIMIT = r"(?P<limit>[-+−\d]\S*?)\s*"
 _HALF = re.compile(
     r"(?P<name>\S.*?)\s+(?:(?:may\s+be|is)\s+)?(?:(?P<side>beyond|within)\s+"
-    r"(?P<limit>[-+\d]\S*?)\s*(?:mm)?|(?P<way>moving|standing))\.?",
+    rf"{_LIMIT}(?:mm)?|(?P<way>moving|standing))\.?",
     re.IGNORECASE | re.DOTALL,
 )
 _APART = [
     re.compile(pattern, re.IGNORECASE | re.DOTALL)
     for pattern in (
-        r"(?P<part>\S.*?)\s+(?:(?:stays|is)\s+)?at\s+least\s+(?P<limit>[-+\d]\S*?)\s*(?:mm\s+)?"
-        r"\s*above\s+(?P<other>\S.*?)\.?",
+        rf"(?P<part>\S.*?)\s+(?:(?:stays|is)\s+)?at\s+least\s+{_LIMIT}(?:mm\s+)?"
+        r"above\s+(?P<other>\S.*?)\.?",
         r"(?P<part>\S.*?)\s+[-−]\s+(?P<other>\S.*?)\s+(?:is\s+)?at\s+least\s+"
-        r"(?P<limit>[-+\d]\S*?)\s*(?:mm)?\.?",
+        rf"{_LIMIT}(?:mm)?\.?",
     )
 ]
 _THE = re.compile(r"^the\s+", re.IGNORECASE)
@@ -81,8 +82,9 @@ def _condition(half: str, text: str, names: list[str], decimal: str) -> Conditio
 
 def _motion(text: str, names: list[str]) -> str:
     """Return the name of a motion, with which "the" may stand."""
-    said = " ".join(text.split())
-    return one_of("motion", said if said in names else _THE.sub("", said), names)
+    tidied = " ".join(text.split())
+    ways = (text, _THE.sub("", text), tidied, _THE.sub("", tidied))
+    return one_of("motion", next((said for said in ways if said in names), ways[-1]), names)
 
 
 def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:

@@ -27,7 +27,7 @@ def number_of(text: str, decimal: str) -> float | None:
     >>> number_of("1.5", ",") is number_of("5 mm", ".") is None
     True
     """
-    text = _without_gaps(text)
+    text = _tidied(text)
     if _PLAIN[decimal].fullmatch(text):
         number = float(text.replace(decimal, "."))
     elif _GROUPED[decimal].fullmatch(text):
@@ -39,7 +39,7 @@ def number_of(text: str, decimal: str) -> float | None:
 
 def is_grouped(text: str, decimal: str) -> bool:
     """Return whether a number of this decimal mark is written with a mark of thousands."""
-    return not _PLAIN[decimal].fullmatch(_without_gaps(text))
+    return not _PLAIN[decimal].fullmatch(_tidied(text))
 
 
 def proves_groups(text: str, decimal: str) -> bool:
@@ -58,6 +58,7 @@ def step_of(cells: Sequence[str], decimal: str) -> float:
     >>> step_of(["1.2346e-05", "12.346"], "."), step_of(["0", "1200", "50"], ".")
     (0.001, 1.0)
     """
+    cells = [*map(_tidied, cells)]
     numbers = [abs(number_of(cell, decimal) or 0.0) for cell in cells]
     printed = {_printed(cell, decimal) for cell in cells}
     if not any(numbers):
@@ -69,7 +70,9 @@ def step_of(cells: Sequence[str], decimal: str) -> float:
     return float(f"1e{-max(_decimals(cell, decimal) for cell in large)}")
 
 
-def _without_gaps(text: str) -> str:
+def _tidied(text: str) -> str:
+    """Return a number with the minus of a keyboard, and without gaps between thousands."""
+    text = text.replace("\N{MINUS SIGN}", "-")
     if _GROUPED_BY_GAPS.match(text):
         return re.sub(f"[{_GAPS}]", "", text)
     return text

@@ -10,6 +10,7 @@ import zipfile
 import zlib
 from collections.abc import Iterator
 from posixpath import dirname, join, normpath
+from typing import NamedTuple
 from xml.etree import ElementTree
 
 from cammotion.exchange.cells import Plain
@@ -17,7 +18,7 @@ from cammotion.quantities import InputError
 
 LARGEST = 20_000_000  # bytes that all parts together may unpack to
 MOST_PARTS, MOST_ROWS, MOST_COLUMNS = 1000, 20_000, 200
-ZIP, OLD = b"PK", b"\xd0\xcf\x11\xe0"
+ZIP, OLD = (b"PK\x03\x04", b"PK\x05\x06"), b"\xd0\xcf\x11\xe0"
 """What a zip begins with, and an old workbook or one that is locked by a password."""
 
 _BOOK = "xl/workbook.xml"
@@ -25,6 +26,11 @@ _ESCAPED = re.compile(r"_x(?![Dd][89A-Fa-f])([0-9A-Fa-f]{4})_")  # no half of a 
 _REFERENCE = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
 _RELATION = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 _STRICT_RELATION = "{http://purl.oclc.org/ooxml/officeDocument/relationships}id"
+
+_PERCENT, _DATE = "%", "date"  # what a number is shown as
+_FORMATS = {9: _PERCENT, 10: _PERCENT, **dict.fromkeys([*range(14, 23), 45, 46, 47], _DATE)}
+_NO_FORMAT = re.compile(r'"[^"]*"|\\.|\[[^\]]*\]')  # words, signs and colours in a format
+_OF_A_DATE = re.compile(r"(?<![a-z])[dmyhs]+(?![a-z])")
 
 Rows = list[list[str]]
 
@@ -39,7 +45,9 @@ class _NoDoctype(ElementTree.TreeBuilder):
 def read_sheets(file: str, content: bytes) -> dict[str, Rows]:
     """Return the rows of each sheet by its name; `file` is the name to tell in an InputError.
 
-    Numbers come as Python writes them, each a Plain one; True as "yes", False as "".
+    Sheets in sight come first. Numbers come as Python writes them, each a Plain one, but as a text
+    where the sheet shows a date or a percentage; True as "yes", False as "". A formula that no
+    spreadsheet has computed yet comes as it is, like "=B2".
     """
     if content.startswith(OLD):
         raise InputError(
@@ -92,8 +100,15 @@ class _Book:
         return root
 
 
-def _parts(book: _Book) -> Iterator[tuple[str, tuple[ElementTree.Element, list[str]]]]:
-    """Yield the name of each sheet, with its XML and the texts that all sheets share."""
+class _Shared(NamedTuple):
+    """What all sheets share: texts, and as what the numbers of each style are shown."""
+
+    texts: list[str]
+    styles: list[str]
+
+
+def _parts(book: _Book) -> Iterator[tuple[str, tuple[ElementTree.Element, _Shared]]]:
+    """Yield the name of each sheet, with its XML and what all sheets share."""
     if _BOOK not in book.names:
         raise InputError(
             f"The file {book.file} is a zip of something else, not a workbook: give an .xlsx file "
@@ -107,17 +122,31 @@ def _parts(book: _Book) -> Iterator[tuple[str, tuple[ElementTree.Element, list[s
         relation.get("Id"): normpath(join(dirname(_BOOK), str(relation.get("Target"))))
         for relation in book.xml("xl/_rels/workbook.xml.rels")
     }
-    shared_at = "xl/sharedStrings.xml"
-    shared = []
-    if shared_at in book.names:
-        shared = [_text(one) for one in _named(book.xml(shared_at), "si")]
-    for sheet in _named(book.xml(_BOOK), "sheet"):
+    texts, styles = (
+        book.xml(part) if part in book.names else ElementTree.Element("none")
+        for part in ("xl/sharedStrings.xml", "xl/styles.xml")
+    )
+    shared = _Shared([_text(one) for one in _named(texts, "si")], _styles(styles))
+    sheets = _named(book.xml(_BOOK), "sheet")
+    for sheet in sorted(sheets, key=lambda one: one.get("state", "visible") != "visible"):
         where = str(places[sheet.get(_RELATION) or sheet.get(_STRICT_RELATION)])
         if "worksheets/" in where:  # no sheet of charts
             yield str(sheet.get("name")), (book.xml(where.removeprefix("/")), shared)
 
 
-def _rows(file: str, sheet: ElementTree.Element, shared: list[str]) -> Rows:
+def _styles(styles: ElementTree.Element) -> list[str]:
+    """Return as what the numbers of each style are shown, "" for numbers."""
+    own = {one.get("numFmtId"): one.get("formatCode", "") for one in _named(styles, "numFmt")}
+    numbers = [one.get("numFmtId", "0") for xfs in _named(styles, "cellXfs") for one in xfs]
+    return [_shown(own[n]) if n in own else _FORMATS.get(int(n), "") for n in numbers]
+
+
+def _shown(code: str) -> str:
+    signs = _NO_FORMAT.sub("", code).lower()
+    return _PERCENT if "%" in signs else _DATE if _OF_A_DATE.search(signs) else ""
+
+
+def _rows(file: str, sheet: ElementTree.Element, shared: _Shared) -> Rows:
     rows: Rows = []
     for row in _named(sheet, "row"):
         number = int(row.get("r") or len(rows) + 1)
@@ -146,19 +175,30 @@ def _column(letters: str) -> int:
     return number - 1
 
 
-def _value(cell: ElementTree.Element, shared: list[str]) -> str:
+def _value(cell: ElementTree.Element, shared: _Shared) -> str:
     """Return what a cell holds, as a text."""
     kind = cell.get("t", "n")
     if kind == "inlineStr":
         return _text(cell)
-    value = next((one.text or "" for one in _named(cell, "v")), "")
+    inside = {_tag(one): one.text or "" for one in cell}
+    value = inside.get("v", "")
+    if "f" in inside and "v" not in inside:
+        return f"={inside['f']}"
     if kind == "s":
-        return shared[int(value)]
+        return shared.texts[int(value)]
     if kind == "b":
         return "yes" if value == "1" else ""
     if kind == "n" and value:
-        return Plain(repr(float(value)).removesuffix(".0"))
+        return _number(float(value), shared.styles[int(cell.get("s", "0")) :][:1])
     return _unescaped(value)
+
+
+def _number(number: float, style: list[str]) -> str:
+    """Return a number as a text; what is shown as something else is no number for us."""
+    if style == [_PERCENT]:
+        return f"{100 * number:g} %"
+    text = repr(number).removesuffix(".0")
+    return f"{text} as a date" if style == [_DATE] else Plain(text)
 
 
 def _text(element: ElementTree.Element) -> str:

@@ -6,20 +6,21 @@ taken if every line between them has; two that give different numbers are a ques
 
 import csv
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 
-from cammotion.exchange.table_headings import Heading, heading_of, pick, two_headings
+from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.cam_table_headings import Heading, heading_of, pick, two_headings
+from cammotion.exchange.cam_table_text import Line, Text
 from cammotion.exchange.table_numbers import is_grouped, number_of, proves_groups
-from cammotion.exchange.table_text import Line, Text
 from cammotion.quantities import Floats, InputError, shorten
 
 SEPARATORS = {"\t": "tabs", ";": "semicolons", "|": "bars", ",": "commas", " ": "spaces"}
 DECIMALS = {".": "decimal points", ",": "decimal commas"}
-_NO_NUMBER = re.compile(r"[+-]?(nan|inf|infinity|n/?a|null|none|nil)|#.*", re.IGNORECASE)
+_NO_NUMBER = re.compile(r"[-+−]?(nan|inf|infinity|n/?a|null|none|nil)|#.*", re.IGNORECASE)
 _WORD_OF_DIGITS = re.compile(r"\b0\.\.1\b|\bm/s\^?2")
 _DATE = re.compile(r"\d{4}-\d\d?-\d\d?|\d\d?[./]\d\d?[./]\d{4}")
 _LETTERS = 2  # a word has so many
@@ -70,9 +71,11 @@ def columns_of(text: Text, asked: Asked) -> Columns:
     attempts = [_Attempt(text, *marks, asked) for marks in _marks(text, asked)]
     most = max(len(attempt.good) for attempt in attempts)
     if not most:
+        lines = (line for line in text.lines if len(re.findall(r"\d+", line.text)) > 1)
+        near = next((f" (line {n} is {shorten(said.strip())})" for n, said, _ in lines), "")
         raise InputError(
-            f"The file {text.name} has no line with two numbers: give a table with a row for each "
-            "angle, in which the angle and the position stand in columns."
+            f"The file {text.name} has no line with two numbers{near}: give a table with a row for "
+            "each angle, in which the angle and the position stand in columns, without units."
         )
     read, wrong = [], []
     for attempt in attempts:
@@ -88,10 +91,11 @@ def columns_of(text: Text, asked: Asked) -> Columns:
 
 def _marks(text: Text, asked: Asked) -> Iterator[tuple[str, str]]:
     """Yield separators with decimal marks, the likely ones first."""
+    used = [mark for mark in SEPARATORS if any(mark in line.text for line in text.lines)]
     separator = asked.separator or text.separator
     has_comma = any("," in line.text for line in text.lines)
     decimals = asked.decimal or (".," if has_comma else ".")
-    yield from product(separator or SEPARATORS, decimals)
+    yield from product(separator or used or SEPARATORS, decimals)
 
 
 def _the_one(read: list[Columns]) -> Columns:
@@ -131,21 +135,22 @@ class _Attempt:
         self.good = [n for n in range(len(self.cells)) if self._is_row(n)]
 
     def columns(self) -> Columns:
-        """Return the columns; raise InputError for the first line that breaks the table."""
+        """Return the columns; raise InputError for all lines that break the table."""
         first, last = self.good[0], self.good[-1]
-        for n in range(first, last + 1):
-            if not self._is_row(n) and any(self.cells[n]):
-                self._refuse(n)
-        for n in (*range(first), *range(last + 1, len(self.lines))):
-            if not self._may_stand_outside(n, is_above=n < first):
-                self._refuse(n)
+        self._refuse(
+            n
+            for n in range(len(self.lines))
+            if (
+                not self._is_row(n) and any(self.cells[n])
+                if first <= n <= last
+                else not self._may_stand_outside(n, is_above=n < first)
+            )
+        )
         self._check_widths()
         headings = self._headings()
         if not self.asked.columns:
             self.chosen = pick(headings)
-            for n in self.good:
-                if not self._is_row(n):
-                    self._refuse(n)
+            self._refuse(n for n in self.good if not self._is_row(n))
         rows = [Row(self.lines[n].number, self.lines[n].text, self.cells[n]) for n in self.good]
         numbers = [[number_of(r.cells[c], self.decimal) for c in self.chosen] for r in rows]
         columns = Columns(
@@ -181,14 +186,17 @@ class _Attempt:
             return has_word and not any(map(str.isdigit, self.lines[n].text))
         return has_word or not any(map(str.isdigit, _WORD_OF_DIGITS.sub("", first + second)))
 
-    def _refuse(self, n: int) -> None:
-        line = self.lines[n]
-        raise InputError(
-            f"Line {line.number} of {self.name} is {shorten(line.text.strip())}, where a row with "
-            f"two numbers was expected (cells between {SEPARATORS.get(self.separator, 'marks')}, "
-            f"{DECIMALS[self.decimal]}): correct it, take it out, or make it a comment with # "
-            "in front."
-        )
+    def _refuse(self, broken: Iterable[int]) -> None:
+        """Raise one InputError for all these lines, unless there is none."""
+        faults = Faults()
+        for line in (self.lines[n] for n in broken):
+            faults.add(
+                f"Line {line.number} of {self.name} is {shorten(line.text.strip())}, where a row "
+                "with two numbers was expected (cells between "
+                f"{SEPARATORS.get(self.separator, 'marks')}, {DECIMALS[self.decimal]}): correct "
+                "it, take it out, or make it a comment with # in front."
+            )
+        faults.check()
 
     def _check_widths(self) -> None:
         """Raise InputError unless all rows have as many cells, empty ones at the end or not."""
@@ -214,7 +222,7 @@ class _Attempt:
                 for word, cell in zip(words, cells, strict=False):
                     word.append(cell)
         if any(words) or not self._above():
-            return [heading_of(" ".join(word)) for word in words]
+            return [heading_of(", ".join(word)) for word in words]
         known = two_headings(_said(self.lines[self._above()[-1]]))
         return [*known, *[Heading("", "")] * (count - len(known))]
 

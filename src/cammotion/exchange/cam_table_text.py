@@ -1,11 +1,16 @@
-"""A file as lines of text, whatever wrote it: encodings, ends of lines, comments."""
+"""A cam table as lines of text, whatever wrote it: encodings, ends of lines, comments."""
 
 import codecs
 import re
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from cammotion.exchange.xlsx_in import OLD, ZIP
 from cammotion.files import as_path, read_bytes
 from cammotion.quantities import InputError, shorten
+
+LARGEST_BYTES = 50_000_000
+"""Of a file: 400,000 points with all derivatives have 32 million."""
 
 _MARKS = {  # at the start of a file; the longer ones first
     codecs.BOM_UTF32_LE: ("utf-32", "UTF-32"),
@@ -17,8 +22,11 @@ _MARKS = {  # at the start of a file; the longer ones first
 _COMMENT = re.compile(r"(?:^|(?<=[\s;,|]))(?:#|//|%|!|\(\*)")
 _ERROR_CELL = re.compile(r"#(?:NV|N/A|NAME\?|NUM!|NULL!|[A-Z]+!|DIV/0!)", re.IGNORECASE)
 _NO_TEXT = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+_ENDS_INSIDE = re.compile(  # of lines, in a cell in quotes
+    r'(?:^|(?<=[;\t,|]))"(?:[^"\n]|"")*(?:\n(?:[^"\n]|"")*){1,3}"(?=[;\t,|]|$)', re.MULTILINE
+)
 _SEP = re.compile(r' *"?sep=(\\t|.)"?[;, \t]*', re.IGNORECASE)
-_BINARY = {b"PK\x03\x04": "a workbook of a spreadsheet", b"\xd0\xcf\x11\xe0": "an old workbook"}
+_BINARY = {**dict.fromkeys(ZIP, "a workbook of a spreadsheet"), OLD: "an old workbook"}
 
 
 class Line(NamedTuple):
@@ -43,23 +51,31 @@ def read_text(path: Any, encoding: str | None = None) -> Text:
 
     UTF-8 and UTF-16 with a mark or without, or else cp1252, if no `encoding` is given.
     """
-    name, raw = as_path(path).name, read_bytes(path)
+    name, raw = as_path(path).name, read_bytes(path, at_most=LARGEST_BYTES)
     for start, what in _BINARY.items():
         if raw.startswith(start):
             raise InputError(f"The file {name} is {what}: save the sheet as CSV, and read that.")
     text, said = _decoded(raw, name, encoding)
     text = text.rstrip("\x1a\0").replace("\r\n", "\n").replace("\r", "\n")
-    lines = text.replace("\N{MINUS SIGN}", "-").split("\n")
-    for number, line in enumerate(lines, 1):
+    numbered = [*_numbered(text)]
+    for number, line in numbered:
         if odd := _NO_TEXT.search(line):
             raise InputError(
                 f"Line {number} of {name} has a character that is in no text ({odd[0]!r}): save "
                 "the table as text, or give the encoding, for example encoding='utf-16'."
             )
     separator = None
-    if found := _SEP.fullmatch(lines[0]):
-        separator, lines[0] = found[1].replace("\\t", "\t"), ""
-    return Text(name, [_line(n, line) for n, line in enumerate(lines, 1)], said, separator)
+    if found := _SEP.fullmatch(numbered[0][1]):
+        separator, numbered[0] = found[1].replace("\\t", "\t"), (1, "")
+    return Text(name, [_line(*line) for line in numbered], said, separator)
+
+
+def _numbered(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the lines with their numbers; a cell in quotes may hold ends of lines."""
+    number = 1
+    for line in _ENDS_INSIDE.sub(lambda cell: cell[0].replace("\n", "\r"), text).split("\n"):
+        yield number, line.replace("\r", " ")
+        number += 1 + line.count("\r")
 
 
 def _line(number: int, text: str) -> Line:

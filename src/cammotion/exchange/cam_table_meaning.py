@@ -10,11 +10,11 @@ from typing import NoReturn
 
 import numpy as np
 
-from cammotion.exchange.table_columns import Columns
-from cammotion.exchange.table_headings import DISTANCE, LENGTHS, TIME
+from cammotion.exchange.cam_table_columns import Columns
+from cammotion.exchange.cam_table_headings import DISTANCE, LENGTHS, TIME, odd_unit
 from cammotion.exchange.table_numbers import step_of
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError, Quantity, one_of
+from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 
 CYCLE = Quantity("cycle, in units of the first column,", "", example=360, high=1e9)
 SCALE = Quantity("unit of a position", "mm", example=0.001, high=1e6)
@@ -206,6 +206,11 @@ def lift_of(found: Columns, position: str | float | None) -> Lift:
     elif position is not None:
         scale = SCALE.number(position)
         unit = f"units of {scale:g} mm"
+    elif odd := odd_unit(found.headings[found.chosen[1]]):
+        raise InputError(
+            f"The heading of {found.name} says that the second column is in {shorten(odd)}: give "
+            "the mm of one as position, for example position=0.01, or a unit, position='mm'."
+        )
     elif unit in LENGTHS:
         why = "from the heading"
     elif unit in {"deg", "rad"}:

@@ -14,8 +14,7 @@ import numpy as np
 
 from cammotion.exchange.cells import name_cell, rows_as_text
 from cammotion.exchange.law_text import is_same_law, law_as_text
-from cammotion.exchange.machine_table import read_table
-from cammotion.exchange.segment_lines import (
+from cammotion.exchange.machine_lines import (
     DWELL,
     HEADING,
     IN_FULL,
@@ -24,7 +23,8 @@ from cammotion.exchange.segment_lines import (
     OWN,
     RESERVED,
 )
-from cammotion.exchange.table_source import from_text, open_source
+from cammotion.exchange.machine_source import from_text, open_source
+from cammotion.exchange.machine_table import read_table
 from cammotion.files import write_new
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.motion_law import MotionLaw

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from cammotion.arguments import checked
-from cammotion.exchange.table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
-from cammotion.exchange.table_meaning import (
+from cammotion.exchange.cam_table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
+from cammotion.exchange.cam_table_meaning import (
     check_not_counted,
     check_order,
     evened,
@@ -15,7 +15,7 @@ from cammotion.exchange.table_meaning import (
     master_of,
     shape_of,
 )
-from cammotion.exchange.table_text import read_text
+from cammotion.exchange.cam_table_text import read_text
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.measured.cam_table import CamTable
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten

@@ -1,4 +1,4 @@
-"""What the words over a column say: what it is, and in what unit."""
+"""What the words over a column of a cam table say: what it is, and in what unit."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -42,6 +42,10 @@ _WORDS = {
 _MEANT = {token: unit for unit, tokens in _SURE.items() for token in tokens}
 _KINDS = {token: kind for kind, tokens in _WORDS.items() for token in tokens}
 _RATE = re.compile(r"(?:mm|cm|\bm|in|inch|deg|rad|°)\W*(?:/|\bper\b|·|\bs\^?-)|[²³]|\^[23]")
+_SCALED = re.compile(
+    r"(?<![\w.])((?:[\d.,^*·×/x-]|1e)*\d\s*(?:mm|cm|[uµμ]m|inch|zoll))\b", re.IGNORECASE
+)
+_BRACKET = re.compile(r"\[([^\]]*)\]")
 _KIND_OF = {"deg": ANGLE, "rad": ANGLE, "turn": ANGLE, "percent": ANGLE, "ms": TIME, "s": TIME}
 LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1e-3, "in": MM_PER_INCH}  # mm
 
@@ -62,7 +66,8 @@ def heading_of(words: str) -> Heading:
     >>> heading_of("velocity in m/s")[:2], heading_of("t [s]")[:2], heading_of("Leitwert (mm)")[:2]
     (('other', ''), ('time', 's'), ('', 'mm'))
     """
-    text = re.sub(r"([°º\"″%])", r" \1 ", words.lower().replace("0..1", "turn").replace("_", " "))
+    text = re.sub(r'"([^"]*)"', r" \1 ", words.lower())  # a pair of them quotes
+    text = re.sub(r"([°º\"″%])", r" \1 ", text.replace("0..1", "turn").replace("_", " "))
     tokens = re.findall(r"[^\s\[\](){}<>,:;=/|]+", text)
     kinds = [_KINDS[token] for token in tokens if token in _KINDS]
     if OTHER in kinds or _RATE.search(text):
@@ -72,6 +77,20 @@ def heading_of(words: str) -> Heading:
         return Heading(INDEX, "", words)
     kind = next((kind for kind in kinds if kind != INDEX), _KIND_OF.get(unit, UNKNOWN))
     return Heading(kind, unit, words)
+
+
+def odd_unit(heading: Heading) -> str:
+    """Return the unit that a heading gives to lengths if it is none of ours, as 1/100 mm; or ''.
+
+    >>> odd_unit(heading_of("lift in 1/100 mm")), odd_unit(heading_of("lift [thou]"))
+    ('1/100 mm', 'thou')
+    >>> odd_unit(heading_of("lift [mm]")) == odd_unit(heading_of("lift (at the roller)")) == ""
+    True
+    """
+    scaled = _SCALED.search(heading.words.replace("_", " "))
+    bracket = None if heading.unit else _BRACKET.search(heading.words)
+    found = scaled or bracket
+    return found[1].strip() if found else ""
 
 
 def two_headings(line: str) -> tuple[Heading, Heading]:

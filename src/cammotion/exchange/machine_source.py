@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from cammotion.exchange.cells import Plain, cut_rows
-from cammotion.exchange.xlsx_in import OLD, ZIP, read_sheets
+from cammotion.exchange.xlsx_in import MOST_ROWS, OLD, ZIP, read_sheets
 from cammotion.files import as_path, decode, read_bytes
 from cammotion.quantities import InputError, shorten
 
@@ -55,7 +55,7 @@ def open_source(path: str | Path) -> Source:
     file = as_path(path)
     name = shorten(file.name, of=str)
     content = read_bytes(file, at_most=LARGEST_BYTES)
-    if content.startswith((ZIP, OLD)):
+    if content.startswith((*ZIP, OLD)):
         return from_book(name, content)
     return from_text(name, decode(name, content))
 
@@ -64,6 +64,11 @@ def from_text(name: str, text: str) -> Source:
     """Return the table that a text is."""
     separator = _separator(text)
     rows = cut_rows(name, text, separator)
+    if len(rows) > MOST_ROWS:
+        raise InputError(
+            f"The table {name} has {len(rows)} lines, and that of a machine at most {MOST_ROWS}: "
+            "give that table alone."
+        )
     if separator == ",":  # only a cell in quotes can have a comma
         rows = [[cell if "," in cell else Plain(cell) for cell in row] for row in rows]
     return Source(name, rows, "Line")
