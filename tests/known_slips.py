@@ -346,6 +346,7 @@ SLIPS = [
     ),
     KnownSlip("02.4", "no square", faster, "counts twice|square"),
     KnownSlip("02.4", "upside down", lambda m: 1 / faster(m) ** 2, "smaller|upside"),
+    KnownSlip("02.4", "growth doubled", lambda m: 2 * faster(m) - 1, "doubled"),
     KnownSlip("02.4", "the increase", lambda m: faster(m) ** 2 - 1, "by how much"),
     KnownSlip("02.4", "percent", lambda m: 100 * (faster(m) ** 2 - 1), "percent"),
     KnownSlip("02.4", "factor in percent", lambda m: 100 * faster(m) ** 2, "percent"),

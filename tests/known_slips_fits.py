@@ -45,6 +45,23 @@ def most(m: MillAndDie) -> float:
     return hole(m) + gap(m) + shaft_width(m)
 
 
+def most_by_formulas(m: MillAndDie) -> float:
+    """Return the largest play of 11.2 as the formulas give it."""
+    at = bisect_left(STEPS, m.fits.bore_mm)
+    mean = math.sqrt(STEPS[at - 1] * STEPS[at])
+    factor, power = {"d": (16, 0.44), "e": (11, 0.4), "f": (5.5, 0.41), "g": (2.5, 0.34)}[
+        m.fits.pair[1][0]
+    ]
+    units = sum(UNITS[int(zone[1:])] for zone in m.fits.pair)
+    wrong = units * (0.45 * mean ** (1 / 3) + 0.001 * mean) + factor * mean**power
+    return unless_alike(wrong, most(m))
+
+
+def unless_alike(wrong: float, right: float) -> float:
+    """Return a wrong number, NaN where nobody can tell it from the right one."""
+    return wrong if abs(wrong / right - 1) > 0.004 else math.nan
+
+
 def arc(m: MillAndDie, by: float = 1) -> float:
     """Return the play in um along the circumference of the shaft of 11.1."""
     return m.fits.lag_deg / 360 * math.pi * m.fits.shaft[0] * 1000 * by
@@ -77,6 +94,20 @@ def with_diameter(m: MillAndDie) -> float:
 def play(m: MillAndDie) -> float:
     """Return the largest play of the key of 11.4 in um."""
     return 2 * width(m.fits.shaft[1], 9)
+
+
+def key_by_formula(m: MillAndDie) -> float:
+    """Return the angle of 11.4 by the formula, with the mean diameter of the key's step."""
+    at = bisect_left(STEPS, m.fits.shaft[1])
+    mean = math.sqrt(STEPS[at - 1] * STEPS[at])
+    um = 2 * UNITS[9] * (0.45 * mean ** (1 / 3) + 0.001 * mean)
+    return turned(m, unless_alike(um, play(m)))
+
+
+def by_table(m: MillAndDie) -> float:
+    """Return the width of 11.3 in the table, NaN where the formula rounds to that."""
+    um = width(m.fits.turned_mm, m.fits.grade)
+    return um if um != round(grade(m)) else math.nan
 
 
 def turned(m: MillAndDie, um: float) -> float:
@@ -118,6 +149,8 @@ SLIPS = [
     KnownSlip("11.2", "with diameter", lambda m: m.fits.bore_mm + most(m) / 1000, "diameter"),
     KnownSlip("11.2", "tolerance of the shaft", shaft_width, "tolerance"),
     KnownSlip("11.2", "shaft subtracted", lambda m: hole(m) + gap(m) - shaft_width(m), "thinner"),
+    KnownSlip("11.2", "by the formulas", most_by_formulas, "formulas|finite"),
+    KnownSlip("11.3", "by the table", by_table, "table says|finite"),
     KnownSlip("11.3", "D itself", with_diameter, "whole step|finite|Not far"),
     KnownSlip("11.3", "lower end", lambda m: grade(m, step(m)[0]), "lower end"),
     KnownSlip("11.3", "upper end", lambda m: grade(m, step(m)[1]), "upper end"),
@@ -141,6 +174,7 @@ SLIPS = [
     KnownSlip("11.3", "a third", lambda m: UNITS[m.fits.grade] * 0.15 * geometric(m), "cube root"),
     KnownSlip("11.4", "one tolerance", lambda m: turned(m, play(m) / 2), "half"),
     KnownSlip("11.4", "to and fro", lambda m: turned(m, 2 * play(m)), "twice"),
+    KnownSlip("11.4", "by the formula", key_by_formula, "formula|finite"),
     KnownSlip("11.4", "radians", lambda m: play(m) / 500 / m.fits.shaft[0], "radian"),
     KnownSlip(
         "11.4",

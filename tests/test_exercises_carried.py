@@ -232,6 +232,23 @@ def test_a_known_slip_of_the_earlier_answer_says_more_than_its_number() -> None:
 
 
 @pytest.mark.usefixtures("work")
+def test_no_wrong_answer_is_claimed_where_the_right_one_was_given() -> None:
+    """A number that nobody carried may be what an earlier slip would lead to."""
+    machine = cm.variant("Anna")
+    earlier, later = EXERCISES["03.2"], EXERCISES["03.5"]
+    assert isinstance(earlier, NumberExercise)
+    assert isinstance(later, NumberExercise)
+    both_ends = earlier.slips[1].leads_to(machine)
+    angle = EXERCISES["03.4"].goes_on_from["03.2"](machine, both_ends)  # type: ignore[attr-defined]
+    answer = later.goes_on_from["03.4"](machine, angle)
+    for number in ("03.2", "03.4"):
+        assert "with a wrong answer to 03.2" in cm.check("03.5", answer).text
+        cm.check(number, EXERCISES[number].solution(machine))
+        assert "with a wrong answer to" not in cm.check("03.5", answer).text
+        cm.check(number, 7)
+
+
+@pytest.mark.usefixtures("work")
 @pytest.mark.parametrize("number", [1e308, -1e308, 1, 1.0000001, 0, -3, 100, 150])
 @pytest.mark.parametrize("later", ["03.4", "03.5", "05.3", "06.4"])
 def test_a_number_that_nobody_can_go_on_with_stops_nothing(later: str, number: float) -> None:

@@ -12,6 +12,7 @@ import cammotion as cm
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import NumberExercise, Slip
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.reasons import short_name
 from cammotion.teaching.variants import machine_for
 
 MANY = [EXAMPLE, machine_for(), *(machine_for(f"rounded {n}") for n in range(60))]
@@ -136,6 +137,18 @@ def test_a_half_may_be_rounded_either_way() -> None:
 def test_a_rounded_number_more_than_1_2_percent_off_is_told_so() -> None:
     assert say(simple(124.84), 120).endswith("give three digits at least.")
     assert is_right(simple(124.84), 125)
+
+
+def test_who_leads_to_the_same_number_by_another_way_is_told_both() -> None:
+    same = simple(3.719, 7, 7.0000000001, 8)
+    both = "More than one way leads to this number. slip 7 Or: slip 7.0000000001"
+    assert say(same, 7) == both
+    assert say(same, 8) == "slip 8"
+    near = simple(245.1, 231.63, 231.53)
+    assert say(near, 231.63) == "slip 231.63"
+    assert say(near, 231.5) == "slip 231.53"
+    assert say(near, 232) == "More than one way leads to this number. slip 231.63 Or: slip 231.53"
+    assert near.judge(232, EXAMPLE).reason == short_name("slip 231.63")
 
 
 def test_a_slip_that_rounds_to_the_same_digits_asks_for_more_of_them() -> None:

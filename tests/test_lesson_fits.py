@@ -2,12 +2,16 @@
 
 import json
 import math
+from bisect import bisect_left
+from dataclasses import replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
 import pytest
 import sympy as sp
 from explored import zones_figure
+from judging import is_right, say
 from known_slips import die as die_angle
 from known_slips import place
 from scipy.optimize import brentq
@@ -15,6 +19,8 @@ from test_claims import says
 
 import cammotion as cm
 from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.fit_numbers import FIT_CHOICES
+from cammotion.teaching.lessons import EXERCISES
 
 TABLE = json.loads((Path(__file__).parent / "data" / "iso_286.json").read_text("utf-8"))
 TABLE = TABLE["rf-tolerance"]
@@ -45,6 +51,21 @@ def test_the_width_test_finds_eight_lines_and_misses_one() -> None:
         if line.upper_um - line.lower_um != width(line)
     }
     assert found == WRONG.keys()
+
+
+def test_a_width_of_the_table_is_not_taken_for_that_of_the_formula_where_they_differ() -> None:
+    """A rounded 139.04 is 140, and so is what the table says: that is told."""
+    asked, differ = EXERCISES["11.3"], 0
+    for size, grade in product(FIT_CHOICES["turned_mm"], FIT_CHOICES["grade"]):
+        fits = replace(EXAMPLE.fits, turned_mm=size, grade=grade)
+        machine = replace(EXAMPLE, fits=fits)
+        table = TABLE["grades"][str(grade)][bisect_left(STEPS, size)]
+        if table != round(asked.solution(machine)):
+            differ += 1
+            assert "what the table says" in say(asked, table, machine)
+        else:
+            assert is_right(asked, float(f"{asked.solution(machine):.3g}"), machine)
+    assert differ == 14
 
 
 def test_all_other_lines_are_right() -> None:

@@ -72,7 +72,7 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
         yield from _beside(value, _SAME)
     for value in (right, *slips, *carried, *ratios, right / STANDARD_GRAVITY):
         yield from _beside(value, exercise.tolerance)
-        most = MOST if value == right else FEWEST + 1
+        most = MOST if value == right or value in slips else FEWEST + 1
         for digits in range(FEWEST, most + 1):
             yield from _rounded(value, digits)
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import YOURS, Exercise, GoingOn, NumberExercise, Slip
+from cammotion.teaching.exercise import YOURS, Carried, Exercise, GoingOn, NumberExercise, Slip
 from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.store import Record
 
@@ -32,32 +32,39 @@ def after(
 ) -> Exercise:
     """Return an exercise that knows what a learner's wrong answers to earlier ones lead to.
 
-    `records` keep the number that was last given to an exercise, and whose numbers that was asked
-    for; only those of this machine count. `find` returns the exercise of a number.
+    It forgets the slips of those that were answered right. `records` keep the number that was last
+    given to an exercise, and whose numbers that was asked for; only those of this machine count.
+    `find` returns the exercise of a number.
     """
     if not isinstance(exercise, NumberExercise):
         return exercise
-    brought = []
-    for number, going_on in exercise.goes_on_from.items():
+    earlier = {number for slip in exercise.carried for number in slip.through}
+    right, brought = set(), []
+    for number in sorted(earlier | exercise.goes_on_from.keys()):
         record = records.get(number, {})
         given = number_or_none(record.get("given"))
         if given is None or record.get("who") != machine.who.casefold():
             continue
-        if find(number).judge(given, machine).state == "wrong":
+        if find(number).judge(given, machine).state == "right":
+            right.add(number)
+        elif number in exercise.goes_on_from:
             said = YOURS.format(f"{given:.5g}", number)
-            brought.append(Slip(_going_on(going_on, given), said))
-    return replace(exercise, brought=tuple(brought))
+            brought.append(Slip(_going_on(exercise.goes_on_from[number], given), said))
+    carried = tuple(slip for slip in exercise.carried if right.isdisjoint(slip.through))
+    return replace(exercise, brought=tuple(brought), carried=carried)
 
 
-def _carry(exercise: NumberExercise, linked: dict[str, Exercise]) -> Iterator[Slip]:
+def _carry(exercise: NumberExercise, linked: dict[str, Exercise]) -> Iterator[Carried]:
     for number, going_on in exercise.goes_on_from.items():
         earlier = linked[number]
         if isinstance(earlier, NumberExercise):
             head = f"What you did here is right, but with a wrong answer to {number}."
             for slip in earlier.slips:
-                yield Slip(_going_on(going_on, slip.answer), f"{head} {slip.reason}")
-            for slip in earlier.carried:  # it names the exercise that it comes from
-                yield Slip(_going_on(going_on, slip.answer), slip.reason)
+                said = f"{head} {slip.reason}"
+                yield Carried(_going_on(going_on, slip.answer), said, (number,))
+            for before in earlier.carried:  # it names the exercise that it comes from
+                through = (*before.through, number)
+                yield Carried(_going_on(going_on, before.answer), before.reason, through)
 
 
 def _going_on(

@@ -11,7 +11,7 @@ from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.quantities import shorten
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.reading import OddAnswerError, to_number
-from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, short_name
+from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, in_one, short_name
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, is_rounded, is_same
 from cammotion.teaching.shown.frame import Shows
 
@@ -60,6 +60,13 @@ class Slip:
     def leads_to(self, machine: MillAndDie) -> Any:
         """Return what it leads to for a machine."""
         return _led_to(self.answer, machine)
+
+
+@dataclass(frozen=True)
+class Carried(Slip):
+    """A slip of an earlier exercise in a later one, with the exercises that it goes through."""
+
+    through: tuple[str, ...]
 
 
 @lru_cache(maxsize=2**16)
@@ -133,7 +140,7 @@ class NumberExercise(Exercise):
     slips: tuple[Slip, ...] = ()
     tolerance: float = 0.004
     goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
-    carried: tuple[Slip, ...] = ()
+    carried: tuple[Carried, ...] = ()
     brought: tuple[Slip, ...] = ()
     shows: Shows | None = None
 
@@ -161,14 +168,14 @@ class NumberExercise(Exercise):
         off = abs(given - right)
         slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)
         if is_same(given, slip):
-            return wrong[slip]
+            return _all_that_lead_to(given, slip, wrong)
         is_to_most = is_rounded(float(f"{given:.{MOST}g}"), right, MOST)  # though nearly round
         few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
         few = few and not is_to_most
         if few and off <= MOST_OFF * abs(right):
             return _TOO_FEW.format(_DIGITS[digits])
         if self._is(given, slip) and abs(given - slip) < off:
-            return wrong[slip]
+            return _all_that_lead_to(given, slip, wrong)
         if few:
             return _TOO_FEW.format(_DIGITS[digits])
         return "" if self._is(given, right) else self._explain(given, machine, wrong)
@@ -176,11 +183,11 @@ class NumberExercise(Exercise):
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
-        known = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
+        known = {**COMMON_RATIOS, **UNIT_RATIOS.get(self.unit, {})}
         ratios = (said for ratio, said in known.items() if self._is_about(given, ratio * right))
         carried = self._first(self.carried, given, machine)
         brought = self._first(self.brought, given, machine)
-        rounded = (
+        rounded = in_one(
             reason
             for value, reason in wrong.items()
             if is_rounded(given, value, FEWEST) and abs(given - value) <= MOST_OFF * abs(value)
@@ -190,7 +197,7 @@ class NumberExercise(Exercise):
             or self._in_g(given, right)
             or next(ratios, "")
             or carried
-            or next(rounded, "")
+            or rounded
             or self._far(given, right)
         )
 
@@ -228,8 +235,11 @@ class NumberExercise(Exercise):
 
     @property
     def faults(self) -> tuple[str, ...]:
-        """All that `find_fault` may return, with … in the place of a number that it measures."""
-        ratios = {**UNIT_RATIOS.get(self.unit, {}), **COMMON_RATIOS}
+        """All that `find_fault` may return, with … in the place of a number that it measures.
+
+        Where it returns several in one they count as the first of them.
+        """
+        ratios = {**COMMON_RATIOS, **UNIT_RATIOS.get(self.unit, {})}
         unknown = (
             *map(_TOO_FEW.format, _DIGITS.values()),
             _CLOSE.format("…"),
@@ -259,12 +269,23 @@ def _known(exercise: NumberExercise, machine: MillAndDie) -> _Known:
     """Work out once what each answer of a machine is held against."""
     right = exercise.solution(machine)
     found = [(float(slip.leads_to(machine)), slip.reason) for slip in exercise.slips]
-    wrong = {
-        value: reason
-        for value, reason in reversed(found)
-        if math.isfinite(value) and not is_same(value, right)
-    }
+    wrong: dict[float, str] = {}
+    for value, reason in found:
+        if math.isfinite(value) and not is_same(value, right):
+            wrong[value] = in_one([wrong[value], reason]) if value in wrong else reason
     return _Known(right, wrong, digits_needed(right, wrong))
+
+
+def _all_that_lead_to(given: float, slip: float, wrong: Mapping[float, str]) -> str:
+    """Return why a number is wrong that is a slip's, and all reasons where it is also another's."""
+    alike = [
+        value
+        for value in wrong
+        if is_same(value, slip)
+        or any(is_rounded(given, value, digits) for digits in range(FEWEST + 1, MOST + 1))
+    ]
+    nearest_first = sorted(alike, key=lambda value: (not is_same(value, slip), abs(given - value)))
+    return in_one(wrong[value] for value in nearest_first)
 
 
 @dataclass(frozen=True, kw_only=True)

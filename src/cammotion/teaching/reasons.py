@@ -3,7 +3,7 @@
 import hashlib
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 COMMON_RATIOS: Mapping[float, str] = {
     -1.0: "The size is right, but not the sign.",
@@ -14,12 +14,12 @@ COMMON_RATIOS: Mapping[float, str] = {
     2.0: "This is twice as much as it should be. Is there a factor 2 too many?",
     1 / 2: "This is half of what it should be. Is there a factor 2 missing?",
     4.0: (
-        "This is four times as much as it should be. Dividing by the square of a time that is only "
-        "half as long gives this."
+        "This is four times as much as it should be. Was twice the right number squared on the "
+        "way, or half of it where it divides?"
     ),
     1 / 4: (
-        "This is a quarter of what it should be. Dividing by the square of a time that is twice as "
-        "long gives this."
+        "This is a quarter of what it should be. Was half the right number squared on the way, or "
+        "twice of it where it divides?"
     ),
     1e6: "This is a million times too large. Are mm, or ms, squared on the way?",
     1e-6: "This is a million times too small. Are mm, or ms, squared on the way?",
@@ -70,6 +70,17 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
         1 / 1000: "This is a thousand times too small: it is in metres. mm are asked for.",
         1 / 10: "This is a tenth of what it should be: it is in cm. mm are asked for.",
     },
+    "µm": {
+        1000.0: "This is a thousand times too large: it is in nm. Micrometres are asked for.",
+        1 / 1000: "This is in mm. Micrometres are asked for.",
+        1e-6: "This is a million times too small: it is in metres. Micrometres are asked for.",
+    },
+    "N/mm": {1000.0: "This is in N/m. It is asked for in N/mm."},
+    "Hz": {60.0: "This is in swings a minute. A hertz is one in a second."},
+    "pieces/h": {
+        1 / 60: "This is in pieces a minute. It is asked for by the hour.",
+        1 / 3600: "This is in pieces a second. It is asked for by the hour.",
+    },
     "ms": {**_TIMES, 1 / 1000: "This is in seconds. Milliseconds are asked for."},
     "N": {
         1000.0: "This is a thousand times too large. Is a length in mm where metres belong?",
@@ -85,18 +96,41 @@ NO_ANSWER = "no-answer"
 """The short name of all reasons that speak of what is no answer to the question at all."""
 _MEASURED = re.compile(r"\S+ (?=%|times what it|from \d\d\.\d, which)")
 _WORDS = 4
+_SEVERAL, _OR = "More than one way leads to this number. ", " Or: "
+
+
+def in_one(reasons: Iterable[str]) -> str:
+    """Return reasons that a number may have as one: none of them is claimed if there are several.
+
+    >>> in_one(["The time enters only once.", "This is the velocity."])
+    'More than one way leads to this number. The time enters only once. Or: This is the velocity.'
+    >>> in_one(["The time enters only once."])
+    'The time enters only once.'
+    """
+    each = [*dict.fromkeys(part for reason in reasons for part in those_in(reason))]
+    return (_SEVERAL if len(each) > 1 else "") + _OR.join(each)
+
+
+def those_in(reason: str) -> list[str]:
+    """Return the reasons that were made one.
+
+    >>> those_in(in_one(["It is.", "So it is."])), those_in("It is.")
+    (['It is.', 'So it is.'], ['It is.'])
+    """
+    return reason.removeprefix(_SEVERAL).split(_OR)
 
 
 def short_name(reason: str) -> str:
     """Return the name under which a reason is counted: its first words, and four signs of the rest.
 
-    What was measured, a percentage or a factor, is no part of it, nor is what was given before.
+    What was measured, a percentage or a factor, is no part of it, nor is what was given before. Of
+    several reasons in one it is the name of the first.
 
     >>> short_name("Close, but off by 1.5 %.") == short_name("Close, but off by 0.8 %.")
     True
     >>> short_name("The size is right, but not the sign.")
     'the-size-is-right-744f'
     """
-    text = _MEASURED.sub("", reason)
+    text = _MEASURED.sub("", those_in(reason)[0])
     words = re.findall(r"\w+", text.casefold())[:_WORDS]
     return "-".join([*words, hashlib.sha256(text.encode()).hexdigest()[:4]])

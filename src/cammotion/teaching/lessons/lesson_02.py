@@ -307,6 +307,11 @@ EXERCISES = (
                 "The acceleration would get smaller. A faster machine has less time for the move.",
             ),
             Slip(
+                lambda m: 2 * _ratio(m) - 1,
+                "The growth of the rate was doubled. That is nearly right while it is small; the "
+                "factor itself has to be squared.",
+            ),
+            Slip(
                 lambda m: _ratio(m) ** 2 - 1,
                 "This is by how much it grows. The factor is asked for: new by old.",
             ),

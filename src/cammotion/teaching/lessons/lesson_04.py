@@ -151,7 +151,9 @@ EXERCISES = (
         answer=lambda m: 1000 * indexing_time(_rest_deg(m), m.rate_per_hour),
         tolerance=0.01,
         shows=rest_in_turn,
-        right="The overlapped die is hardly ever still, and that is what makes it gentle.",
+        right=(
+            "The degrees that it does not rest at the top go into its moves, and make them gentle."
+        ),
         slips=(
             Slip(
                 _rest_deg,

@@ -448,7 +448,7 @@ EXERCISES = (
         shows=peak_of_die(
             angle_deg=lambda m: _widest(m, LAWS["modified sine"]), law="modified sine"
         ),
-        right="Each law has its own widest angle: one that sets off gently may set off earlier.",
+        right="A law counts twice here: by its Ca, and by how early it may set off.",
         slips=(
             Slip(
                 lambda m: _overlapped(m, "modified sine", of="cycloidal"),

@@ -70,6 +70,18 @@ def _by_way(m: MillAndDie, way_deg2: float) -> float:
     return _rise_mm(m) / MM_PER_M / way_deg2 / _seconds(m) ** 2
 
 
+def _braked_deg(m: MillAndDie) -> float:
+    """Return for how many deg it is braked until it has to be so high, NaN if not yet at all."""
+    braked = m.overlapped_deg - _turn_deg(m) / 2
+    return braked if braked > 0 else math.nan
+
+
+def _still_pushed_deg(m: MillAndDie) -> float:
+    """Return for how many deg it is pushed on after it has to be so high, NaN if no more."""
+    pushed = _turn_deg(m) / 2 - m.overlapped_deg
+    return pushed if pushed > 0 else math.nan
+
+
 def _turned() -> float:
     """Return by how many radians the screw turns in a metre."""
     return 2 * math.pi / SCREW_LEAD_MM * MM_PER_M
@@ -388,15 +400,21 @@ EXERCISES = (
                 "high?",
             ),
             Slip(
-                lambda m: _by_way(m, (_turn_deg(m) / 2) * (m.overlapped_deg - _turn_deg(m) / 4)),
+                lambda m: _by_way(m, (_turn_deg(m) / 2) * (_turn_deg(m) / 4 + _braked_deg(m))),
                 "Here it goes on after the push with the speed it has. But from there on it is "
                 "braked.",
             ),
             Slip(
                 lambda m: _by_way(
+                    m, (_turn_deg(m) / 2) * (_turn_deg(m) / 4 - _still_pushed_deg(m))
+                ),
+                "This counts with the speed at the end of the push. But when it has to be so high "
+                "it is still being pushed.",
+            ),
+            Slip(
+                lambda m: _by_way(
                     m,
-                    (_turn_deg(m) / 2) ** 2 / 2
-                    - max(m.overlapped_deg - _turn_deg(m) / 2, 0) ** 2 / 2,
+                    (_turn_deg(m) / 2) ** 2 / 2 - _braked_deg(m) ** 2 / 2,
                 ),
                 "The brake is in it, but the speed at the end of the push has been forgotten: the "
                 "die goes on with that.",

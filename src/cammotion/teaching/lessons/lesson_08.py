@@ -115,7 +115,7 @@ EXERCISES = (
         ),
         unit="kg m²",
         answer=_inertia,
-        right="The stations have the long radius, and it is squared.",
+        right="Each mass counts by the square of its radius: what lies far out counts most.",
         slips=(
             Slip(
                 lambda m: _inertia(m) / 4,
@@ -338,10 +338,6 @@ EXERCISES = (
             Slip(
                 lambda m: _shaft(m, factor=LAWS[m.table.law].Cv),
                 "This is with Cv, the largest velocity. The power has Cq, the largest V A.",
-            ),
-            Slip(
-                lambda m: _shaft(m) * 2,
-                "This is twice as much. Is a half of the plate, or of the step, missing?",
             ),
         ),
         hints=(

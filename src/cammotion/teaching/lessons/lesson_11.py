@@ -4,6 +4,7 @@ import math
 
 from cammotion.hardware.fits import (
     Fit,
+    deviation_um,
     grade_um,
     limits_of,
     mean_diameter_mm,
@@ -17,8 +18,12 @@ from cammotion.teaching.shown.bars import turn_by_play
 
 UM_PER_MM = 1000
 _KEY_GRADE = 9
+_NO_MORE = 0.004  # than what an answer may be off
 _NO_SLIP = 0.02  # a diameter that changes less than this leads to the right number
 _DEG_PER_TURN = 360
+_BY_THE_FORMULA = (
+    "This is by the formulas. What is asked for is by the table: in it the parts are rounded."
+)
 
 
 def _radius(m: MillAndDie) -> float:
@@ -54,6 +59,31 @@ def _formula_at(m: MillAndDie, mean_mm: float) -> float:
     return wrong if abs(wrong / _formula(m) - 1) > _NO_SLIP else math.nan
 
 
+def _by_the_table(m: MillAndDie) -> float:
+    """Return the width in the table, NaN where that is the formula's, rounded to a um."""
+    width = limits_of(f"{m.fits.turned_mm} H{m.fits.grade}").width_um
+    return math.nan if width == round(_formula(m)) else width
+
+
+def _most_by_the_formulas(m: MillAndDie) -> float:
+    """Return the largest play of 11.2 by the formulas, NaN where the table has it too."""
+    hole, shaft = m.fits.pair
+    widths = sum(grade_um(m.fits.bore_mm, int(zone[1:])) for zone in (hole, shaft))
+    return _unless_alike(
+        widths - deviation_um(m.fits.bore_mm, shaft[0]), _fit(m).largest_clearance_um
+    )
+
+
+def _key_by_the_formula(m: MillAndDie) -> float:
+    """Return the largest play of the key by the formula, NaN where the table has it too."""
+    return _unless_alike(2 * grade_um(m.fits.shaft[1], _KEY_GRADE), _key_um(m))
+
+
+def _unless_alike(wrong: float, right: float) -> float:
+    """Return a wrong number, NaN if it is as good as the right one."""
+    return math.nan if math.isclose(wrong, right, rel_tol=_NO_MORE) else wrong
+
+
 def _coarser(m: MillAndDie) -> float:
     return grade_um(m.fits.turned_mm, m.fits.grade + 1)
 
@@ -84,7 +114,7 @@ EXERCISES = (
         unit="µm",
         answer=_allowed,
         shows=turn_by_play(lambda m: m.fits.lag_deg, _radius),
-        right="Timing asks for micrometres here: that is work for a grinding machine.",
+        right="Hundredths of a degree are micrometres here: so closely a key has to fit.",
         slips=(
             Slip(
                 lambda m: 2 * _allowed(m),
@@ -170,6 +200,7 @@ EXERCISES = (
                 lambda m: _fit(m).hole.upper_um + _fit(m).shaft.lower_um,
                 "A sign is lost: the shaft's deviation is below zero, and is taken away.",
             ),
+            Slip(_most_by_the_formulas, _BY_THE_FORMULA),
             Slip(
                 lambda m: (_fit(m).largest_clearance_um + _fit(m).smallest_clearance_um) / 2,
                 "This is the play in the mean. What is asked for is the most that can happen.",
@@ -235,6 +266,11 @@ EXERCISES = (
                 "The number of the grade is no factor. Grade 6 has ten units, and each grade "
                 "after it about 1.6 times as many as the one before.",
             ),
+            Slip(
+                _by_the_table,
+                "This is what the table says, in which the width is rounded by rules of its own. "
+                "The formula is asked for.",
+            ),
             Slip(_coarser, "This is one grade too coarse."),
             Slip(_finer, "This is one grade too fine."),
             Slip(
@@ -286,6 +322,11 @@ EXERCISES = (
             Slip(
                 lambda m: 2 * _turned(m, _key_um(m)),
                 "This is twice as much: to and fro together are one play.",
+            ),
+            Slip(
+                lambda m: _turned(m, _key_by_the_formula(m)),
+                "This is by the formula. A drawing goes by the table, in which the width is "
+                "rounded.",
             ),
             Slip(
                 lambda m: math.radians(_turned(m, _key_um(m))),

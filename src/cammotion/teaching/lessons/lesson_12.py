@@ -101,7 +101,9 @@ EXERCISES = (
                 "The peak goes with the square of the rate. Which power of the ratio has the rate?",
             ),
             Slip(
-                lambda m: m.rate_per_hour * _before(m) / _die(m),
+                lambda m: (
+                    m.rate_per_hour * _before(m) / (_die(m) if _mill(m) > _die(m) else math.nan)
+                ),
                 "This is the ratio of the die's peaks. The peak goes with the square of the rate, "
                 "and the mill has a peak too.",
             ),
@@ -120,10 +122,6 @@ EXERCISES = (
             Slip(
                 lambda m: m.rate_per_hour / math.sqrt(_before(m) / max(_die(m), _mill(m))),
                 "The ratio stands upside down: this is slower than today.",
-            ),
-            Slip(
-                lambda m: m.rate_per_hour * m.widest_deg / m.die_angle_deg,
-                "This is the die's own rate, from the ratio of its angles. And the mill?",
             ),
             Slip(
                 lambda m: math.sqrt(_before(m) / max(_die(m), _mill(m))),
@@ -243,7 +241,7 @@ EXERCISES = (
         options={
             "a": "There is a design with 5.0 m/s², it only has to be found.",
             "b": "Another law, or other angles, may bring it down, but never below 5.0 m/s², "
-            "unless rules, strokes or still arcs are changed.",
+            "unless rules, strokes, still arcs or the rate are changed.",
             "c": "Each of the eight mechanisms can be brought to 5.0 m/s².",
             "d": "The machine cannot run faster than it does now.",
         },
