@@ -50,6 +50,27 @@ def test_a_kept_middle_of_the_mill_leaves_the_die_less() -> None:
     assert narrow.reached > BALANCED
 
 
+@pytest.mark.parametrize("begins", [(0, 360), (350, 360), (-10, 0), (710, 720)])
+def test_a_range_of_starts_is_one_in_every_turn(begins: tuple[float, float]) -> None:
+    """The best mill begins at 353.366 deg, and by its motion of today at 0 deg."""
+    found = optimise(make_diagram(), RULE, still=STILL, starts_deg={"mill": [begins]})
+    assert found.reached == pytest.approx(BALANCED, abs=5e-6)
+
+
+def test_a_move_may_begin_wherever_its_still_arcs_let_it() -> None:
+    """Its start of today is nearer to this range of the turn before, where it has to stand."""
+    parts = cm.rise(50, over_deg=40), cm.dwell(10), cm.return_(50, over_deg=40), cm.dwell(270)
+    machine = cm.TimingDiagram([cm.motion("slide", *parts)], 2000)
+    asked: dict[str, Any] = {"still": {"slide": [(340, 350)]}}
+    late = optimise(machine, [], **asked, starts_deg={"slide": [(250, 260), None]})
+    assert [move.angle_deg for move in late.design["slide"].moves] == pytest.approx([45, 45])
+    at_random = [
+        optimise(machine, [], **asked, starts_deg={"slide": [(start, start), None]}).reached
+        for start in np.random.default_rng(3).uniform(-10, 335, 8)
+    ]
+    assert optimise(machine, [], **asked).reached <= min(at_random) * (1 + 1e-6)
+
+
 def test_of_a_list_each_move_gets_the_best_law() -> None:
     one = {name: optimise(make_diagram(), RULE, still=STILL, laws=[name]).reached for name in LAWS}
     found = optimise(make_diagram(), RULE, still=STILL, laws=LAWS)

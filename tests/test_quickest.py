@@ -156,7 +156,7 @@ def test_a_cam_with_the_quickest_move(tmp_path: Path) -> None:
             r"acceleration is 1e\+06 m/s2, .* less than a millionth .* for example 18 m/s2",
         ),
         ({"stroke_mm": 0}, "stroke is 0 mm"),
-        ({"rate_per_hour": 20_000}, "takes 0.2236 s, and a turn .* only 0.18 s: .* at most 16100"),
+        ({"rate_per_hour": 20_000}, "takes 0.2236 s, and a turn .* only 0.18 s: .* at most 16098"),
     ],
 )
 def test_what_is_no_move(given: dict[str, float], said: str) -> None:
@@ -170,3 +170,14 @@ def test_the_acceleration_that_is_given_for_an_example_will_do() -> None:
     move = cm.quickest_move(50, acceleration_m_per_s2=18, velocity_m_per_s=0.001, rate_per_hour=1)
     assert move.peak_acceleration == pytest.approx(18)
     assert move.peak_velocity == pytest.approx(0.001)
+
+
+def test_at_the_rate_that_is_advised_the_move_fits() -> None:
+    """Rounded up, it would be too long again."""
+    for stroke in np.random.default_rng(4).uniform(1, 500, 30):
+        fast = {"acceleration_m_per_s2": 4, "rate_per_hour": 1e5}
+        with pytest.raises(cm.InputError) as refusal:
+            cm.quickest_move(stroke, **fast)
+        advised = float(str(refusal.value).split("run at most ")[1].split()[0])
+        move = cm.quickest_move(stroke, **fast | {"rate_per_hour": advised})
+        assert 359.9 < move.angle_deg <= 360

@@ -23,6 +23,7 @@ _VELOCITY = Quantity("largest velocity", "m/s", example=0.5)
 _ACCELERATION = Quantity("largest acceleration", "m/s2", example=4)
 _JERK = Quantity("largest jerk", "m/s3", example=200)
 _SAME = 1e-9  # by such a share a peak may pass its limit, and so short a segment is none
+_BELOW = 1 - 1e-4  # of a rate that is said in five digits, so that they are not too many
 _LEAST = 1e-6  # of its time, for which the move at least speeds up, and its acceleration rises
 
 
@@ -84,7 +85,7 @@ def quickest_move(
         raise InputError(
             f"The quickest move of {stroke_mm:g} mm takes {times.total:.4g} s, and a turn at "
             f"{rate:g} pieces/h only {turn:.4g} s: allow more, or run at most "
-            f"{rate * turn / times.total:.5g} pieces/h."
+            f"{_BELOW * rate * turn / times.total:.5g} pieces/h."
         )
     angle = DEG_PER_TURN * times.total / turn
     move = Move(stroke_mm=stroke_mm, angle_deg=angle, rate_per_hour=rate, law=_law(times))

@@ -27,19 +27,28 @@ _HELD = 1e-8  # of what is held
 _SAME = 1e-6  # what differs by less of it, is one
 
 
+class Begin(NamedTuple):
+    """A range in deg in which a move begins, in one of the turns from the first to the last."""
+
+    range_deg: tuple[float, float]
+    turns: tuple[int, int]
+
+
 @dataclass(frozen=True)
 class Mover:
     """A part whose moves are free in these ranges, from the least to the largest, in deg.
 
     Each move has `laws` to choose from, and for each of them what its peak is, weighted, if it
     takes 1 deg (`costs`, all 0 if it does not count), and the least angle that its limit allows.
-    `ends` are the angles by which it has to have ended.
+    Some have to begin in a range of the turn besides, and `ends` are the angles by which it has to
+    have ended.
     """
 
     laws: tuple[tuple[MotionLaw, ...], ...]
     costs: tuple[tuple[float, ...], ...]
     narrowest: tuple[tuple[float, ...], ...]
     starts: tuple[tuple[float, float], ...]
+    begins: tuple[Begin | None, ...]
     angles: tuple[tuple[float, float], ...]
     ends: tuple[float, ...]
 
@@ -114,6 +123,12 @@ class MoveProgram:
     def _add(self, mover: Mover) -> None:
         rows = self.rows
         starts = rows.unknowns(*np.array(mover.starts).reshape(-1, 2).T)
+        for start, begin in zip(starts, mover.begins, strict=True):
+            if begin:
+                first, last = begin.turns
+                turns = rows.unknowns([first], [last], whole=True)
+                self.whole += turns
+                rows.row([(start, 1.0), (turns[0], -float(DEG_PER_TURN))], *begin.range_deg)
         widths, counted = [], len(self.own)
         for laws, costs, narrowest, (low, high) in zip(
             mover.laws, mover.costs, mover.narrowest, mover.angles, strict=True

@@ -1,5 +1,6 @@
 """The moves of the parts for the program that places them, and the motions of what it found."""
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
@@ -14,7 +15,7 @@ from cammotion.rules.conditions import Condition
 from cammotion.whole.asked_of_all import Task
 from cammotion.whole.asked_of_moves import read_laws, read_ranges
 from cammotion.whole.crossings import Span, fixed_spans, spans
-from cammotion.whole.move_program import Apart, Mover, Placed
+from cammotion.whole.move_program import Apart, Begin, Mover, Placed
 from cammotion.whole.parts import Part
 
 _ROUNDING_DEG = 1e-6  # so near to where a part has to stand a move ends there
@@ -65,16 +66,15 @@ def _mover(
             if end + turned <= moves[on].from_deg + turn + _ROUNDING_DEG:
                 ends[number] = min(ends[number], start + turned)
                 low[on] = max(low[on], end + turned - turn)
-    for number, given in enumerate(starts):
-        if given:
-            turns = round((moves[number].from_deg - sum(given) / 2) / DEG_PER_TURN) * DEG_PER_TURN
-            low[number] = max(low[number], given[0] + turns)
-            high[number] = min(high[number], given[1] + turns)
-        if low[number] > high[number]:
-            raise InputError(
-                f"The start of a move of the {part.motion.name} would lie in a still arc: give a "
-                "range outside of it."
-            )
+    turns = [
+        given and _turns(given, low[number], min(high[number], ends[number]))
+        for number, given in enumerate(starts)
+    ]
+    if any(both and both[0] > both[1] for both in turns):
+        raise InputError(
+            f"The start of a move of the {part.motion.name} would lie in a still arc, or beyond "
+            "one: give a range in which its still arcs let that move begin."
+        )
     strokes = [abs(move.change_mm) for move in moves]
     return Mover(
         tuple(map(tuple, laws)),
@@ -87,8 +87,20 @@ def _mover(
             for own, stroke in zip(laws, strokes, strict=True)
         ),
         tuple(zip(low, high, strict=True)),
+        tuple(
+            Begin(given, both) if given and both else None
+            for given, both in zip(starts, turns, strict=True)
+        ),
         tuple(given or (0.0, float(DEG_PER_TURN)) for given in angles),
         tuple(ends),
+    )
+
+
+def _turns(given: tuple[float, float], low: float, high: float) -> tuple[int, int]:
+    """Return the first and the last turn in which a range of starts reaches into a window."""
+    return (
+        math.ceil((low - given[1] - _ROUNDING_DEG) / DEG_PER_TURN),
+        math.floor((high - given[0] + _ROUNDING_DEG) / DEG_PER_TURN),
     )
 
 
