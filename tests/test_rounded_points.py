@@ -159,6 +159,15 @@ def test_slopes_with_which_it_would_swing_over_are_refused() -> None:
 def test_a_monotone_law_says_what_its_rounding_does() -> None:
     law = quietly(PLACES, ROUNDED, fit="monotone")
     assert law.rounding.bound > law.rounding.rms > 40
+    errors = 1e-4 * np.random.default_rng(8).uniform(-1, 1, (361, 1000))  # half a step, as drawn
+    errors[[0, -1]] = 0
+    sides = np.concatenate([PLACES[5:-5] - 1e-9, PLACES[5:-5] + 1e-9])
+    bends = [
+        PchipInterpolator(PLACES, ways, axis=0).derivative(2)(sides)
+        for ways in (ROUNDED[:, None] + errors, ROUNDED[:, None])
+    ]
+    rms = np.sqrt(np.mean(np.square(bends[0] - bends[1]), axis=1))
+    assert law.rounding.rms == pytest.approx(rms.max(), rel=0.1)
     assert quietly(PLACES, CYCLOID, fit="monotone").rounding == (0, 0, 0)
 
 

@@ -105,6 +105,23 @@ def test_a_sheet_in_sight_comes_first(tmp_path: Path, state: str) -> None:
     assert cm.read_machine(path).diagram.rate_per_hour == 2000
 
 
+def test_cells_and_rows_need_not_say_where_they_are(tmp_path: Path) -> None:
+    """They follow one another, and an empty one is one too."""
+    with ZipFile(BytesIO(sheets_as_xlsx({"press": [HEADING, *ROWS]}))) as book:
+        sheet = book.read(SHEET).decode()
+    rows = []
+    for row in re.findall(r"<row .*?</row>", sheet):
+        cells = dict(re.findall(r'<c r="([A-Z]+)\d+"(.*?</c>)', row))
+        rows.append("".join(f"<c{cells.get(column, '/>')}" for column in "ABCDEFGHIJK"))
+    data = "<row/>".join(f"<row>{row}</row>" for row in rows)
+    content = changed(SHEET, "<sheetData>.*</sheetData>", f"<sheetData>{data}</sheetData>")
+    path = tmp_path / "press.xlsx"
+    path.write_bytes(content)
+    assert cm.read_machine(path).diagram == cm.EXAMPLE.diagram
+    said = refusal(path, changed(SHEET, "<v>150.0</v>", "<v>15.0</v>", content))
+    assert said.startswith("Row 3 of press.xlsx")
+
+
 def test_the_minus_of_a_spreadsheet_is_one(tmp_path: Path) -> None:
     """Swedish and Norwegian ones write U+2212; a name keeps its own."""
     motion = cm.motion("a−b", cm.rise(50, over_deg=180), cm.return_(50, over_deg=180), start_mm=-9)

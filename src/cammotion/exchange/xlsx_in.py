@@ -148,12 +148,14 @@ def _shown(code: str) -> str:
 
 def _rows(file: str, sheet: ElementTree.Element, shared: _Shared) -> Rows:
     rows: Rows = []
+    number = 0
     for row in _named(sheet, "row"):
-        number = int(row.get("r") or len(rows) + 1)
+        number = int(row.get("r") or number + 1)
         cells: dict[int, str] = {}
+        column = -1
         for cell in _named(row, "c"):
             found = _REFERENCE.fullmatch(cell.get("r") or "")
-            column = _column(found[1]) if found else max(cells, default=-1) + 1
+            column = _column(found[1]) if found else column + 1
             if text := _value(cell, shared):
                 cells[column] = text
         if cells and (number > MOST_ROWS or max(cells) >= MOST_COLUMNS or number <= len(rows)):

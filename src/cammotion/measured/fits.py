@@ -17,7 +17,7 @@ from cammotion.measured.smoother import AnyPoints, chosen_amount
 from cammotion.quantities import Floats
 
 _APART = 40  # points; half-way, what one adds to A has fallen to 4e-12 of it
-_DRAWS = 64  # of random errors, where there is no formula
+_DRAWS, _DRAWN = (64, 1024), 200_000  # of random errors, where there is no formula
 
 
 class Fit(Protocol):
@@ -119,15 +119,18 @@ class Monotone:
         )
 
     def effects(self, ways: Floats, most: float) -> tuple[Floats, Floats]:
-        """Return what errors up to `most` do to A: the most of 64 draws, and their mean square.
+        """Return what errors up to `most` do to A: the most of many draws, and their mean square.
 
-        PCHIP takes harmonic means of slopes, and so has no shares that could be summed.
+        The first has errors up and down in turn, and counts for the most alone. PCHIP takes
+        harmonic means of slopes, and so has no shares that could be summed.
         """
-        errors = np.random.default_rng(0).uniform(-most, most, (self.places.size, _DRAWS))
+        count = self.places.size
+        draws = np.clip(_DRAWN // count, *_DRAWS)
+        errors = np.random.default_rng(0).uniform(-most, most, (count, draws))
         errors[[0, -1]] = 0
-        errors[1:-1, 0] = most * (-1) ** np.arange(self.places.size - 2)
+        errors[1:-1, 0] = most * (-1) ** np.arange(count - 2)
         off = self._bends(ways[:, None] + errors) - self._bends(ways[:, None])
-        return np.max(np.abs(off), axis=1), np.sqrt(np.mean(off**2, axis=1))
+        return np.max(np.abs(off), axis=1), np.sqrt(np.mean(off[:, 1:] ** 2, axis=1))
 
     def _bends(self, ways: Floats) -> Floats:
         """Return A before and after each point."""
