@@ -661,3 +661,26 @@ def test_an_infinite_jerk_limit_is_none() -> None:
             make_diagram(), "die", EXAMPLE, still=STILL, jerk_m_per_s3=none, cells=36
         )
         assert found.bound == solve(cells=36).bound
+
+
+@pytest.mark.parametrize("later", [0.09057481868815, 0.7, 1 / 3])
+def test_a_turret_within_its_travel_is_so_wherever_its_turn_begins(later: float) -> None:
+    """Its still arc begins but for rounding where the turn does, and not in the turn before."""
+    start = 92 + later
+    over = 210.74337245684052 - start
+    parts = cm.rise(50, over_deg=over, law="cubic"), cm.dwell(360 - over)
+    turret = cm.indexing_motion("turret", *parts, stops=7, start_deg=start)
+    machine = TimingDiagram([turret], 2000)
+    end = start - 360
+    for still in ((end - 241.34, end), (end - 241.34, np.nextafter(end, 0))):
+        found = least_acceleration(machine, "turret", [], still=[still], travel_mm=TRAVEL, cells=12)
+        assert found.bound <= found.reached <= machine.peak_acceleration("turret")
+
+
+def test_the_motion_of_today_is_kept_where_a_grid_has_no_better_one() -> None:
+    parts = cm.rise(5, over_deg=24.247), cm.dwell(63.362), cm.return_(5, over_deg=24.247)
+    slide = cm.motion("slide", *parts, cm.dwell(248.144)).with_law("constant acceleration")
+    machine = TimingDiagram([slide], 2000)
+    still = [(24.247, 87.609), (111.856, 331.702)]
+    found = least_acceleration(machine, "slide", [], still=still, cells=180)
+    assert found.bound <= found.reached <= machine.peak_acceleration("slide")

@@ -85,7 +85,11 @@ def _range_mm(motion: Motion, start_deg: float) -> tuple[float, float]:
     turning = np.array(motion.turning_degs)
     angles = start_deg + np.mod(turning - start_deg, DEG_PER_TURN)
     open_ended = replace(motion, stops=_OPEN) if motion.is_indexing else motion
-    places = open_ended.position_mm([start_deg, *angles])
+    middle = _OPEN // 2  # the angle may be just before the motion begins, which is a turn earlier
+    places = np.asarray(
+        open_ended.position_mm(middle * DEG_PER_TURN + np.array([start_deg, *angles]))
+    )
+    places -= middle * motion.pitch_mm
     return float(np.min(places)), float(np.max(places))
 
 

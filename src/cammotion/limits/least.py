@@ -51,6 +51,7 @@ class LeastAcceleration:
 
     `bound` in m/s2 is what no motion that keeps the rules can be below; `motion` is one that keeps
     them and comes near to it. The least peak of all lies between `bound` and `reached`.
+    Where no better one was found than that of `diagram`, and that keeps them, it is that one.
     `jerk_m_per_s3` is the limit of the jerk that was asked for.
     """
 
@@ -133,6 +134,9 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     room, curve = _reach(room, times, limit)
     best = curve.build(own, room)
     found = LeastAcceleration(diagram, lowest / MM_PER_M, best, most_jerk)
+    today = replace(found, motion=own)
+    if today.reached < found.reached and not any(find_faults(diagram, own, asked)):
+        found = today  # which a grid need not have
     _check(found, asked)
     return replace(found, bound=min(found.bound, found.reached))  # but for rounding it is so
 
