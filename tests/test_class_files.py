@@ -51,9 +51,10 @@ def test_a_file_that_is_none_is_left_out_and_said(folder: Path, kind: str) -> No
 def test_a_folder_without_any(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"^There is no progress\.json in the folder .* work\.$"):
         read_class(tmp_path)
-    (tmp_path / "x.json").write_text("{")
-    with pytest.raises(InputError, match=r"x\.json was left out: it is broken"):
-        read_class(tmp_path)
+    for content, lack in (("{", "broken"), (" \n", "empty")):
+        (tmp_path / "x.json").write_text(content)
+        with pytest.raises(InputError, match=rf"x\.json was left out: it is {lack}"):
+            read_class(tmp_path)
 
 
 def test_what_is_hidden_or_was_put_aside_is_no_student(folder: Path) -> None:

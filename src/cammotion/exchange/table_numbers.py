@@ -57,6 +57,8 @@ def step_of(cells: Sequence[str], decimal: str) -> float:
     (0.01, 0.0001)
     >>> step_of(["1.2346e-05", "12.346"], "."), step_of(["0", "1200", "50"], ".")
     (0.001, 1.0)
+    >>> step_of(["0.00", "0"], ".")
+    0.01
     """
     cells = [*map(_tidied, cells)]
     numbers = [abs(number_of(cell, decimal) or 0.0) for cell in cells]
