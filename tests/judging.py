@@ -11,7 +11,8 @@ from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.variants import machine_for
 
-MACHINES = [EXAMPLE, machine_for(), *(machine_for(f"learner {n}") for n in range(20))]
+MACHINES = [EXAMPLE, machine_for(), *(machine_for(f"learner {n}") for n in range(5))]
+"""Of the source, of a learner without a name, and of a few more; `--fresh` draws new ones."""
 NUMBERS = [exercise for exercise in EXERCISES.values() if isinstance(exercise, NumberExercise)]
 CHOICES = [exercise for exercise in EXERCISES.values() if isinstance(exercise, ChoiceExercise)]
 FORMULAS = [e for e in EXERCISES.values() if isinstance(e, ExpressionExercise)]

@@ -5,29 +5,20 @@ import re
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
-from importlib import import_module
-from pathlib import Path
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 import sympy
+from by_hand import ALL_SLIPS, OF_THE_SOURCE, RIGHT
 from judging import MACHINES, each_exercise, each_number, is_right, reasons_of, say
-from known_slips import KnownSlip, h_m
+from known_slips import h_m
 
 from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.exercise import Exercise, NumberExercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS, those_in
-
-BY_HAND = [
-    import_module(file.stem) for file in sorted(Path(__file__).parent.glob("known_slips*.py"))
-]
-"""What is right and what is wrong, by lessons and without the package; a new file is found here."""
-RIGHT = {number: answer for known in BY_HAND for number, answer in known.RIGHT.items()}
-OF_THE_SOURCE = {number: value for known in BY_HAND for number, value in known.SOURCE.items()}
-ALL_SLIPS: list[KnownSlip] = [slip for known in BY_HAND for slip in known.SLIPS]
 
 
 @each_exercise

@@ -1,47 +1,16 @@
-"""How far an answer may be rounded, over all numbers that are asked for and many machines."""
+"""How far an answer may be rounded, over all numbers that are asked for."""
 
-import re
-from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
-from judging import each_number, is_right, say
-from test_exercises_answers import ALL_SLIPS
+import rounding
+from judging import MACHINES, each_number, is_right, say
 
 import cammotion as cm
-from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.exercise import NumberExercise, Slip
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.reasons import short_name
-from cammotion.teaching.variants import machine_for
-
-MANY = [EXAMPLE, machine_for(), *(machine_for(f"rounded {n}") for n in range(60))]
-ASKED = re.compile(r", to (three|four) digits$")
-DIGITS = {"three": 3, "four": 4}
-
-
-def asked_digits(exercise: NumberExercise, machine: MillAndDie) -> int:
-    """Return to how many digits a question asks for its answer, 2 where it says nothing."""
-    found = ASKED.search(exercise.wanted_for(machine))
-    return DIGITS[found[1]] if found else 2
-
-
-def rounded(value: float, digits: int) -> float:
-    return float(f"{value:.{digits}g}")
-
-
-def wrong_ways(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
-    """Return what the known wrong ways lead to, where it is not the right number after all.
-
-    That it may be exactly, or to the four digits that are the most that is asked for. A number
-    that was rounded on the way is no wrong way.
-    """
-    right = exercise.solution(machine)
-    by_hand = [s for s in ALL_SLIPS if s.number == exercise.number and s.said != "rounded"]
-    ways = [slip.answer for slip in exercise.slips] + [slip.answer for slip in by_hand]
-    for value in {float(way(machine)) for way in ways}:
-        if value != rounded(right, 4) and value != pytest.approx(right, rel=1e-9):
-            yield value
 
 
 def simple(answer: float, *slips: float) -> NumberExercise:
@@ -59,43 +28,22 @@ def simple(answer: float, *slips: float) -> NumberExercise:
 
 @each_number
 def test_an_answer_rounded_as_the_question_asks_is_right(exercise: NumberExercise) -> None:
-    for machine in MANY:
-        right = exercise.solution(machine)
-        for digits in range(asked_digits(exercise, machine), 8):
-            assert is_right(exercise, rounded(right, digits), machine), (machine.who, digits)
+    for machine in MACHINES:
+        rounding.assert_rounded_as_asked_is_right(exercise, machine)
 
 
 @each_number
 def test_two_digits_are_enough_unless_they_are_too_far_off_or_a_slips(
     exercise: NumberExercise,
 ) -> None:
-    for machine in MANY:
-        right = exercise.solution(machine)
-        if asked_digits(exercise, machine) > 2:
-            two = rounded(right, 2)
-            too_far = abs(two - right) > 0.012 * right
-            slips = {rounded(float(slip.leads_to(machine)), 2) for slip in exercise.slips}
-            half_way = rounded(right, 3) != pytest.approx(rounded(right, 2), rel=0.004)
-            assert too_far or two in slips or half_way, machine.who
+    for machine in MACHINES:
+        rounding.assert_two_digits_are_enough(exercise, machine)
 
 
 @each_number
 def test_no_known_wrong_way_is_right_for_anybody(exercise: NumberExercise) -> None:
-    for machine in MANY:
-        for value in wrong_ways(exercise, machine):
-            assert not is_right(exercise, value, machine), (machine.who, value)
-
-
-@each_number
-def test_nor_is_one_that_is_rounded_as_the_question_asks(exercise: NumberExercise) -> None:
-    """More than four digits are never asked for; slips that agree in four are rare."""
-    for machine in MANY:
-        right, digits = exercise.solution(machine), asked_digits(exercise, machine)
-        for slip in exercise.slips:
-            value = float(slip.leads_to(machine))
-            if value == pytest.approx(right, rel=1e-9 if digits < 4 else 1e-3):
-                continue
-            assert not is_right(exercise, rounded(value, digits), machine), (machine.who, value)
+    for machine in MACHINES:
+        rounding.assert_no_wrong_way_is_right(exercise, machine)
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
 from cammotion.measured.fits import Through
 from cammotion.teaching import again
+from cammotion.teaching.exercise import NumberExercise
 
 SEED, SOUND = "cam", range(6)
 Patch = tuple[object, str, Callable[[Any], Any]]
@@ -143,6 +144,7 @@ FAULTS: dict[str, Patch] = {
     "camshafts": (cm.Camshaft, "peak_torque", heavier),
     "indexers": (cm.Indexer, "rms_torque_N_m", scaled(1.01)),
     "responses": (cm.StartResponse, "acceleration", scaled(1 + 1e-7)),
+    "answers": (NumberExercise, "solution", scaled(1.01)),
     "questions": (again, "whole_question", lambda _: lambda one, machine: one.question(machine)),
 }
 

@@ -20,6 +20,7 @@ from types import FrameType
 from typing import Any
 
 from fresh import (
+    check_answers,
     check_cam_tables,
     check_cams,
     check_camshafts,
@@ -73,6 +74,7 @@ CHECKS: Mapping[str, Check] = {
     "indexers": check_indexers.indexers,
     "responses": check_responses.responses,
     "questions": check_questions.questions,
+    "answers": check_answers.answers,
 }
 SELDOM = {
     "positions": 3,
