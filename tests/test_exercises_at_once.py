@@ -16,7 +16,7 @@ from cammotion.teaching import lock, store
 from cammotion.teaching.places import FILE
 from cammotion.teaching.store import LOCK
 
-ANSWERS = 100
+ANSWERS = 40
 BUSY = """
 import errno, os, sys
 from cammotion.teaching.places import find_place

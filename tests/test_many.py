@@ -28,8 +28,13 @@ from cammotion.views.plots import colour, dashes_of
 mpl.use("agg")
 
 COUNTS = [1, 4, 6, 7, 12, 24]
-NAMES: list[list[str]] = [[], ODD_NAMES, [f"{'n' * 30} {k:02}" for k in range(24)]]
-MANY = [pytest.param(n, names, id=f"{n}-{k}") for n in COUNTS for k, names in enumerate(NAMES)]
+LONG_NAMES = [f"{'n' * 30} {k:02}" for k in range(24)]
+NAMES: list[list[str]] = [[], ODD_NAMES, LONG_NAMES]
+MANY = [
+    *[(count, []) for count in COUNTS],
+    *[(count, ODD_NAMES) for count in (4, 7, 24)],
+    *[(count, LONG_NAMES) for count in (1, 6, 24)],
+]
 PAGE_INCHES = 9.4  # a notebook's page, as wide as its pictures were before
 TOUCH_PX = 1.0
 

@@ -123,5 +123,8 @@ class Geneva:
         half = sympy.Rational(1, 2)
         alpha = math.pi * (1 - 2 / self.slots) * (x - half)
         whole = self.slots / (2 * math.pi)
-        waves = [whole * self.ratio**k / k * sympy.sin(k * alpha) for k in range(1, most + 1)]
+        waves = (  # as they are: SymPy would look through each of them for a simpler form
+            whole * self.ratio**k / k * sympy.sin(k * alpha, evaluate=False)
+            for k in range(1, most + 1)
+        )
         return MotionLaw(f"Geneva wheel, {self.slots} slots", half + sympy.Add(*waves))
