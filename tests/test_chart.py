@@ -140,14 +140,13 @@ def test_the_page_is_one_of_lines_and_letters(
 
 
 def test_nothing_is_written_over(tmp_path: Path) -> None:
-    for kind in ("pdf", "svg", "png"):
-        file = cm.write_chart(make_diagram(), tmp_path / f"chart.{kind}")
-        before = file.read_bytes()
-        with pytest.raises(cm.InputError, match="is there already and was left as it is"):
-            cm.write_chart(make_diagram(), file, title="another")
-        assert file.read_bytes() == before
-        cm.write_chart(make_diagram(), file, title="another", overwrite=True)
-        assert file.read_bytes() != before
+    file = cm.write_chart(make_diagram(), tmp_path / "chart.svg")
+    before = file.read_bytes()
+    with pytest.raises(cm.InputError, match="is there already and was left as it is"):
+        cm.write_chart(make_diagram(), file, title="another")
+    assert file.read_bytes() == before
+    cm.write_chart(make_diagram(), file, title="another", overwrite=True)
+    assert file.read_bytes() != before
 
 
 def test_what_is_no_chart(tmp_path: Path) -> None:
