@@ -271,7 +271,8 @@ class MotionLaw(Alike):
 
     @property
     def _middle_velocity(self) -> sympy.Expr:
-        return self.v.xreplace({x: _HALF}).doit()
+        middle = next(piece for piece in self.curve.pieces if piece.high >= _HALF)
+        return sympy.diff(middle.expression, x).xreplace({x: _HALF}).doit()
 
     @cached_property
     def _zones(self) -> tuple[Zone, ...]:
