@@ -1,0 +1,111 @@
+"""Which tests run a line of the package: each file of tests alone, watched by coverage."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from breaking import ROOT, Mutant
+
+SLOW = ("browser", "nbgrader", "hub", "binder", "colab", "notebook", "conftest")
+PASSED = 0
+_WATCHED = "src/cammotion,starter"
+
+
+class Running:
+    """Runs pytest in a copy of the workbook; `stop` ends what runs."""
+
+    def __init__(self) -> None:
+        self._processes: set[subprocess.Popen[bytes]] = set()
+
+    def pytest(self, copy: Path, tests: Iterable[str], seconds: float, *before: str) -> int | None:
+        """Return pytest's exit code, None if it takes longer; `before` watches over it."""
+        command = [sys.executable, *before, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider"]
+        process = subprocess.Popen(
+            [*command, "-p", "no:nbval", "-o", "addopts=--doctest-modules", *tests],
+            cwd=copy,
+            env={**os.environ, "PYTHONPATH": str(copy / "src"), "PYTHONDONTWRITEBYTECODE": "1"},
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        self._processes.add(process)
+        try:
+            return process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            return None
+        finally:
+            self._processes.discard(process)
+            _end(process)
+
+    def stop(self) -> None:
+        """End what runs."""
+        for process in [*self._processes]:
+            _end(process)
+
+
+def _end(process: "subprocess.Popen[bytes]") -> None:
+    """End a process with all that it has started, and wait for it."""
+    with suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+
+
+def quick_tests() -> list[str]:
+    """Return the test files that take no minutes, and the rooms of the package for doctests."""
+    tests = (p for p in (ROOT / "tests").glob("test_*.py") if not any(w in p.name for w in SLOW))
+    rooms = (p.parent for p in (ROOT / "src" / "cammotion").glob("*/__init__.py"))
+    return sorted(str(path.relative_to(ROOT)) for path in (*tests, *rooms))
+
+
+@dataclass
+class Covered:
+    """What each file of tests runs, and how long it takes, by paths in the workbook."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+    lines: dict[str, dict[str, list[int]]] = field(default_factory=dict)
+
+    def watch(self, running: Running, copy: Path, test: str, limit: float) -> None:
+        """Run a file of tests in a copy of the workbook; stop where it fails, or takes too long."""
+        from coverage import CoverageData
+
+        data, begun = copy / f".coverage-{test.replace('/', '-')}", time.monotonic()
+        watch = ("-m", "coverage", "run", f"--source={_WATCHED}", f"--data-file={data}")
+        if running.pytest(copy, [test], limit, *watch) != PASSED:
+            sys.exit(f"{test} fails, or takes too long, with nothing broken.")
+        self.seconds[test] = time.monotonic() - begun
+        found = CoverageData(str(data))
+        found.read()
+        for file in found.measured_files():
+            path = str(Path(file).relative_to(copy.resolve()))
+            self.lines.setdefault(path, {})[test] = [*(found.lines(file) or ())]
+        data.unlink()
+
+    def tests_of(self, mutant: Mutant) -> list[str]:
+        """Return the tests that run a changed line, first those that run most of its file.
+
+        Those of the starter start it as another program, which nobody watches: all of them.
+        """
+        path = str(mutant.path.relative_to(ROOT))
+        here = {test: {*lines} for test, lines in self.lines.get(path, {}).items()}
+        if path.startswith("starter/"):
+            return [test for test in self.seconds if "starter" in test or "workbook" in test]
+        return sorted(
+            (test for test, lines in here.items() if lines.intersection(mutant.lines)),
+            key=lambda test: (-len(here[test]), self.seconds[test]),
+        )
+
+    def save(self, file: Path) -> None:
+        """Write it down for another run."""
+        file.write_text(json.dumps(vars(self)), encoding="utf-8")
+
+
+def read_covered(file: Path) -> Covered:
+    """Read what was written down before."""
+    return Covered(**json.loads(file.read_text(encoding="utf-8")))
