@@ -51,6 +51,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: places.get(item.path.stem, len(LONG)))
 
 
+@pytest.fixture(scope="session", autouse=True)
+def folder_of_the_run(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """Name the folder in which all processes of this run find what one of them has made."""
+    own = tmp_path_factory.getbasetemp()
+    is_one_of_many = hasattr(request.config, "workerinput")
+    os.environ["WORKBOOK_TESTS_FOLDER"] = str(own.parent if is_one_of_many else own)
+
+
 @pytest.fixture(scope="module")  # one that stays open lets no other test run a loop of events
 def browser() -> "Iterator[Browser]":
     """Run a Chromium for a file of tests; skip them where there is none."""

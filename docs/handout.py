@@ -8,6 +8,7 @@ import argparse
 import base64
 import re
 import shutil
+from functools import cache
 from html import escape, unescape
 from pathlib import Path
 
@@ -43,10 +44,15 @@ def formula(match: re.Match[str]) -> str:
     return mathml(unescape((match[1] or match[2]).strip()), block=bool(match[1]))
 
 
+@cache
+def exporter() -> HTMLExporter:
+    """Return nbconvert's exporter, whose templates are read once for all lessons."""
+    return HTMLExporter(template_name="classic")  # type: ignore[no-untyped-call]
+
+
 def handout(lesson: Path) -> str:
     """Return a lesson as one page of HTML, without scripts."""
-    exporter = HTMLExporter(template_name="classic")  # type: ignore[no-untyped-call]
-    html, _ = exporter.from_filename(str(lesson))
+    html, _ = exporter().from_filename(str(lesson))
     page = BeautifulSoup(html, "html.parser")
     for tag in page.select("script, style, link, .anchor-link, audio, video"):
         tag.decompose()

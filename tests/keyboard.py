@@ -7,6 +7,12 @@ MOST_PRESSES = 150
 RUNS = """() => [...document.querySelectorAll(".jp-InputPrompt")]
   .some((prompt) => prompt.textContent.includes("*"))"""
 ACTIVE = "() => jupyterapp.shell.currentWidget.content.activeCellIndex"
+STAND = """(source) => {
+  const { content } = jupyterapp.shell.currentWidget;
+  content.activeCellIndex = content.widgets.findIndex(
+    (cell) => cell.model.sharedModel.source.includes(source));
+  content.activate();
+}"""
 HAS_FOCUS = "(element) => element.contains(document.activeElement)"
 
 
@@ -40,3 +46,7 @@ class Keyboard:
         self.lab.page.wait_for_function(f"() => !({RUNS})()")
         self.until("ArrowUp", cell)
         return cell
+
+    def stand_on(self, source: str) -> None:
+        """Stand on a cell, where many times ArrowDown would lead: each takes JupyterLab long."""
+        self.lab.page.evaluate(STAND, source)

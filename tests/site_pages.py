@@ -1,12 +1,10 @@
-"""The site as it is built from the stored notebooks, once for each process of tests."""
+"""The site as it is built from the stored notebooks, once for a run of tests."""
 
-import atexit
-import shutil
-import tempfile
 from functools import cache
 from pathlib import Path
 
 from bs4 import BeautifulSoup
+from once import made_once
 
 from cammotion.site import folder
 from cammotion.site.build import build
@@ -18,21 +16,21 @@ PAGES = ["index", *LESSONS]
 
 
 @cache
+def written() -> Path:
+    """Return the folder of the site, on a disk until the run ends."""
+    return made_once("site", lambda place: folder.write(place, build(NOTEBOOKS)))
+
+
+@cache
 def files() -> dict[str, bytes]:
     """Return the files of the site by their names."""
-    return build(NOTEBOOKS)
+    found = (path for path in written().rglob("*") if path.is_file())
+    named = {path.relative_to(written()).as_posix(): path.read_bytes() for path in found}
+    del named[folder.MARKER]
+    return named
 
 
 @cache
 def page(name: str) -> BeautifulSoup:
     """Return a page, read."""
     return BeautifulSoup(files()[f"{name}.html"].decode(), "html.parser")
-
-
-@cache
-def written() -> Path:
-    """Return the folder of the site, on a disk until the process ends."""
-    home = Path(tempfile.mkdtemp(prefix="workbook-site-"))
-    atexit.register(shutil.rmtree, home, ignore_errors=True)
-    folder.write(home / "site", files())
-    return home / "site"

@@ -16,12 +16,14 @@ AT = np.linspace(0.3, 359.7, 311)
 SETTINGS = [(60, 0, 10), (120, 15, 12), (40, -20, 5), (20, 5, 14)]
 
 
-@pytest.fixture(params=[cm.EXAMPLE.die, AFTER], ids=["without overlap", "with overlap"])
+@pytest.fixture(
+    scope="module", params=[cm.EXAMPLE.die, AFTER], ids=["without overlap", "with overlap"]
+)
 def motion(request: pytest.FixtureRequest) -> cm.Motion:
     return request.param  # type: ignore[no-any-return]
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def figure(motion: cm.Motion) -> LiveFigure:
     return cm.explore_cam(motion)
 

@@ -17,7 +17,7 @@ import cammotion as cm
 from cammotion.quantities import Floats
 from cammotion.views.live.figure import LiveFigure
 
-SETTINGS, SEARCHED, PLACES = 1000, 20, 4  # a search takes Python 100 times as long as a formula
+SETTINGS, SEARCHED, PLACES = 1000, 6, 4  # a search takes Python 100 times as long as a formula
 EXACT = 1e-12
 t, k, n, w = sp.symbols("t k n w", real=True)
 PIECES = sp.Piecewise((0, t < k), (sp.sin(t - k), t < k + n), (n, True))
@@ -195,6 +195,8 @@ def test_every_formula_in_a_page_and_in_python(figure: LiveFigure) -> None:
     is_search = searched(formulas)
     for wanted, count in ((False, SETTINGS), (True, SEARCHED)):
         numbers = [number for number, search in enumerate(is_search) if search is wanted]
+        if not numbers:
+            continue
         cases = random_cases(figure, count, seed=count)
         given = {"description": figure.description, "cases": cases, "numbers": numbers, "y": 0.3}
         page = node.unpacked(node.run(COMPUTE, given)).reshape(len(cases), len(numbers), PLACES)
@@ -209,7 +211,7 @@ def test_every_formula_in_a_page_and_in_python(figure: LiveFigure) -> None:
 
 
 def test_sentences_in_a_page_and_in_python(figure: LiveFigure) -> None:
-    cases = [case[:2] for case in random_cases(figure, 40, seed=7)]
+    cases = [case[:2] for case in random_cases(figure, 12, seed=7)]
     page = node.run(SAY, {"description": figure.description, "cases": cases})
     for (settings, pinned), said in zip(cases, page, strict=True):
         figure.settings, figure.pinned = settings, pinned
@@ -285,7 +287,3 @@ def test_searches_find_what_is_known() -> None:
     assert place == pytest.approx(1.75 + 0.5, abs=1e-7)
     assert cubic == pytest.approx(1, rel=1e-15)
     assert math.isnan(outside)
-
-
-def test_all_formulas_of_all_figures_are_taken(figure: LiveFigure) -> None:
-    assert node.run("return compile(given)([], []).length", figure.description) > 0

@@ -8,6 +8,7 @@ import os
 import re
 import shlex
 import shutil
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -30,8 +31,10 @@ ORIGINALS = {
     if path.name[:2] in LESSONS
 }
 GRADED = "01"  # the lesson that the class hands in
+ENDLESS_SECONDS = 20  # the page waits 10 s longer for a cell
 
 
+@cache
 def require_nbgrader() -> None:
     """Install nbgrader if it is asked for; skip where it is neither asked for nor there."""
     if os.environ.get("REQUIRE_NBGRADER") == "1":
@@ -59,7 +62,10 @@ class Course:
         self._environment = {name: str(folder / "own" / name) for name in own}
         # As in an activated environment: nbgrader looks for its alembic on the PATH.
         self._environment["PATH"] = f"{ENVIRONMENT.programs}{os.pathsep}{os.environ['PATH']}"
-        (folder / "nbgrader_config.py").write_text(block("get_config"), "utf-8")
+        limit, sooner = "c.Execute.timeout = 30 ", f"c.Execute.timeout = {ENDLESS_SECONDS} "
+        config = block("get_config")
+        assert limit in config
+        (folder / "nbgrader_config.py").write_text(config.replace(limit, sooner), "utf-8")
         (folder / "marks.py").write_text(block("grades.csv"), "utf-8")
         (copying,) = re.findall(r"```sh\n(for lesson in 01.*?)```", PAGE, re.DOTALL)
         run("sh", "-ec", copying.replace("~/workbook", shlex.quote(str(ROOT))), at=folder)
@@ -122,13 +128,13 @@ CLASS: dict[str, tuple[Change, list[str]]] = {
     "broken": (
         then(
             answering("broken", ALL),
-            {"answer_1 ": "answer_1 = = 55", "answer_2 ": "answer_2 = no_such_name"},
+            {
+                "answer_1 ": "answer_1 = = 55",
+                "answer_2 ": "answer_2 = no_such_name",
+                "answer_3 ": "import time\nwhile True:\n    time.sleep(0.1)",
+            },
         ),
-        ALL[2:],
-    ),
-    "endless": (
-        then(answering("endless", ALL), {"answer_1 ": "while True:\n    pass"}),
-        ALL[1:],
+        ALL[3:],
     ),
     "cheat": (  # a neighbour's answers, a check that is changed and one that is deleted
         then(

@@ -135,9 +135,8 @@ def test_a_file_that_hides_a_package_is_found(tmp_path: Path) -> None:
     (mine / "mpmath.py").write_text("pi = 3")
     (other / "ezdxf").mkdir()
     (other / "ezdxf" / "__init__.py").write_text("")
-    said = run_check(mine)
+    said = run_check(mine, PYTHONPATH=f"{other}:{ROOT / 'src'}")
     assert f"mpmath is installed, but hidden by {(mine / 'mpmath.py').resolve()}" in said
-    said = run_check(tmp_path, PYTHONPATH=f"{other}:{ROOT / 'src'}")
     assert f"hidden by {(other / 'ezdxf').resolve()}" in said
     assert "PYTHONPATH" in said
 

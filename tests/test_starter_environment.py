@@ -437,29 +437,20 @@ def make_wheel(folder: Path) -> None:
             wheel.writestr(name, content)
 
 
-@pytest.mark.parametrize(
-    "own",
-    [
-        {"PIP_USER": "1"},
-        {"PIP_TARGET": "elsewhere"},
-        {"PIP_PREFIX": "elsewhere"},
-        {"PIP_ROOT": "elsewhere"},
-        {"PIP_CONFIG_FILE": "pip.conf"},
-    ],
-    ids=str,
-)
 def test_packages_go_into_the_environment_whatever_the_user_has_set(
-    root: Path, monkeypatch: pytest.MonkeyPatch, own: dict[str, str]
+    root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A real pip, told to install for the user or elsewhere, by variables or by its file."""
+    """A real pip, told to install for the user and elsewhere, by variables and by its file."""
     make_wheel(root)
     (root / "environment.txt").write_text("cam-probe==1.0\n")
     (root / "pip.conf").write_text("[global]\nuser = true\n")
     monkeypatch.setattr(installer, "find_uv", lambda: None)
     use_bundled_pip(monkeypatch)
-    index = {"PIP_CONFIG_FILE": os.devnull, "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": "."}
-    for name, value in (index | own).items():
-        monkeypatch.setenv(name, str(root / value) if value == "pip.conf" else value)
+    elsewhere = dict.fromkeys(("PIP_TARGET", "PIP_PREFIX", "PIP_ROOT"), "elsewhere")
+    own = {"PIP_USER": "1", "PIP_CONFIG_FILE": str(root / "pip.conf")}
+    index = {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": "."}
+    for name, value in (elsewhere | own | index).items():
+        monkeypatch.setenv(name, value)
     monkeypatch.setenv("HOME", str(root))
     environment.create()
     installer.install_packages("[2/3]", whole=False)

@@ -272,10 +272,13 @@ def once(function: Callable[[], Any]) -> Callable[..., Any]:
 
 def select(conditions: list[Any], values: list[Any], default: float) -> Any:
     """Return what `numpy.select` does; of single numbers, as a search asks for, much sooner."""
-    if any(isinstance(each, np.ndarray) for each in (*conditions, *values)):
-        return np.select(conditions, values, default)
-    chosen = (value for condition, value in zip(conditions, values, strict=True) if condition)
-    return np.float64(next(chosen, default))
+    for each in (*conditions, *values):
+        if isinstance(each, np.ndarray):
+            return np.select(conditions, values, default)
+    for condition, value in zip(conditions, values, strict=True):
+        if condition:
+            return np.float64(value)
+    return np.float64(default)
 
 
 _FOUND_BY: dict[str, Callable[..., Any]] = {
