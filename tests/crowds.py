@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -191,10 +190,20 @@ def least_by_trying(given: Small) -> float:
     for node in range(given.nodes):
         near = [0.0] if c <= node <= d else [0.0, -given.pitch if node < c else given.pitch]
         choices.append([*near] if a <= node <= b else [None, *near])
-    program, best = _Program(given), math.inf
-    for pattern in product(*choices):
-        best = min(best, program.least(pattern, best))
-    return best
+    program = _Program(given)
+
+    def best_from(chosen: tuple[float | None, ...], best: float) -> float:
+        """Return the least peak after these choices at the first nodes, if it is below `best`."""
+        least = program.least(chosen, best)
+        if least >= best:  # further choices only ask for more
+            return best
+        if len(chosen) == given.nodes:
+            return least
+        for choice in choices[len(chosen)]:
+            best = best_from((*chosen, choice), best)
+        return best
+
+    return best_from((), math.inf)
 
 
 class _Program:
@@ -224,7 +233,7 @@ class _Program:
         self.rows, self.further = np.array(rows), np.array(further)
 
     def least(self, pattern: tuple[Any, ...], most: float) -> float:
-        """Return the least peak with a stop, or None, for each node, if it is below `most`."""
+        """Return the least peak, if below `most`, with a stop or None for the first nodes."""
         n, given = self.given.nodes, self.given
         low, high = np.full(2 * n, -1000.0), np.full(2 * n, 1000.0)
         for part in (0, 1):

@@ -1,21 +1,18 @@
 """Cam tables of many programs are read to the digit; what is broken is named by its line."""
 
 import re
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from fresh.check_damaged_tables import check_damaged
 from fresh.written_tables import (
-    Array,
-    Form,
     Rng,
     Written,
-    changed,
     draw_form,
     settings_of,
-    value_of,
+    waves,
     write,
 )
 
@@ -23,16 +20,6 @@ import cammotion as cm
 from cammotion import CamTable, InputError
 
 DATA = Path(__file__).parent / "data" / "cam_tables"
-
-
-def smooth(places: Array, rng: Rng) -> Array:
-    """Return a motion in mm that comes back: some waves, above 0 or somewhere else."""
-    total = np.zeros_like(places)
-    for n in range(1, 5):
-        total += rng.normal(0, 1 / n**2) * np.cos(2 * np.pi * (n * places + rng.random()))
-    size = rng.choice([0.3, 8, 50, 400])
-    total = (total - total.min()) / np.ptp(total) * size
-    return np.asarray(total + rng.choice([0, 0, -20, 130]))
 
 
 def draw_table(rng: Rng) -> tuple[Written, dict[str, Any], str]:
@@ -44,7 +31,7 @@ def draw_table(rng: Rng) -> tuple[Written, dict[str, Any], str]:
         places = np.append(places, 1.0)
     elif shape != "open":
         places *= rng.uniform(0.2, 0.9)
-    positions = smooth(places, rng)
+    positions = waves(places, rng)
     if shape == "rise":
         rising = 1 - np.cos(np.pi * places / places[-1])
         positions = positions.min() + 20 * rising
@@ -69,7 +56,7 @@ def check_read(table: CamTable, written: Written, shape: str) -> None:
     assert table.even_step_deg is not None
 
 
-@pytest.mark.parametrize("seed", range(600))
+@pytest.mark.parametrize("seed", range(120))  # more are drawn in tests/fresh
 def test_a_table_is_read_as_it_was_written(tmp_path: Path, seed: int) -> None:
     rng = np.random.default_rng([seed, 14])
     written, told, shape = draw_table(rng)
@@ -381,80 +368,7 @@ def test_a_turn_that_does_not_close_by_rounding_closes(tmp_path: Path) -> None:
     assert "but for 0.001" in table.said
 
 
-DAMAGES: dict[str, Callable[[bytearray, Rng], bytearray]] = {
-    "a byte is another": lambda raw, rng: spliced(raw, rng, 1, bytes([rng.integers(32, 127)])),
-    "a mark is another": lambda raw, rng: spliced(
-        raw, rng, 1, bytes([rng.choice([*b".,;\t -+e"])])
-    ),
-    "a byte is gone": lambda raw, rng: spliced(raw, rng, 1, b""),
-    "a byte is new": lambda raw, rng: spliced(raw, rng, 0, bytes([rng.choice([*b"0.,; x\n\t"])])),
-    "any byte": lambda raw, rng: spliced(raw, rng, 1, bytes([rng.integers(0, 256)])),
-    "some are gone": lambda raw, rng: spliced(raw, rng, int(rng.integers(2, 60)), b""),
-    "the end is gone": lambda raw, rng: raw[: rng.integers(0, len(raw))],
-    "a piece comes twice": lambda raw, rng: spliced(raw, rng, 0, bytes(raw[: rng.integers(1, 80)])),
-}
-
-
-def spliced(raw: bytearray, rng: Rng, count: int, new: bytes) -> bytearray:
-    at = int(rng.integers(0, len(raw)))
-    return raw[:at] + new + raw[at + count :]
-
-
-def rows_of(form: Form, text: str) -> tuple[list[tuple[float, float]], bool]:
-    """Return the rows of a damaged text, and whether a line was to be one and is none."""
-    rows, broken = [], False
-    for line in text.replace("\r\n", "\n").replace("\r", "\n").split("\n"):
-        if not line.strip(" ;|,\t") or line.lstrip().startswith(("#", "//", "%", "!")):
-            continue
-        is_spaced = form.separator in {" ", "\t"}  # no cell of ours is empty
-        cut = line.split() if is_spaced else line.split(form.separator)
-        cells = [cell.strip() for cell in cut]
-        first, second = ([*(value_of(cell, form.decimal) for cell in cells), np.nan, np.nan])[:2]
-        if np.isfinite(first) and np.isfinite(second):
-            rows.append((first, second))
-        else:
-            broken |= not re.search(r"[^\W\d_]{3}", line)  # a word, as in a heading
-    return rows, broken
-
-
-def damaged(seed: int) -> tuple[Form, bytes]:
-    """Return a table in deg and mm after one or two damages, none of them to its heading."""
-    rng = np.random.default_rng([seed, 15])
-    form = draw_form(rng)
-    decimal = "." if form.separator == "," else form.decimal
-    form = changed(
-        form, first="deg", unit="mm", encoding="utf-8", style="fixed", heading="one line"
-    )
-    form = changed(form, extras=(), decimals=3, decimal=decimal, quoted=False, newline="\n")
-    count = int(rng.integers(9, 60))
-    written = write(
-        form, np.arange(count + 1) / count, smooth(np.arange(count + 1) / count, rng), rng
-    )
-    head, _, rows = written.raw.partition(b"\n")
-    raw = bytearray(rows)
-    for name in rng.choice([*DAMAGES], int(rng.integers(1, 3))):
-        raw = DAMAGES[name](raw, rng) if raw else raw
-    return form, head + b"\n" + bytes(raw)
-
-
-def check_damaged(path: Path, seed: int) -> str:
-    """Read a damaged file: what comes back is what stands there, or a sentence."""
-    form, raw = damaged(seed)
-    try:
-        table = read(path, raw)
-    except InputError:
-        return "refused"
-    rows, broken = rows_of(form, raw.decode("cp1252" if "cp1252" in table.said else "utf-8"))
-    assert not broken, f"seed {seed}: a broken row was left out\n{table.said}"
-    angles, positions = np.array(rows).T
-    assert len(table.position_mm) == len(rows) - ("repeats" in table.said), f"seed {seed}"
-    assert np.array_equal(table.position_mm, positions[: table.position_mm.size]), f"seed {seed}"
-    off = np.abs(table.angle_deg - angles[: table.angle_deg.size]).max()
-    assert off < 0.25 * np.diff(table.angle_deg).min(), f"seed {seed}"
-    return "read"
-
-
 def test_damaged_files_are_read_as_they_stand_or_refused(tmp_path: Path) -> None:
-    ends = [check_damaged(tmp_path / "cam.csv", seed) for seed in range(5000)]
-    assert ends.count("refused") > 1500
-    assert ends.count("read") > 500
+    ends = [check_damaged(tmp_path / "cam.csv", seed) for seed in range(500)]
+    assert ends.count("refused") > 150
+    assert ends.count("read") > 50

@@ -84,18 +84,18 @@ def test_one_part_alone_agrees_with_the_least_acceleration(alone: str) -> None:
 
 
 def test_a_limit_of_one_gives_the_front() -> None:
-    """A mill as quick as it likes leaves the die as much as if it were not there."""
+    """A mill that is quicker than the balance leaves more to the die."""
     found = least_peak(
         make_diagram(),
         RULE,
         still=STILL,
         travel_mm=TRAVEL,
         weights={"mill": 0},
-        at_most={"mill": 1.117},
+        at_most={"mill": 0.7},
         gap=0.05,
     )
     assert found.design is not None
-    assert found.design.peak_acceleration("mill") <= 1.117 * (1 + 1e-6)
+    assert found.design.peak_acceleration("mill") <= 0.7 * (1 + 1e-6)
     assert found.reached == found.design.peak_acceleration("die")
     assert found.bound < both().bound
     assert found.gap <= 0.05
@@ -163,7 +163,7 @@ def test_all_choices_of_a_small_grid(given: Small) -> None:
     assert outline(parts, sides_of(diagram, parts, [rule]), angles, 0.99 * exact, 60).bound > 1
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))  # more are drawn in tests/fresh
 def test_no_design_is_below_the_bound(seed: int) -> None:
     rng = np.random.default_rng(seed + 100)
     crowd = draw(rng, 2 + seed % 3)
@@ -188,7 +188,7 @@ def test_no_design_is_below_the_bound(seed: int) -> None:
     assert found.gap < 0.15
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_rules_of_any_kind(seed: int) -> None:
     """Turrets and slides, beyond and within: each part in turn is made as good as it can be."""
     rng = np.random.default_rng(seed + 70000)

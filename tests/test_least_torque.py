@@ -127,14 +127,11 @@ def test_one_mass_alone_gets_all_the_angle_there_is() -> None:
 
 
 def test_of_a_list_each_move_gets_a_good_law() -> None:
-    one = [
-        cm.optimise(SHAFT, RULE, still=STILL, minimise="torque", laws=[name]).reached
-        for name in ("cycloidal", "modified sine")
-    ]
+    other = cm.optimise(SHAFT, RULE, still=STILL, minimise="torque", laws=["modified sine"])
     both = cm.optimise(
         SHAFT, RULE, still=STILL, minimise="torque", laws=["cycloidal", "modified sine"]
     )
-    assert both.reached <= min(one) * (1 + 1e-3)
+    assert both.reached <= min(best().reached, other.reached) * (1 + 1e-3)
 
 
 def test_springs_friction_process_and_parts_that_are_not_free_count() -> None:
@@ -204,7 +201,7 @@ def test_a_force_is_the_peak_times_the_mass() -> None:
 # Machines at random
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(2))  # more are drawn in tests/fresh
 def test_machines_at_random_keep_all_and_are_no_worse(seed: int) -> None:
     rng = np.random.default_rng(seed + 900)
     crowd = draw(rng, 2 + seed % 4)

@@ -123,7 +123,7 @@ def test_it_says_where_each_move_is() -> None:
 # By other ways
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(3))  # more are drawn in tests/fresh
 def test_never_worse_than_one_after_the_other_and_never_below_the_bound(seed: int) -> None:
     rng = np.random.default_rng(seed + 500)
     crowd = draw(rng, 2 + seed % 5)

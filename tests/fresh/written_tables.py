@@ -217,3 +217,13 @@ def _head(form: Form, count: int, rng: Rng) -> list[str]:
     elif form.heading == "comment":
         head.append("# " + form.separator.join(words))
     return head
+
+
+def waves(places: Array, rng: Rng) -> Array:
+    """Return a motion in mm that comes back: some waves, above 0 or somewhere else."""
+    total = np.zeros_like(places)
+    for n in range(1, 5):
+        total += rng.normal(0, 1 / n**2) * np.cos(2 * np.pi * (n * places + rng.random()))
+    size = rng.choice([0.3, 8, 50, 400])
+    total = (total - total.min()) / np.ptp(total) * size
+    return np.asarray(total + rng.choice([0, 0, -20, 130]))
