@@ -1,5 +1,6 @@
 """The site in a real Chromium, opened from the disk: it lives, it answers, and it asks nobody."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -18,17 +19,30 @@ BROKEN = """() => [...document.images].filter((image) => image.complete && !imag
 STATES = """() => [...document.querySelectorAll(".cm-angle, .cm-said")]
   .map((each) => each.innerText)"""
 FOCUS = "(place) => document.querySelector(place).focus()"
+NOTHING = "about:blank"  # a page that is left open moves on, and takes half a processor
 WHITE = "rgb(253, 252, 249)"
 
 
 @pytest.fixture(scope="module")
-def reader(browser: Browser) -> Reader:
+def at_a_desk(browser: Browser) -> Reader:
     return reader_in(browser, DESK, "light", "move")
 
 
 @pytest.fixture(scope="module")
-def phone(browser: Browser) -> Reader:
+def with_a_phone(browser: Browser) -> Reader:
     return reader_in(browser, PHONE, "dark", "move")
+
+
+@pytest.fixture
+def reader(at_a_desk: Reader) -> Iterator[Reader]:
+    yield at_a_desk
+    at_a_desk.page.goto(NOTHING)
+
+
+@pytest.fixture
+def phone(with_a_phone: Reader) -> Iterator[Reader]:
+    yield with_a_phone
+    with_a_phone.page.goto(NOTHING)
 
 
 @pytest.mark.parametrize("name", PAGES)
