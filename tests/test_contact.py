@@ -30,9 +30,15 @@ def made(law: str | cm.MotionLaw = "cycloidal") -> cm.Motion:
     )
 
 
-@pytest.mark.parametrize("law", ["cycloidal", "constant acceleration", "modified sine"])
-@pytest.mark.parametrize("stiffness", [0.0, 1.5])
-@pytest.mark.parametrize("bounce", [0.0, 0.5])
+@pytest.mark.parametrize(
+    ("law", "stiffness", "bounce"),
+    [
+        ("cycloidal", 0.0, 0.0),
+        ("cycloidal", 1.5, 0.5),
+        ("constant acceleration", 1.5, 0.0),
+        ("modified sine", 0.0, 0.5),
+    ],
+)
 def test_flights_against_integration(law: str, stiffness: float, bounce: float) -> None:
     load = cm.FollowerLoad(mass_kg=4, stiffness_N_per_mm=stiffness, preload_N=30, weight_N=8)
     rate = 1.6 * load.lift_off_rate(made(law))

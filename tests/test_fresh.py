@@ -119,6 +119,7 @@ FAULTS: dict[str, Patch] = {
     "standings": (cm, "find_violations", lambda right: lambda *given: right(*given)[1:]),
     "reserved": (cm, "widest_move", narrower),
     "tables": (cm, "read_segments", lambda right: lambda path: restarted(right(path))),
+    "odd_tables": (cm, "read_segments", lambda right: lambda path: restarted(right(path))),
     "values": (MotionLaw, "__call__", scaled(1 + 1e-6)),
     "factors": (MotionLaw, "Ca", lambda right: property(lambda law: 1.01 * right.fget(law))),
     "derived": (MotionLaw, "reversed", lambda _: lambda law: law),

@@ -18,14 +18,14 @@ from cammotion import InputError, MotionLaw, x
 from cammotion.exchange.expression_text import expression_as_text, expression_from_text
 from cammotion.exchange.law_text import is_same_law, law_as_text, law_from_text
 
-MACHINES = 200
+MACHINES = 25  # more are drawn in tests/fresh
 
 
-def test_two_hundred_machines_come_back(tmp_path: Path) -> None:
+def test_machines_come_back(tmp_path: Path) -> None:
     """Positions to 1e-9 mm and peaks to 1e-9, of machines with 1 to 24 mechanisms."""
     rng = np.random.default_rng(2026)
     for number in range(MACHINES):
-        count = 24 if number < 3 else int(rng.choice([1, 1, 1, 2, 2, 3, 5]))
+        count = 24 if number < 1 else int(rng.choice([1, 1, 1, 2, 2, 3, 5]))
         diagram = draw(rng, count)
         path = cm.write_segments(diagram, tmp_path / "m.csv", overwrite=True)
         off_mm, share = worst(diagram, cm.read_segments(path))

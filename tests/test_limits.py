@@ -464,7 +464,7 @@ def solve_or_skip(case: Case, **changes: Any) -> LeastAcceleration:
         raise
 
 
-@examples(60)
+@examples(25)
 @given(cases())
 def test_on_any_machine_the_motion_keeps_the_rule_and_the_bounds_their_order(case: Case) -> None:
     found = solve_or_skip(case)
@@ -476,7 +476,7 @@ def test_on_any_machine_the_motion_keeps_the_rule_and_the_bounds_their_order(cas
     assert offs[0] == pytest.approx(offs[1], abs=1e-8)
 
 
-@examples(20)
+@examples(8)
 @given(cases(), st.floats(-400, 400))
 def test_when_the_turn_begins_does_not_matter(case: Case, way: float) -> None:
     found = solve_or_skip(case)
@@ -489,7 +489,7 @@ def test_when_the_turn_begins_does_not_matter(case: Case, way: float) -> None:
     assert turned.bound == pytest.approx(found.bound, rel=1e-5, abs=1e-9)
 
 
-@examples(20)
+@examples(8)
 @given(cases(("die",)))
 def test_with_which_segment_a_motion_begins_does_not_matter(case: Case) -> None:
     found = solve_or_skip(case)
@@ -523,7 +523,7 @@ def larger(case: Case, factor: float) -> Case:
     )
 
 
-@examples(20)
+@examples(8)
 @given(cases())
 def test_twice_the_rate_is_four_times_the_acceleration_and_twice_the_size_twice(
     case: Case,
@@ -536,7 +536,7 @@ def test_twice_the_rate_is_four_times_the_acceleration_and_twice_the_size_twice(
     assert large.bound == pytest.approx(2 * found.bound, rel=1e-5, abs=1e-9)
 
 
-@examples(20)
+@examples(8)
 @given(cases())
 def test_less_freedom_never_lowers_the_bound(case: Case) -> None:
     found = solve_or_skip(case)

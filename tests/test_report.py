@@ -63,12 +63,12 @@ def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
 
 
 def test_the_checker_sees_a_wrong_peak(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    report = cm.write_report(PRESS, tmp_path)
+    report = cm.write_report(PRESS, tmp_path, seconds=1)
     assert check(report.folder / "tables.xlsx") == []
     right = cm.Machine.peaks.func  # type: ignore[attr-defined]
     fewer = property(lambda self: {name: 0.97 * peak for name, peak in right(self).items()})
     monkeypatch.setattr(cm.Machine, "peaks", fewer)
-    wrong = check(cm.write_report(replace(PRESS), tmp_path).folder / "tables.xlsx")
+    wrong = check(cm.write_report(replace(PRESS), tmp_path, seconds=1).folder / "tables.xlsx")
     assert len(wrong) == 8
     assert all(one.startswith(("peak of", "table of")) for one in wrong)
 
@@ -142,7 +142,7 @@ def test_an_interrupt_takes_the_best_so_far(
         raise KeyboardInterrupt
 
     monkeypatch.setattr(findings, stopped, interrupt)
-    text = cm.write_report(PRESS, tmp_path).page.read_text("utf-8")
+    text = cm.write_report(PRESS, tmp_path, seconds=1).page.read_text("utf-8")
     assert "interrupted" in text
     assert ("No motions of these parts" in text) == (stopped == "optimise")
     assert ("With all moves balanced" in text) == (stopped == "least_peak")
@@ -156,7 +156,7 @@ def test_an_interrupt_within_the_search_keeps_the_bound(tmp_path: Path) -> None:
         if what.startswith("built"):
             raise KeyboardInterrupt
 
-    page = cm.write_report(PRESS, tmp_path, progress=tell).page.read_text("utf-8")
+    page = cm.write_report(PRESS, tmp_path, seconds=2, progress=tell).page.read_text("utf-8")
     assert "No motions of these parts can have a largest peak below" in page
     assert told == sorted(told)
     assert (told[0], told[-1]) == (0, 1)

@@ -55,7 +55,7 @@ ways = st.sampled_from([lambda name, _: cm.moving(name), lambda name, _: cm.stan
 halves = st.tuples(st.one_of(ways, st.sampled_from([cm.beyond, cm.within])), limits)
 
 
-@examples(60)
+@examples(25)
 @given(when=halves, only=halves, name=st.sampled_from(["", "clear", "a b"]))
 def test_every_clearance_rule_is_read_back(
     when: tuple[object, float], only: tuple[object, float], name: str
@@ -68,7 +68,7 @@ def test_every_clearance_rule_is_read_back(
     assert rule_from_text(rule_as_text(rule), ["the upper die", "mill 2"]) == rule
 
 
-@examples(40)
+@examples(15)
 @given(mm=limits, name=st.sampled_from(["", "apart"]))
 def test_every_distance_is_read_back(mm: float, name: str) -> None:
     names = ["the upper die", "flap above", "at least"]

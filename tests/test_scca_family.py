@@ -50,7 +50,7 @@ def test_the_family_on_the_edges_and_at_the_named_laws(
     check(parts)
 
 
-@examples(15)
+@examples(6)
 @given(st.integers(0, 1000), st.integers(0, 1000))
 def test_the_family_anywhere(one: int, other: int) -> None:
     low, high = sorted([one, other])

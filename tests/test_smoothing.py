@@ -142,7 +142,7 @@ def test_error_bars_are_those_of_many_readings(table: cm.CamTable, amount: float
             ),
             amount,
         ).acceleration(RATE)
-        for _ in range(100)
+        for _ in range(60)
     ]
     bars = cm.smoothed(table, amount).acceleration_rms(RATE, 0.05)
     assert np.std(drawn, axis=0) == pytest.approx(bars, rel=0.35, abs=1e-9)
