@@ -12,6 +12,8 @@ from fresh.drawing import Machine
 from fresh.written_tables import Form, Rng, changed, draw_form, value_of, waves, write
 
 EACH_TIME = 20
+GAP = "['\N{RIGHT SINGLE QUOTATION MARK}\N{NO-BREAK SPACE}]"  # which a damage may put in
+THOUSANDS = re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:{GAP}\d{{3}})+(?!\d)")
 
 
 def damaged_tables(machine: Machine) -> None:
@@ -41,6 +43,11 @@ def spliced(raw: bytearray, rng: Rng, count: int, new: bytes) -> bytearray:
     return raw[:at] + new + raw[at + count :]
 
 
+def without_gaps(cell: str) -> str:
+    """Return a number as 21878 that is written as 21'878."""
+    return re.sub(GAP, "", cell) if THOUSANDS.match(cell) else cell
+
+
 def rows_of(form: Form, text: str) -> tuple[list[tuple[float, float]], bool]:
     """Return the rows of a damaged text, and whether a line was to be one and is none."""
     rows, broken = [], False
@@ -48,8 +55,8 @@ def rows_of(form: Form, text: str) -> tuple[list[tuple[float, float]], bool]:
         if not line.strip(" ;|,\t") or line.lstrip().startswith(("#", "//", "%", "!")):
             continue
         is_spaced = form.separator in {" ", "\t"}  # no cell of ours is empty
-        cut = line.split() if is_spaced else line.split(form.separator)
-        cells = [cell.strip() for cell in cut]
+        cut = re.split("[ \t]+", line.strip(" \t")) if is_spaced else line.split(form.separator)
+        cells = [without_gaps(cell.strip()) for cell in cut]
         first, second = ([*(value_of(cell, form.decimal) for cell in cells), np.nan, np.nan])[:2]
         if np.isfinite(first) and np.isfinite(second):
             rows.append((first, second))
