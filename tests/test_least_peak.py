@@ -83,19 +83,20 @@ def test_one_part_alone_agrees_with_the_least_acceleration(alone: str) -> None:
     assert found.gap < 0.005
 
 
-def test_a_limit_of_one_gives_the_front() -> None:
-    """A mill that is quicker than the balance leaves more to the die."""
+@pytest.mark.parametrize("limit", [0.7, 1.117])
+def test_a_limit_of_one_gives_the_front(limit: float) -> None:
+    """A mill that is quicker than the balance leaves more to the die, also that of the source."""
     found = least_peak(
         make_diagram(),
         RULE,
         still=STILL,
         travel_mm=TRAVEL,
         weights={"mill": 0},
-        at_most={"mill": 0.7},
+        at_most={"mill": limit},
         gap=0.05,
     )
     assert found.design is not None
-    assert found.design.peak_acceleration("mill") <= 0.7 * (1 + 1e-6)
+    assert found.design.peak_acceleration("mill") <= limit * (1 + 1e-6)
     assert found.reached == found.design.peak_acceleration("die")
     assert found.bound < both().bound
     assert found.gap <= 0.05
