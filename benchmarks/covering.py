@@ -15,6 +15,7 @@ from breaking import ROOT, Mutant
 
 SLOW = ("browser", "nbgrader", "hub", "binder", "colab", "notebook", "conftest")
 PASSED = 0
+Lines = dict[str, list[int]]
 _WATCHED = "src/cammotion,starter"
 
 
@@ -64,6 +65,26 @@ def quick_tests() -> list[str]:
     return sorted(str(path.relative_to(ROOT)) for path in (*tests, *rooms))
 
 
+def watch(running: Running, copy: Path, test: str, limit: float) -> tuple[float, Lines]:
+    """Run a file of tests in a copy of the workbook; return its time, and the lines by paths.
+
+    It stops where the tests fail, or take too long.
+    """
+    from coverage import CoverageData
+
+    data, begun = copy / f".coverage-{test.replace('/', '-')}", time.monotonic()
+    before = ("-m", "coverage", "run", f"--source={_WATCHED}", f"--data-file={data}")
+    if running.pytest(copy, [test], limit, *before) != PASSED:
+        sys.exit(f"{test} fails, or takes too long, with nothing broken.")
+    seconds = time.monotonic() - begun
+    found = CoverageData(str(data))
+    found.read()
+    paths = {file: str(Path(file).relative_to(copy.resolve())) for file in found.measured_files()}
+    lines = {path: [*(found.lines(file) or ())] for file, path in paths.items()}
+    data.unlink()
+    return seconds, lines
+
+
 @dataclass
 class Covered:
     """What each file of tests runs, and how long it takes, by paths in the workbook."""
@@ -71,21 +92,11 @@ class Covered:
     seconds: dict[str, float] = field(default_factory=dict)
     lines: dict[str, dict[str, list[int]]] = field(default_factory=dict)
 
-    def watch(self, running: Running, copy: Path, test: str, limit: float) -> None:
-        """Run a file of tests in a copy of the workbook; stop where it fails, or takes too long."""
-        from coverage import CoverageData
-
-        data, begun = copy / f".coverage-{test.replace('/', '-')}", time.monotonic()
-        watch = ("-m", "coverage", "run", f"--source={_WATCHED}", f"--data-file={data}")
-        if running.pytest(copy, [test], limit, *watch) != PASSED:
-            sys.exit(f"{test} fails, or takes too long, with nothing broken.")
-        self.seconds[test] = time.monotonic() - begun
-        found = CoverageData(str(data))
-        found.read()
-        for file in found.measured_files():
-            path = str(Path(file).relative_to(copy.resolve()))
-            self.lines.setdefault(path, {})[test] = [*(found.lines(file) or ())]
-        data.unlink()
+    def add(self, test: str, seconds: float, lines: Lines) -> None:
+        """Keep what was seen of a file of tests."""
+        self.seconds[test] = seconds
+        for path, ran in lines.items():
+            self.lines.setdefault(path, {})[test] = ran
 
     def tests_of(self, mutant: Mutant) -> list[str]:
         """Return the tests that run a changed line, first those that run most of its file.

@@ -1,7 +1,6 @@
 """How quick and how large a live figure is, beside the same explorer drawn by the kernel."""
 
 import json
-import shutil
 import statistics
 import sys
 import tempfile
@@ -17,7 +16,7 @@ from playwright.sync_api import Browser, Locator
 ROOT = Path(__file__).parent.parent
 sys.path.append(str(ROOT / "tests"))
 
-from lab import LabPage, running_browser, running_lab  # noqa: E402
+from lab import LabPage, opened_notebook, running_browser  # noqa: E402
 
 WORK = "work-benchmark"
 NOTEBOOK, LESSON = "ticks.ipynb", "02_maximum_acceleration.ipynb"
@@ -186,16 +185,11 @@ def open_notebook(browser: Browser, name: str, *cells: str) -> Iterator[LabPage]
 @contextmanager
 def running_workbook(browser: Browser, name: str) -> Iterator[LabPage]:
     """Open a notebook of the folder for benchmarks, which is removed afterwards."""
-    try:
-        with (
-            tempfile.TemporaryDirectory() as home,
-            running_lab(Path(home), WORK) as address,
-        ):
-            lab = LabPage(browser, address.replace("00_start_here.ipynb", name))
-            lab.wait_for(name)
-            yield lab
-    finally:
-        shutil.rmtree(ROOT / WORK, ignore_errors=True)
+    with (
+        tempfile.TemporaryDirectory() as home,
+        opened_notebook(browser, Path(home), WORK, name) as lab,
+    ):
+        yield lab
 
 
 def slider_of(output: Locator, number: int = ANGLE) -> Locator:

@@ -26,7 +26,7 @@ from typing import Literal
 
 import numpy as np
 from breaking import ROOT, Mutant, files, mutants_of
-from covering import PASSED, Covered, Running, quick_tests, read_covered
+from covering import PASSED, Covered, Lines, Running, quick_tests, read_covered, watch
 
 NOT_COPIED = (".git", ".venv*", "work", "work-*", "__pycache__", ".*_cache", ".hypothesis")
 _LONGER = 3  # times as long as without a mutant a test may take, and a minute
@@ -58,10 +58,10 @@ class Bench:
         finally:
             self._free.put(copy)
 
-    def watch(self, covered: Covered, test: str, limit: float) -> None:
-        """See which lines a file of tests runs."""
+    def watch(self, test: str, limit: float) -> tuple[float, Lines]:
+        """See which lines a file of tests runs, and how long it takes."""
         with self.copy() as copy:
-            covered.watch(self.running, copy, test, limit)
+            return watch(self.running, copy, test, limit)
 
     def fate(self, mutant: Mutant, covered: Covered) -> Fate:
         """Try a mutant in a free copy; the copy is whole again afterwards."""
@@ -86,7 +86,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--count", type=int, default=150, help="how many mutants (150)")
     parser.add_argument("--seed", type=int, default=0, help="which ones (0)")
     parser.add_argument("--only", default="", help="a word that the path of the file contains")
-    parser.add_argument("--lines", type=Path, help="keep in this file which tests run which lines")
+    parser.add_argument("--lines", type=Path, help="keep here which tests run which lines")
     parser.add_argument("--seconds", type=float, default=1200, help="for a file of tests (1200)")
     parser.add_argument("--processes", type=int, default=2, help="at a time (2)")
     return parser.parse_args()
@@ -113,16 +113,16 @@ def main() -> int:
 
 
 def _cover(options: argparse.Namespace, bench: Bench, pool: ThreadPoolExecutor) -> Covered:
-    """Return which tests run which lines; read where that was kept."""
-    if options.lines and options.lines.exists():
-        return read_covered(options.lines)
-    covered, tests = Covered(), quick_tests()
-    watched = {pool.submit(bench.watch, covered, test, options.seconds): test for test in tests}
+    """Return which tests run which lines; only those are run of which nothing was kept."""
+    is_kept = options.lines and options.lines.exists()
+    covered = read_covered(options.lines) if is_kept else Covered()
+    tests = [test for test in quick_tests() if test not in covered.seconds]
+    watched = {pool.submit(bench.watch, test, options.seconds): test for test in tests}
     for number, done in enumerate(as_completed(watched), 1):
-        done.result()
+        covered.add(watched[done], *done.result())
         print(f"[{number}/{len(tests)}] {watched[done]}", flush=True)
-    if options.lines:
-        covered.save(options.lines)
+        if options.lines:
+            covered.save(options.lines)
     return covered
 
 

@@ -21,6 +21,8 @@ from hub_student import Kernel, Student
 from starter import copies
 
 LESSON = "02"
+# what is kept out of the repository of a class, until it has the solutions and then
+IGNORED, IGNORED_LATER = re.findall(r"^printf .* > \.gitignore$", PAGE, re.MULTILINE)
 AUTHOR = ["-c", "user.name=teacher", "-c", "user.email=teacher@localhost"]
 
 
@@ -52,8 +54,7 @@ def make_course(folder: Path) -> Path:
     course = folder / "cam-class"
     course.mkdir()
     copies.lay_missing(course)
-    (ignored,) = re.findall(r"^printf .* > \.gitignore$", PAGE, re.MULTILINE)
-    run("sh", "-c", ignored, at=course)
+    run("sh", "-c", IGNORED, at=course)
     git(course, "init", "--quiet", "--initial-branch=main")
     publish(course)
     return course

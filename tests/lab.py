@@ -20,6 +20,7 @@ from playwright.sync_api import Browser, Locator, Page, sync_playwright
 from windows import ChromiumWindow, complaints
 
 ROOT = Path(__file__).parent.parent
+START = "00_start_here.ipynb"  # which the starter opens
 PATIENCE_SECONDS = 180  # a machine may be busy with much else
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 CHROMIUM_FLAGS = [
@@ -156,15 +157,14 @@ def calm(browser: Browser) -> Iterator[Browser]:
 
 
 @contextmanager
-def opened_lesson(home: Path, work: str, link: str, lesson: str) -> Iterator["LabPage"]:
-    """Open a lesson by the starter's address and the link of notebook 00; do not run it."""
-    require_chromium()
+def opened_notebook(
+    browser: Browser, home: Path, work: str, name: str = START
+) -> Iterator["LabPage"]:
+    """Open a notebook by the starter's address, in which it stands for 00; do not run it."""
     try:
-        with running_browser() as browser, running_lab(home, work) as address:
-            lab = LabPage(browser, address)
-            lab.wait_for("00_start_here.ipynb")
-            lab.notebook.get_by_role("link", name=link).click()
-            lab.wait_for(lesson)
+        with running_lab(home, work) as address:
+            lab = LabPage(browser, address.replace(START, name))
+            lab.wait_for(name)
             yield lab
     finally:
         shutil.rmtree(ROOT / work, ignore_errors=True)

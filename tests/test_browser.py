@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 import pytest
 from keyboard import Keyboard
-from lab import ROOT, LabPage, opened_lesson
-from playwright.sync_api import expect
+from lab import ROOT, LabPage, opened_notebook
+from playwright.sync_api import Browser, expect
 
 import cammotion as cm
 
@@ -26,10 +26,12 @@ expect.set_options(timeout=30_000)
 
 
 @pytest.fixture(scope="module")
-def opened(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
+def opened(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
     """Notebook 02, reached by the starter's address and notebook 00's link, and not run yet."""
     home = tmp_path_factory.mktemp("jupyter")
-    with opened_lesson(home, WORK, "02 Maximum acceleration", LESSON) as lab:
+    with opened_notebook(browser, home, WORK) as lab:
+        lab.notebook.get_by_role("link", name="02 Maximum acceleration").click()
+        lab.wait_for(LESSON)
         yield lab
 
 

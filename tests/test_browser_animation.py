@@ -3,7 +3,6 @@
 import base64
 import io
 import re
-import shutil
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
@@ -12,7 +11,7 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
-from lab import ROOT, LabPage, calm, running_lab
+from lab import ROOT, LabPage, calm, opened_notebook
 from machines import RULE
 from PIL import Image
 from playwright.sync_api import Browser, Locator, Page, expect
@@ -213,13 +212,9 @@ def opened(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterat
     folder = ROOT / WORK
     folder.mkdir(exist_ok=True)
     write_notebook(folder / NOTEBOOK)
-    try:
-        with running_lab(tmp_path_factory.mktemp("jupyter"), WORK) as address:
-            lab = LabPage(browser, address.replace("00_start_here.ipynb", NOTEBOOK))
-            lab.wait_for(NOTEBOOK)
-            yield lab
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
+    home = tmp_path_factory.mktemp("jupyter")
+    with opened_notebook(browser, home, WORK, NOTEBOOK) as lab:
+        yield lab
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,10 @@ from io import BytesIO
 
 import numpy as np
 import pytest
-from lab import ROOT, LabPage, opened_lesson
+from lab import ROOT, LabPage, opened_notebook
 from machines import RULE, make_diagram
 from PIL import Image
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Browser, Locator, expect
 
 import cammotion as cm
 
@@ -22,10 +22,10 @@ THEME = "theme => jupyterapp.commands.execute('apputils:change-theme', {theme})"
 
 
 @pytest.fixture(scope="module")
-def ran(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
-    """Open notebook 03 by the link of notebook 00, and run all its cells."""
+def ran(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
+    """Open notebook 03, and run all its cells."""
     home = tmp_path_factory.mktemp("jupyter")
-    with opened_lesson(home, WORK, "03 Overlap", LESSON) as lab:
+    with opened_notebook(browser, home, WORK, LESSON) as lab:
         lab.command("notebook:run-all-cells")
         yield lab
 

@@ -1,13 +1,15 @@
 """The site in a real Chromium, opened from the disk: it lives, it answers, and it asks nobody."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import pytest
 from firefox import running_firefox
 from lab import calm
-from playwright.sync_api import Browser, expect
-from site_pages import PAGES, files, written
+from playwright.sync_api import Browser, Route, expect
+from site_pages import PAGES, ROOT, files, written
 from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
 
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
@@ -103,6 +105,46 @@ def test_a_page_lives_where_the_browser_is_never_idle(browser: Browser) -> None:
     )
     assert busy.open("04_machine_in_motion").evaluate(LIVES) == 0
     busy.page.context.close()
+
+
+class Host:
+    """A host that sends a content security policy with each file of the site."""
+
+    def __init__(self, browser: Browser, policy: str) -> None:
+        self.page, self.policy, self.folder = browser.new_page(), policy, written()
+        self.said: list[str] = []
+        self.page.on("console", lambda each: self.said.append(each.text))
+        self.page.on("pageerror", lambda error: self.said.append(str(error)))
+        self.page.route("http://site.test/**", self.answer)
+
+    def answer(self, route: Route) -> None:
+        """Give a file."""
+        path = self.folder / urlsplit(route.request.url).path.removeprefix("/")
+        route.fulfill(path=path, headers={"Content-Security-Policy": self.policy})
+
+    def open(self, name: str) -> None:
+        """Open a page, and look at its first figure."""
+        self.page.goto(f"http://site.test/{name}.html")
+        self.page.locator("[data-module]").first.scroll_into_view_if_needed()
+
+
+def test_a_page_lives_with_the_policy_that_the_docs_name(browser: Browser) -> None:
+    """And with no word less."""
+    (policy,) = re.findall(r"`(default-src .*?)`", (ROOT / "docs" / "site.md").read_text("utf-8"))
+    host = Host(browser, policy)
+    for name in ("02_maximum_acceleration", "04_machine_in_motion"):
+        host.open(name)
+        assert host.page.evaluate(LIVES) == 0
+    assert host.said == []
+    for word in (" blob:", " 'unsafe-eval'", " 'unsafe-inline'", " data:"):
+        host.said.clear()
+        host.policy = policy.replace(word, "")
+        host.open("02_maximum_acceleration")
+        for _ in range(200):
+            if not host.said:
+                host.page.wait_for_timeout(50)
+        assert "Content Security Policy" in "".join(host.said), word
+    host.page.close()
 
 
 def test_what_nobody_sees_waits(reader: Reader) -> None:

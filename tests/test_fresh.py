@@ -96,6 +96,11 @@ def shifted(read: Any) -> Callable[..., Any]:
     return shift
 
 
+def turned(make: Any) -> Callable[..., Any]:
+    """Break the motion from a table: it comes a hundredth of a degree late."""
+    return lambda *given: make(*given).shifted(0.01)
+
+
 def restarted(diagram: TimingDiagram) -> TimingDiagram:
     """Break a machine: its motions begin a little later."""
     return replace(diagram, motions=[motion.shifted(1e-5) for motion in diagram.motions])
@@ -132,6 +137,7 @@ FAULTS: dict[str, Patch] = {
     "harmonics": (cm.Harmonics, "rebuilt", scaled(1 + 1e-5)),
     "smoothings": (cm.SmoothedTable, "acceleration_rms", scaled(1.001)),
     "roundings": (Through, "effects", lambda _: lambda *_: 2 * (np.ones(1),)),
+    "eccentrics": (cm, "motion_from_table", turned),
     "least": (cm, "least_acceleration", bounded),
     "turrets": (cm, "least_acceleration", bounded),
     "whole": (cm, "least_peak", bounded),

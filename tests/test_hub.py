@@ -22,7 +22,7 @@ from answering import answering, changed, numbers_of, read
 from environments import ROOT, run
 from hub import PATIENCE_SECONDS, Hub, running_hub
 from hub_environment import PAGE, require_hub
-from hub_lesson import LESSON, Work, make_course, publish, run_cells, work_at_once
+from hub_lesson import IGNORED_LATER, LESSON, Work, make_course, publish, run_cells, work_at_once
 from hub_student import KERNEL, SERVER
 
 STUDENTS, AT_ONCE = 3, 2
@@ -276,6 +276,11 @@ def test_what_is_the_teachers_own_does_not_come_to_the_class(tmp_path: Path) -> 
     assert "notebooks/data/pad_press.csv" in held or "data/pad_press.csv" in held
     assert not [name for name in held if "progress" in name or "solutions" in name]
     assert "changed" in run("git", "-C", course, "show", "HEAD:02_maximum_acceleration.ipynb")
+    run("sh", "-c", IGNORED_LATER, at=course)
+    publish(course)
+    held = run("git", "-C", course, "ls-files").splitlines()
+    assert [name for name in held if "solutions" in name]
+    assert not [name for name in held if "progress" in name]
 
 
 def test_the_page_means_one_version() -> None:

@@ -74,6 +74,20 @@ def test_a_cam_that_never_stays(start: float, step: float, second: float) -> Non
     assert make_diagram(cam).peak_acceleration("cam") == pytest.approx(expected, rel=0.02)
 
 
+@pytest.mark.parametrize("step", [0.1, 0.25, 2.0, 7.5])
+@pytest.mark.parametrize("second", [1e-7, 1e-6, 1e-5, 1e-4, 1e-3])
+def test_a_cam_that_turns_right_beside_a_point(step: float, second: float) -> None:
+    """From 4e-7 to 4e-3 deg beside 0 and 180; it is the same turned to anywhere."""
+    angles = np.arange(0, 360, step)
+    a = np.radians(angles)
+    heights = 50 - 25 * np.cos(a) + second * np.sin(2 * a)
+    cam = cm.motion_from_table("cam", table(heights, angles))
+    assert cam.steps(1) == cam.steps(2) == []
+    assert cam.position_mm(angles) == pytest.approx(heights, abs=1e-6)
+    turned = cm.motion_from_table("cam", table(np.roll(heights, 7), angles))
+    assert turned.peak(3) == pytest.approx(cam.peak(3), rel=1e-3)
+
+
 def test_two_strokes_a_turn() -> None:
     parts = cm.rise(20, over_deg=60), cm.return_(20, over_deg=50), cm.dwell(100)
     more = cm.rise(30, over_deg=80), cm.return_(30, over_deg=70)

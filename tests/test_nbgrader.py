@@ -8,7 +8,7 @@ import os
 import re
 import shlex
 import shutil
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -77,8 +77,9 @@ class Course:
         program, *arguments = shlex.split(command)
         return run(ENVIRONMENT.program(program), *arguments, at=self.folder, **self._environment)
 
+    @cached_property
     def marks(self) -> dict[str, tuple[float, str]]:
-        """Return what marks.py says of each student: the score, and whose numbers they are."""
+        """What marks.py says of each student: the score, and whose numbers they are."""
         said = self.run("python marks.py")
         found = re.findall(rf"^{GRADED} (.+): (.+), numbers of (.*)$", said, re.MULTILINE)
         return {student: (float(score), whose) for student, score, whose in found}
@@ -179,12 +180,12 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
 def test_each_student_gets_the_points_that_are_due(course: Course, student: str) -> None:
     _, due = CLASS[student]
     whose = '""' if student == "empty" else f'"{student}"'
-    assert course.marks()[student] == (len(due), whose)
+    assert course.marks[student] == (len(due), whose)
     assert course.right(student) == due
 
 
 def test_nobody_else_is_graded(course: Course) -> None:
-    assert course.marks().keys() == CLASS.keys()
+    assert course.marks.keys() == CLASS.keys()
 
 
 def test_two_notebooks_of_one_student_stop_the_collecting(tmp_path: Path) -> None:

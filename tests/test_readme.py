@@ -54,9 +54,9 @@ def test_ci_calls_the_test_command_of_the_readme() -> None:
     assert "\npython3 workbook.py test\n" in README
     run = (ROOT / ".ci" / "run").read_text("utf-8")
     assert "\npython3 workbook.py test\n" in run
-    assert run.endswith(
-        '\npython3 workbook.py test --fresh --seconds 120 --seed "$(git rev-parse HEAD)"\n'
-    )
+    fresh = 'python3 workbook.py test --fresh --seconds 120 --seed "$(git rev-parse HEAD)"'
+    assert f"\n{fresh}\n" in run
+    assert '\nfor versions in lowest newest; do\n    .ci/versions "$versions" src README' in run
 
 
 def test_each_direct_dependency_has_a_lowest_version() -> None:

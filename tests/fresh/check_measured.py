@@ -99,6 +99,35 @@ def roundings(machine: Machine) -> None:
         _same(sampled.rounding.rms, rms, rms, "rms", 1e-6)
 
 
+def eccentrics(machine: Machine) -> None:
+    """Write out an eccentric with a second harmonic, which turns right beside a point or anywhere.
+
+    A cubic spline is off by at most 5/384 of the fourth power of its step times the fourth
+    derivative, and its bend by 3/8 of the square; for the turns, a point may be moved by 0.005 deg.
+    """
+    rng = machine.rng
+    count, first = int(rng.integers(30, 900)), 10.0 ** rng.uniform(-1, 2)
+    second = first * 10.0 ** rng.uniform(-9, -0.8)
+    step = 360 / count
+    begins = step * rng.integers(count) + step * 10.0 ** rng.uniform(-9, 0)
+
+    def height(at: Array) -> Array:
+        a = np.radians(at - begins)
+        return np.asarray(7 - first * np.cos(a) + second * np.sin(2 * a))
+
+    angles = np.arange(0.0, count) * step
+    cam = cm.motion_from_table("cam", cm.CamTable(angles, height(angles), is_cycle=True))
+    assert cam.steps(1) == cam.steps(2) == [], "a jump"
+    at, width, bend = rng.uniform(0, 360, 2000), np.radians(step), first + 4 * second
+    fourth = first + 16 * second
+    near = 5 / 384 * width**4 * fourth + np.radians(0.005) ** 2 * bend
+    _same(cam.position_mm(at), height(at), 1, "height", near + 1e-12 * first)
+    a = np.radians(np.arange(0, 360, 0.01))
+    peak = np.abs(first * np.cos(a) - 4 * second * np.sin(2 * a)).max() * np.radians(1) ** 2
+    off = (3 / 8 * width**2 * fourth + 1e-5 * bend) * np.radians(1) ** 2
+    _same(cam.peak(2), peak, 1, "peak", off)
+
+
 def _tables(machine: Machine, most: int, kinds: tuple[str, ...] = ()) -> list[cm.CamTable]:
     """Draw tables of the motions that come back: even and uneven, cycles and parts, with noise."""
     rng, tables = machine.rng, []

@@ -72,6 +72,7 @@ CHECKS: Mapping[str, Check] = {
     "harmonics": check_measured.harmonics,
     "smoothings": check_measured.smoothings,
     "roundings": check_measured.roundings,
+    "eccentrics": check_measured.eccentrics,
     "least": check_limits.least,
     "turrets": check_turrets.turrets,
     "whole": check_whole.whole,

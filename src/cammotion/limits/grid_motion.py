@@ -4,6 +4,7 @@ What a linear program finds is a list of numbers. Here it becomes a motion like 
 segments with motion laws, to be drawn, checked and animated.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -119,11 +120,10 @@ class GridMotion:
     def _turns(self, cell: int) -> list[float]:
         """Return the times within a cell at which the velocity is zero."""
         ramp = self._ramp(cell)
-        roots = np.roots([ramp.slope / 2, ramp.starting, self.velocity[cell]])
-        real = roots[np.isreal(roots)].real
+        times = _zeros(ramp.slope / 2, ramp.starting, float(self.velocity[cell]))
         slack = _ROUNDING_TIME * ramp.seconds  # a turn at a node may lie in neither of its cells
-        here = real[(real >= -slack) & (real <= ramp.seconds + slack)]
-        return [float(time) for time in np.clip(here, 0.0, ramp.seconds)]
+        here = [time for time in times if -slack <= time <= ramp.seconds + slack]
+        return [min(max(time, 0.0), ramp.seconds) for time in here]
 
     def _height(self, room: Corridor, number: int, time: float) -> float:
         """Return the position within a cell, counted on into the next turns."""
@@ -134,6 +134,16 @@ class GridMotion:
         ramp = self._ramp(cell)
         moved = self.velocity[cell] * time + ramp.before(time).moved
         return float(self.position[cell] + moved)
+
+
+def _zeros(a: float, b: float, c: float) -> list[float]:
+    """Return the real zeros of a t² + b t + c in their order; none if it is zero everywhere."""
+    inside = b * b - 4 * a * c
+    if inside < 0:
+        return []
+    half = -(b + math.copysign(math.sqrt(inside), b)) / 2  # no cancellation
+    quotients = ((c, half), (half, a))
+    return sorted(over / under for over, under in quotients if under)
 
 
 def _from_a_stop(motion: Motion, room: Corridor) -> list[tuple[int, int]]:

@@ -6,20 +6,18 @@ part being a rise or a return with a law from its points.
 """
 
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from cammotion.arguments import checked, warn
-from cammotion.laws.curve import Curve
 from cammotion.laws.spline import Spline
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.measured.cam_table import CamTable
-from cammotion.measured.fits import Through
 from cammotion.measured.from_points import law_from_points
 from cammotion.measured.sampled_law import SampledLaw
 from cammotion.quantities import Floats, InputError, Quantity
@@ -27,7 +25,8 @@ from cammotion.quantities import Floats, InputError, Quantity
 _DWELL = Quantity("shortest dwell", "deg", example=10, high=360.0)
 _SWING = 1e-5  # of the travel: what turns back by less is the spline's, or rounding
 _STEPS = 1.5  # of the table, within which the positions of a dwell lie
-_NEAR = 1e-3  # of a part between two points: a turn so near to one of them is there
+_NEAR_DEG = 5e-3  # a turn so near to a point is there, or the last bit of both shows in A
+_ROUNDS = 6  # of moving points to turns beside them; two are enough for a smooth table
 _MOST = 24  # moves of a turn
 _FEWEST = 4  # points of a law
 _RULES = 0.2  # of the peak: an effect of the rounding that is to be warned of
@@ -37,7 +36,8 @@ _RULES = 0.2  # of the peak: an effect of the rounding that is to be warned of
 def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10) -> Motion:
     """Return the motion of a cam that is given by a table of one whole turn.
 
-    It goes through the points, with a velocity and an acceleration that do not jump where it turns.
+    It goes through the points, with a velocity and an acceleration that do not jump where it turns;
+    a point within 0.005 deg of a turn is taken for the turn.
     Where the positions stay the same over `least_dwell_deg` or more, to one and a half of the
     table's step, it dwells, and rests at both ends. Its moves have laws from points, so that it is
     checked, drawn and written like any motion. Raises InputError for a table that is no cycle, that
@@ -110,43 +110,83 @@ def _with_dwells(
         which = np.arange(last, then + 1) % size
         places = angles[last] + np.mod(angles[which] - angles[last], DEG_PER_TURN)
         values = np.array([stay, *heights[which[1:-1]], there])
-        curve = Through(places, (0.0, 0.0)).curve(values)
-        moves = list(_moves(curve, places, table, swing))
+        spline = _settled(_resting, places, values, _near(table))
+        moves = list(_moves(spline, table, swing))
         yield from moves or [_stay(places[0], places[-1], stay)]
 
 
 def _without_dwells(table: CamTable, swing: float) -> Iterator[Segment]:
     """Yield the moves of a cam that never stays, from its lowest point on."""
-    from scipy.interpolate import CubicSpline  # it takes a second to load
-
     size = table.angle_deg.size
     angles, heights = _twice(table)
-    rows = CubicSpline(angles[: size + 1], heights[: size + 1], bc_type="periodic").c
-    turn = Spline(angles[: size + 1], np.array(rows))
-    low = min(turn.turns, key=turn.at)
-    places = np.array([low, *angles[(angles > low) & (angles < low + DEG_PER_TURN)], low])
-    places[-1] += DEG_PER_TURN
-    values = turn.over(np.where(places > turn.high, places - DEG_PER_TURN, places))
+    first = int(np.argmax(np.abs(np.diff(heights[: size + 1]))))  # where it turns is not here
+    turn = slice(first, first + size + 1)
+    spline = _settled(_periodic, angles[turn], heights[turn], _near(table))
+    low, near = min(spline.turns, key=spline.at), _near(table)
+    knots = np.concatenate([spline.knots, spline.knots[1:] + DEG_PER_TURN])
+    inside = knots[(knots > low + near) & (knots < low + DEG_PER_TURN - near)]
+    places = np.array([low, *inside, low + DEG_PER_TURN])
+    values = spline.over(np.where(places > spline.high, places - DEG_PER_TURN, places))
     values[-1] = values[0]
-    yield from _moves(Through(places, (0.0, 0.0)).curve(values), places, table, swing)
+    yield from _moves(_resting(places, values), table, swing)
 
 
-def _moves(curve: Curve, places: Floats, table: CamTable, swing: float) -> Iterator[Segment]:
-    """Yield the rises and returns of a curve between two rests, each with a law of its points."""
-    corners = [corner for piece in curve.pieces for corner in piece.corners]
-    ends = _turns(corners, swing)
+def _settled(
+    fit: Callable[[Floats, Floats], Spline], places: Floats, values: Floats, near: float
+) -> Spline:
+    """Return a spline that turns at a point, and not right beside it.
+
+    A point beside which it turns is moved there along the spline. Left out of the laws on both
+    sides, it would be missed by their accelerations, which then were not the same at the turn.
+    """
+    places, values = places.copy(), values.copy()
+    spline = fit(places, values)
+    for _ in range(_ROUNDS):
+        turns = np.array(spline.turns)
+        after = np.clip(np.searchsorted(places, turns), 2, len(places) - 2)
+        point = after - (turns - places[after - 1] < places[after] - turns)
+        off = np.abs(turns - places[point])
+        beside = (off > 0) & (off < near)
+        if not beside.any():
+            break
+        places[point[beside]] = turns[beside]
+        values[point[beside]] = spline.over(turns[beside])
+        spline = fit(places, values)
+    return spline
+
+
+def _near(table: CamTable) -> float:
+    angles, _ = _twice(table)
+    return min(_NEAR_DEG, float(np.diff(angles).min()) / 4)
+
+
+def _resting(places: Floats, values: Floats) -> Spline:
+    from scipy.interpolate import CubicSpline  # it takes a second to load
+
+    return Spline(places, np.array(CubicSpline(places, values, bc_type="clamped").c))
+
+
+def _periodic(places: Floats, values: Floats) -> Spline:
+    from scipy.interpolate import CubicSpline
+
+    return Spline(places, np.array(CubicSpline(places, values, bc_type="periodic").c))
+
+
+def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
+    """Yield the rises and returns of a spline between two rests, each with a law of its points."""
+    places, near = spline.knots, _near(table)
+    ends = _turns(spline.corners, swing)
     if len(ends) > _MOST:
         raise InputError(
             f"The table turns back {len(ends) - 2} times by more than {swing:.3g} mm, as one of "
             "measured noise does: smooth its positions with smoothed, or give its step_mm."
         )
     for (low, start), (high, end) in pairwise(ends):
-        near = _NEAR * float(np.diff(places).min())
         inside = places[(places > low + near) & (places < high - near)]
         if inside.size + 2 < _FEWEST:
             inside = np.linspace(low, high, _FEWEST)[1:-1]
         at = np.array([low, *inside, high])
-        x, s = (at - low) / (high - low), (curve(at) - start) / (end - start)
+        x, s = (at - low) / (high - low), (spline.over(at) - start) / (end - start)
         s[0], x[-1], s[-1] = 0.0, 1.0, 1.0
         step = table.step_mm / abs(end - start)
         law = law_from_points(x, s, name=f"table, {low % DEG_PER_TURN:.6g} deg", step=min(step, 1))

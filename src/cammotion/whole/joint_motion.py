@@ -174,9 +174,9 @@ class _OnGrid:
         position = rows.unknowns(np.minimum(low + off, high), high - off)
         velocity = rows.unknowns(-rest, rest)
         push = rows.unknowns(-no_force, no_force)
-        most, price = part.most(self.peak), float(self.is_settled)
-        own = rows.unknown(0.0, 1.0, cost=price * _OTHERS)
-        change = rows.unknowns(np.zeros(count), np.full(count, np.inf), cost=price * _STEADY)
+        most, is_settled = part.most(self.peak), self.is_settled
+        own = rows.unknown(0.0, 1.0, cost=is_settled * _OTHERS)
+        change = rows.unknowns(np.zeros(count), np.full(count, np.inf), cost=is_settled * _STEADY)
         if part.weight:
             rows.row([(own, most * part.weight / self.peak), (share, -1.0)], -np.inf, 0.0)
         for cell, h in enumerate(map(float, self.ahead / _PART_DEG)):
@@ -186,7 +186,7 @@ class _OnGrid:
             rows.row([(position[on], 1), (y, -1), (v, -h), (a, -h * h / 2)], -way, -way)
             rows.row([(velocity[on], 1.0), (v, -1.0), (a, -h)], 0.0, 0.0)
             rows.within([(a, 1.0)], own, most * _PART_DEG**2)
-            if self.is_settled:
+            if is_settled:
                 rows.within([(push[on], 1.0), (a, -1.0)], change[cell], most * _PART_DEG**2)
         return position, velocity, push
 
