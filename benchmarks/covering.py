@@ -9,6 +9,7 @@ import time
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import accumulate
 from pathlib import Path
 
 from breaking import ROOT, Mutant
@@ -98,19 +99,23 @@ class Covered:
         for path, ran in lines.items():
             self.lines.setdefault(path, {})[test] = ran
 
-    def tests_of(self, mutant: Mutant) -> list[str]:
+    def tests_of(self, mutant: Mutant, most: float) -> list[str]:
         """Return the tests that run a changed line, first those that run most of its file.
 
-        Those of the starter start it as another program, which nobody watches: all of them.
+        Those of the starter start it as another program, which nobody watches: all of them. Of more
+        than so many seconds in all, `most`, only the first.
         """
         path = str(mutant.path.relative_to(ROOT))
         here = {test: {*lines} for test, lines in self.lines.get(path, {}).items()}
         if path.startswith("starter/"):
-            return [test for test in self.seconds if "starter" in test or "workbook" in test]
-        return sorted(
-            (test for test, lines in here.items() if lines.intersection(mutant.lines)),
-            key=lambda test: (-len(here[test]), self.seconds[test]),
-        )
+            tests = [test for test in self.seconds if "starter" in test or "workbook" in test]
+        else:
+            tests = sorted(
+                (test for test, lines in here.items() if lines.intersection(mutant.lines)),
+                key=lambda test: (-len(here[test]), self.seconds[test]),
+            )
+        spent = accumulate((self.seconds[test] for test in tests), initial=0.0)
+        return [test for test, before in zip(tests, spent, strict=False) if before <= most]
 
     def save(self, file: Path) -> None:
         """Write it down for another run."""

@@ -3,13 +3,16 @@
 ``.venv/bin/python benchmarks/mutants.py --seed 1 --count 150`` breaks a copy of the workbook, one
 place at a time: a comparison, a sign, a number, a returned value, a removed statement. First each
 quick file of tests runs alone, and coverage watches which lines it runs. Then each mutant meets the
-tests that run its line, until one fails. The survivors are printed as diffs, for somebody to judge
-whether they change anything at all. It needs coverage: `python -m pip install -e '.[benchmark]'`.
+tests that run its line, those that run most of its file first, until one fails. A line that all
+tests run would take half an hour with each mutant that lives: `--most 300` leaves it at so many
+seconds of tests. The survivors are printed as diffs, for somebody to judge whether they change
+anything at all. It needs coverage: `python -m pip install -e '.[benchmark]'`.
 """
 
 import argparse
 import compileall
 import contextlib
+import math
 import shutil
 import signal
 import sys
@@ -63,9 +66,12 @@ class Bench:
         with self.copy() as copy:
             return watch(self.running, copy, test, limit)
 
-    def fate(self, mutant: Mutant, covered: Covered) -> Fate:
-        """Try a mutant in a free copy; the copy is whole again afterwards."""
-        if not (tests := covered.tests_of(mutant)):
+    def fate(self, mutant: Mutant, covered: Covered, most: float) -> Fate:
+        """Try a mutant in a free copy, with tests of so many seconds at `most`.
+
+        The copy is whole again afterwards.
+        """
+        if not (tests := covered.tests_of(mutant, most)):
             return "lives"
         seconds = 60 + _LONGER * sum(covered.seconds[test] for test in tests)
         with self.copy() as copy:
@@ -88,6 +94,9 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--only", default="", help="a word that the path of the file contains")
     parser.add_argument("--lines", type=Path, help="keep here which tests run which lines")
     parser.add_argument("--seconds", type=float, default=1200, help="for a file of tests (1200)")
+    parser.add_argument(
+        "--most", type=float, default=math.inf, help="seconds of tests for each mutant (no limit)"
+    )
     parser.add_argument("--processes", type=int, default=2, help="at a time (2)")
     return parser.parse_args()
 
@@ -103,7 +112,7 @@ def main() -> int:
         bench = Bench(Path(folder), options.processes)
         try:
             covered = _cover(options, bench, pool)
-            fates = _try(mutants, covered, bench, pool)
+            fates = _try(mutants, covered, bench, pool, options.most)
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
             bench.running.stop()
@@ -127,12 +136,12 @@ def _cover(options: argparse.Namespace, bench: Bench, pool: ThreadPoolExecutor) 
 
 
 def _try(
-    mutants: list[Mutant], covered: Covered, bench: Bench, pool: ThreadPoolExecutor
+    mutants: list[Mutant], covered: Covered, bench: Bench, pool: ThreadPoolExecutor, most: float
 ) -> Counter[Fate]:
     """Try the mutants, tell of each, and count how they end."""
     started = time.monotonic()
     fates: Counter[Fate] = Counter()
-    tried = {pool.submit(bench.fate, mutant, covered): mutant for mutant in mutants}
+    tried = {pool.submit(bench.fate, mutant, covered, most): mutant for mutant in mutants}
     for done in as_completed(tried):
         mutant, fate = tried[done], done.result()
         fates[fate] += 1

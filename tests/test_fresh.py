@@ -138,6 +138,7 @@ FAULTS: dict[str, Patch] = {
     "smoothings": (cm.SmoothedTable, "acceleration_rms", scaled(1.001)),
     "roundings": (Through, "effects", lambda _: lambda *_: 2 * (np.ones(1),)),
     "eccentrics": (cm, "motion_from_table", turned),
+    "levelled": (cm, "motion_from_table", turned),
     "least": (cm, "least_acceleration", bounded),
     "turrets": (cm, "least_acceleration", bounded),
     "whole": (cm, "least_peak", bounded),

@@ -88,6 +88,26 @@ def test_a_cam_that_turns_right_beside_a_point(step: float, second: float) -> No
     assert turned.peak(3) == pytest.approx(cam.peak(3), rel=1e-3)
 
 
+@pytest.mark.parametrize("start", [0.1, 0.7, 1.3, 1.9])
+def test_a_dwell_over_the_end_of_the_turn(start: float) -> None:
+    """The angles of the second turn are rounded otherwise than those of the first."""
+    angles = start + np.arange(0.0, 360, 2)
+    for first in np.arange(200.0, 360, 7):
+        heights = lift(angles, first, (80, 60, 100), "cycloidal")
+        cam = cm.motion_from_table("cam", table(heights, angles))
+        assert cam.position_mm(angles) == pytest.approx(heights, abs=0.01)
+
+
+@pytest.mark.parametrize("start", [2.5, 5.0, 22.5])
+def test_two_points_of_one_height_are_no_dwell(start: float) -> None:
+    """They lie beside a turn, and it has no dwell, nor a jump where few points make a move."""
+    angles = np.arange(start, 360, 2 * start)
+    heights = 10 * np.cos(np.radians(angles)) + 3 * np.cos(3 * np.radians(angles))
+    cam = cm.motion_from_table("cam", table(heights, angles))
+    assert {segment.kind for segment in cam.segments} == {"rise", "return"}
+    assert cam.steps(1) == cam.steps(2) == []
+
+
 def test_two_strokes_a_turn() -> None:
     parts = cm.rise(20, over_deg=60), cm.return_(20, over_deg=50), cm.dwell(100)
     more = cm.rise(30, over_deg=80), cm.return_(30, over_deg=70)

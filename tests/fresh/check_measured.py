@@ -100,32 +100,48 @@ def roundings(machine: Machine) -> None:
 
 
 def eccentrics(machine: Machine) -> None:
-    """Write out an eccentric with a second harmonic, which turns right beside a point or anywhere.
+    """Write out cams of three harmonics, which turn right beside a point or anywhere.
 
     A cubic spline is off by at most 5/384 of the fourth power of its step times the fourth
-    derivative, and its bend by 3/8 of the square; for the turns, a point may be moved by 0.005 deg.
+    derivative, and its bend by 3/8 of the square. For the turns a point may be moved by 0.005 deg,
+    and what turns back by less than 1e-5 of the travel may be left out.
     """
     rng = machine.rng
-    count, first = int(rng.integers(30, 900)), 10.0 ** rng.uniform(-1, 2)
-    second = first * 10.0 ** rng.uniform(-9, -0.8)
+    count, first = int(rng.integers(8, 900)), 10.0 ** rng.uniform(-1, 2)
+    second, third = first * 10.0 ** rng.uniform(-9, -0.8), first * rng.choice([0, 0.05, 0.5])
     step = 360 / count
     begins = step * rng.integers(count) + step * 10.0 ** rng.uniform(-9, 0)
 
     def height(at: Array) -> Array:
         a = np.radians(at - begins)
-        return np.asarray(7 - first * np.cos(a) + second * np.sin(2 * a))
+        waves = -first * np.cos(a) + second * np.sin(2 * a) + third * np.sin(3 * a)
+        return np.asarray(7 + waves)
 
     angles = np.arange(0.0, count) * step
     cam = cm.motion_from_table("cam", cm.CamTable(angles, height(angles), is_cycle=True))
     assert cam.steps(1) == cam.steps(2) == [], "a jump"
-    at, width, bend = rng.uniform(0, 360, 2000), np.radians(step), first + 4 * second
-    fourth = first + 16 * second
-    near = 5 / 384 * width**4 * fourth + np.radians(0.005) ** 2 * bend
-    _same(cam.position_mm(at), height(at), 1, "height", near + 1e-12 * first)
+    at, width = rng.uniform(0, 360, 2000), np.radians(step)
+    bend, fourth = first + 4 * second + 9 * third, first + 16 * second + 81 * third
+    near = 5 / 384 * width**4 * fourth + np.radians(0.005) ** 2 * bend + 2e-5 * bend
+    _same(cam.position_mm(at), height(at), 1, "height", near)
     a = np.radians(np.arange(0, 360, 0.01))
-    peak = np.abs(first * np.cos(a) - 4 * second * np.sin(2 * a)).max() * np.radians(1) ** 2
-    off = (3 / 8 * width**2 * fourth + 1e-5 * bend) * np.radians(1) ** 2
-    _same(cam.peak(2), peak, 1, "peak", off)
+    waves = first * np.cos(a) - 4 * second * np.sin(2 * a) - 9 * third * np.sin(3 * a)
+    off = (3 / 8 * width**2 * fourth + 1e-3 * bend) * np.radians(1) ** 2
+    _same(cam.peak(2), np.abs(waves).max() * np.radians(1) ** 2, 1, "peak", off)
+
+
+def levelled(machine: Machine) -> None:
+    """Cut a cam of two harmonics off at a height, above which it stands, turned to anywhere."""
+    rng = machine.rng
+    count = int(rng.integers(90, 900))
+    step, level = 360 / count, rng.uniform(-0.7, 0.9)
+    angles = rng.uniform(0, step) + np.arange(0.0, count) * step
+    a = np.radians(angles - rng.uniform(0, 360))
+    heights = 20 * np.minimum(-np.cos(a) + 0.2 * np.sin(2 * a), level)
+    cam = cm.motion_from_table("cam", cm.CamTable(angles, heights, is_cycle=True))
+    assert cam.steps(1) == [], "a jump"
+    assert "dwell" in {segment.kind for segment in cam.segments}
+    _same(cam.position_mm(angles), heights, 1, "height", 1e-3)
 
 
 def _tables(machine: Machine, most: int, kinds: tuple[str, ...] = ()) -> list[cm.CamTable]:

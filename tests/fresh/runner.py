@@ -73,6 +73,7 @@ CHECKS: Mapping[str, Check] = {
     "smoothings": check_measured.smoothings,
     "roundings": check_measured.roundings,
     "eccentrics": check_measured.eccentrics,
+    "levelled": check_measured.levelled,
     "least": check_limits.least,
     "turrets": check_turrets.turrets,
     "whole": check_whole.whole,

@@ -26,7 +26,8 @@ _DWELL = Quantity("shortest dwell", "deg", example=10, high=360.0)
 _SWING = 1e-5  # of the travel: what turns back by less is the spline's, or rounding
 _STEPS = 1.5  # of the table, within which the positions of a dwell lie
 _NEAR_DEG = 5e-3  # a turn so near to a point is there, or the last bit of both shows in A
-_ROUNDS = 6  # of moving points to turns beside them; two are enough for a smooth table
+_ROUNDS = 40  # of moving points to turns beside them; two are enough for a smooth table
+_SETTLED_DEG = 1e-11
 _MOST = 24  # moves of a turn
 _FEWEST = 4  # points of a law
 _RULES = 0.2  # of the peak: an effect of the rounding that is to be warned of
@@ -38,8 +39,8 @@ def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10
 
     It goes through the points, with a velocity and an acceleration that do not jump where it turns;
     a point within 0.005 deg of a turn is taken for the turn.
-    Where the positions stay the same over `least_dwell_deg` or more, to one and a half of the
-    table's step, it dwells, and rests at both ends. Its moves have laws from points, so that it is
+    Where the positions of three points or more stay the same over `least_dwell_deg`, to one and a
+    half of the table's step, it dwells, and rests at both ends. Its moves have laws from points, so that it is
     checked, drawn and written like any motion. Raises InputError for a table that is no cycle, that
     stays where it is, or that turns back too often, as one of measured noise does.
 
@@ -88,7 +89,7 @@ def _dwells(table: CamTable, within_mm: float, shortest: float) -> list[tuple[in
         last = n
         while last + 1 < end and np.ptp(heights[n : last + 2]) <= within_mm:
             last += 1
-        if angles[last] - angles[n] >= shortest:
+        if angles[last] - angles[n] >= shortest and last - n > 1:  # two may lie beside a turn
             middle = float(np.median(heights[n : last + 1]))
             known = (stay for _, _, stay in found if abs(stay - middle) <= within_mm)
             found.append((n, last, next(known, middle)))
@@ -107,12 +108,12 @@ def _with_dwells(
     following = [*stays[1:], (first + size, 0, height)]
     for (start, last, stay), (then, _, there) in zip(stays, following, strict=True):
         yield _stay(angles[start], angles[last], stay)
-        which = np.arange(last, then + 1) % size
-        places = angles[last] + np.mod(angles[which] - angles[last], DEG_PER_TURN)
+        turns, which = np.divmod(np.arange(last, then + 1), size)
+        places = angles[which] + DEG_PER_TURN * turns
         values = np.array([stay, *heights[which[1:-1]], there])
         spline = _settled(_resting, places, values, _near(table))
         moves = list(_moves(spline, table, swing))
-        yield from moves or [_stay(places[0], places[-1], stay)]
+        yield from moves or [_stay(places[0], places[-1], stay, there)]
 
 
 def _without_dwells(table: CamTable, swing: float) -> Iterator[Segment]:
@@ -139,19 +140,21 @@ def _settled(
     A point beside which it turns is moved there along the spline. Left out of the laws on both
     sides, it would be missed by their accelerations, which then were not the same at the turn.
     """
-    places, values = places.copy(), values.copy()
-    spline = fit(places, values)
+    moved, heights, apart = places.copy(), values.copy(), np.diff(places).min()
+    spline = fit(moved, heights)
     for _ in range(_ROUNDS):
         turns = np.array(spline.turns)
-        after = np.clip(np.searchsorted(places, turns), 2, len(places) - 2)
-        point = after - (turns - places[after - 1] < places[after] - turns)
-        off = np.abs(turns - places[point])
-        beside = (off > 0) & (off < near)
+        after = np.searchsorted(moved, turns)
+        point = after - (turns - moved[after - 1] < moved[after] - turns)
+        point = np.clip(point, 1, len(places) - 2)  # both ends stay
+        off = np.abs(turns - moved[point])
+        beside = (off > _SETTLED_DEG) & (off < near)
+        beside &= np.abs(turns - places[point]) < apart / 3  # or it could pass its neighbour
         if not beside.any():
             break
-        places[point[beside]] = turns[beside]
-        values[point[beside]] = spline.over(turns[beside])
-        spline = fit(places, values)
+        moved[point[beside]] = turns[beside]
+        heights[point[beside]] = spline.over(turns[beside])
+        spline = fit(moved, heights)
     return spline
 
 
@@ -182,10 +185,10 @@ def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
             "measured noise does: smooth its positions with smoothed, or give its step_mm."
         )
     for (low, start), (high, end) in pairwise(ends):
-        inside = places[(places > low + near) & (places < high - near)]
-        if inside.size + 2 < _FEWEST:
-            inside = np.linspace(low, high, _FEWEST)[1:-1]
-        at = np.array([low, *inside, high])
+        at = np.array([low, *places[(places > low + near) & (places < high - near)], high])
+        while at.size < _FEWEST:  # further points on the same spline
+            widest = int(np.argmax(np.diff(at)))
+            at = np.insert(at, widest + 1, (at[widest] + at[widest + 1]) / 2)
         x, s = (at - low) / (high - low), (spline.over(at) - start) / (end - start)
         s[0], x[-1], s[-1] = 0.0, 1.0, 1.0
         step = table.step_mm / abs(end - start)
@@ -231,8 +234,10 @@ def _warn(motion: Motion, table: CamTable) -> None:
         )
 
 
-def _stay(start: float, end: float, height: float) -> Segment:
-    return Segment(from_deg=float(start), to_deg=float(end), from_mm=height, to_mm=height)
+def _stay(start: float, end: float, height: float, then: float | None = None) -> Segment:
+    """Return a dwell, at the end of which it may be a little higher or lower, by the noise."""
+    last = height if then is None else then
+    return Segment(from_deg=float(start), to_deg=float(end), from_mm=height, to_mm=last)
 
 
 def _twice(table: CamTable) -> tuple[Floats, Floats]:
