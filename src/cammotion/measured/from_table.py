@@ -38,11 +38,11 @@ def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10
     """Return the motion of a cam that is given by a table of one whole turn.
 
     It goes through the points, with a velocity and an acceleration that do not jump where it turns;
-    a point within 0.005 deg of a turn is taken for the turn.
-    Where the positions of three points or more stay the same over `least_dwell_deg`, to one and a
-    half of the table's step, it dwells, and rests at both ends. Its moves have laws from points, so that it is
-    checked, drawn and written like any motion. Raises InputError for a table that is no cycle, that
-    stays where it is, or that turns back too often, as one of measured noise does.
+    a point within 0.005 deg of a turn is taken for the turn. Where the positions of three points or
+    more stay the same over `least_dwell_deg`, to one and a half of the table's step, it dwells, and
+    rests at both ends. Its moves have laws from points, so that it is checked, drawn and written
+    like any motion. Raises InputError for a table that is no cycle, that stays where it is, or that
+    turns back too often, as one of measured noise does.
 
     >>> angles = np.arange(0.0, 360.0, 5)
     >>> table = CamTable(angles, 25 - 25 * np.cos(np.radians(angles)), is_cycle=True)
