@@ -47,6 +47,19 @@ def test_a_dxf_has_its_layers_and_keyway(tmp_path: Path) -> None:
     assert [y for _, y, *_ in roller.points] == pytest.approx([160, 160])
 
 
+def test_a_keyway_has_to_leave_the_cam_whole(tmp_path: Path) -> None:
+    """Its corners reach farthest: from the axis to the top of the keyway and half its width."""
+    least = np.hypot(*CAM.profile_mm(np.arange(0, 360, 0.1)).T).min()
+    bore, width = 2 * (least - 4), 12.0
+    height = np.sqrt(least**2 - (width / 2) ** 2) - bore / 2
+    path = tmp_path / "whole.dxf"
+    assert cm.write_cam(CAM, path, bore_mm=bore, keyway_mm=(width, height - 0.01)) == path
+    with pytest.raises(
+        cm.InputError, match=f"reach {np.hypot(bore / 2 + height + 0.01, 6):.4g} mm"
+    ):
+        cm.write_cam(CAM, tmp_path / "cut.dxf", bore_mm=bore, keyway_mm=(width, height + 0.01))
+
+
 def test_the_cam_turns_the_way_that_its_arrow_says(tmp_path: Path) -> None:
     """The points that come under the follower later lie on the left: the cam turns clockwise."""
     found = entities(cm.write_cam(CAM, tmp_path / "die.dxf"))

@@ -34,6 +34,14 @@ def test_even_angles_are_told_from_uneven_ones() -> None:
     assert cm.CamTable(ANGLES[:20], POSITIONS[:20], is_cycle=True).even_step_deg is None
 
 
+@pytest.mark.parametrize("span", [90, 130, 179, 180])
+def test_what_is_mirrored_is_a_cycle_only_over_half_a_turn(span: int) -> None:
+    angles = np.linspace(0, span, 30)
+    table = cm.CamTable(angles, angles**2).mirrored()
+    assert table.is_cycle == (span == 180)
+    assert table.angle_deg.size == (58 if span == 180 else 59)
+
+
 def test_it_says_what_it_is() -> None:
     said = repr(cm.CamTable(ANGLES[:19], POSITIONS[:19].round(2), step_mm=0.01))
     assert said == "CamTable(19 points every 10 deg, 0 to 180 deg, 0 to 50 mm in steps of 0.01)"

@@ -361,6 +361,15 @@ def test_thousands_are_told_by_the_rest_of_the_file(tmp_path: Path) -> None:
     assert np.array_equal(read(path, swiss.encode(), **told).position_mm, table.position_mm)
 
 
+def test_of_two_readings_that_whose_angles_rise_is_right(tmp_path: Path) -> None:
+    """1,500 may be a way of 1.5 mm, but not after 900."""
+    ways = ("0", "300", "600", "900", "1,200", "1,500", "1,800", "2,100")
+    text = "\n".join(f"{way};{n}" for n, way in enumerate(ways))
+    told: dict[str, Any] = {"first": "distance", "is_cycle": False}
+    table = read(tmp_path / "cam.csv", text.encode(), **told)
+    assert np.diff(table.angle_deg) == pytest.approx([table.angle_deg[1]] * 7)
+
+
 def test_a_turn_that_does_not_close_by_rounding_closes(tmp_path: Path) -> None:
     table = read(tmp_path / "cam.csv", "\n".join(put(HEADED, 38, "360;0.001")).encode())
     assert table.is_cycle

@@ -18,6 +18,7 @@ from scipy.optimize import brentq
 import cammotion as cm
 from cammotion import ClearanceRule, TimingDiagram, beyond, within
 from cammotion.limits.least import LeastAcceleration, least_acceleration
+from cammotion.limits.ramps import Ramp, law_of
 from cammotion.machine.motions import Motion
 
 OFF_MM = float(make_mill().offset_mm(135))
@@ -317,6 +318,14 @@ def test_it_stays_off_its_limits_by_more_than_the_solver_rounds(jerk: float) -> 
     for travel in (None, TRAVEL):
         found = solve(travel, jerk, cells=360)
         assert 5e-7 < cm.smallest_clearance(found.design, EXAMPLE).clearance_mm < 1e-5
+
+
+@pytest.mark.parametrize(("bend", "zones"), [(0.0, 2), (1e-9, 2), (2e-8, 4)])
+def test_ramps_of_one_line_are_one_zone(bend: float, zones: int) -> None:
+    """Long ones as short ones: what counts is the acceleration, a hundred-millionth of it."""
+    up = [Ramp(10, 0, 1), Ramp(10, 1, 2 + 10 * bend)]
+    law = law_of([*up, *(Ramp(each.seconds, -each.starting, -each.ending) for each in up)], 1.0)
+    assert len(law.curve.pieces) == zones
 
 
 def test_the_law_of_the_motion_has_few_zones() -> None:

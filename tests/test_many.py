@@ -93,6 +93,19 @@ def test_no_text_of_a_timing_diagram_lies_over_another(count: int, names: list[s
         assert [text.get_text() for text in axes.get_yticklabels()] == shown
 
 
+def test_names_over_curves_stay_in_the_frame() -> None:
+    """Also where all curves are one, and so wide names have no room beside each other."""
+    moves = cm.rise(50, over_deg=10), cm.dwell(340), cm.return_(50, over_deg=10)
+    alike = [cm.motion(f"{letter * 40} {letter}", *moves) for letter in "NOPQ"]
+    ax = cm.plot_timing(cm.TimingDiagram(alike, 2000))
+    renderer = FigureCanvasAgg(ax.figure).get_renderer()  # type: ignore[no-untyped-call, arg-type]
+    ax.figure.draw(renderer)
+    frame = ax.get_window_extent(renderer)
+    for text in ax.texts:
+        box = Text.get_window_extent(text, renderer)
+        assert frame.x0 - 1 <= box.x0 <= box.x1 <= frame.x1 + 1, text.get_text()
+
+
 @pytest.mark.parametrize("count", COUNTS)
 def test_a_colour_that_comes_again_has_other_dashes(count: int) -> None:
     ax = cm.plot_timing(packaging_machine(count), rows=["velocity"])

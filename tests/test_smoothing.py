@@ -44,6 +44,16 @@ TABLES = {
 }
 
 
+@pytest.mark.parametrize("amount", [0.0, 1e-3, 1e3])
+def test_a_cubic_between_given_slopes_stays_as_it_is(amount: float) -> None:
+    """It is the smoothest with these slopes, whatever its ends are."""
+    places = np.array([1, 1.3, 2, 2.2, 3, 4.5, 5])
+    cubic = np.polynomial.Polynomial([7, -3, 1, 0.5])
+    slopes = float(cubic.deriv()(1)), float(cubic.deriv()(5))
+    smoother = AnyPoints(places, "clamped", slopes=slopes)
+    assert smoother.smoothed(cubic(places), amount) == pytest.approx(cubic(places), rel=1e-9)
+
+
 @pytest.mark.parametrize("table", TABLES.values(), ids=TABLES)
 @pytest.mark.parametrize("amount", [1e-6, 1e-4, 1e-1])
 def test_no_neighbour_costs_less(table: cm.CamTable, amount: float) -> None:

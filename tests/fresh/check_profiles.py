@@ -34,5 +34,9 @@ def check_profile(motion: cm.Motion, rng: Rng) -> None:
     radius = float(rng.choice([0, 0.5, 1.3])) * roller
     x, y = (cam.cutter_mm(angles, radius) if radius else cam.profile_mm(angles)).T
     lift = cm.lift_from_profile(x, y, follower=follower, probe_radius_mm=radius)
-    off = lift.position_mm - motion.position_mm(lift.angle_deg) + motion.range_mm[0]
+    places = motion.position_mm(lift.angle_deg) - motion.range_mm[0]
+    lowest = places.min()  # it may be lower between two of these angles
+    off = np.append(
+        lift.position_mm - places + lowest, lift.prime_radius_mm - cam.prime_radius_mm - lowest
+    )
     assert np.abs(off).max() < NEAR * (travel + cam.prime_radius_mm), f"{motion.name}: {roller}"
