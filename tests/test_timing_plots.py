@@ -271,3 +271,20 @@ def test_a_map_beside_what_never_moves_has_a_width() -> None:
     gate = cm.ClearanceRule(cm.beyond("die", 60), only_while=cm.within("table", 0.65))
     ax = cm.plot_clearance(cm.TimingDiagram([table, cm.EXAMPLE.die], 2000), gate)
     assert ax.get_xlim()[1] == 1
+
+
+@pytest.mark.parametrize("start", [0, -80, 400])
+def test_a_clearance_map_shows_a_part_wherever_it_moves(start: float) -> None:
+    """Below 0, or far from it: the whole path is in the picture, and no warning is given."""
+    down = cm.return_(36, over_deg=75), cm.dwell(105), cm.rise(36, over_deg=100), cm.dwell(80)
+    low = cm.motion("low", *down, start_mm=start)
+    moves = cm.rise(2, over_deg=170), cm.return_(2, over_deg=190)
+    slide = cm.motion("slide", *moves, start_mm=start)
+    rule = cm.ClearanceRule(cm.beyond("low", start - 10), only_while=cm.within("slide", start + 1))
+    ax = cm.plot_clearance(cm.TimingDiagram([low, slide], 2000), rule)
+    path = np.concatenate([line.get_xydata() for line in ax.lines])
+    for values, (near, far), stroke in zip(
+        path.T, (ax.get_xlim(), ax.get_ylim()), (2, 36), strict=True
+    ):
+        assert near <= values.min() <= values.max() <= far
+        assert far - near < 1.2 * stroke

@@ -136,17 +136,19 @@ def plot_clearance(
         ax,
         *(describe_offset(first[half.motion], called[half.motion]) for half in (across, up)),
     )
-    highest = max(diagram[up.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
-    widest = max(diagram[across.motion].offset_mm(SAMPLED_DEGS).max() for diagram in named.values())
+    lowest, highest = _ends(named, up.motion)
+    leftmost, widest = _ends(named, across.motion)
     near = min(widest, max(8 * across.limit_mm, 0.05 * widest))
     broken = [
         violation for diagram in named.values() for violation in find_violations(diagram, rule)
     ]
-    span = (widest if broken else near) or 1.0  # no broken rule outside the picture
+    # no broken rule outside the picture, and nothing of what does not go out from 0
+    right = widest + ROOM * (widest - leftmost) if leftmost else widest if broken else near
     if span_mm is not None:
-        span = _SPAN.number(span_mm)
-    ax.set_xlim(-ROOM * span, span)
-    ax.set_ylim(-ROOM * highest, 1.1 * highest)
+        right = _SPAN.number(span_mm)
+    wide, high = (right - leftmost) or 1.0, (highest - lowest) or 1.0
+    ax.set_xlim(leftmost - ROOM * wide, leftmost + wide)
+    ax.set_ylim(lowest - ROOM * high, lowest + 1.1 * high)
     region = _forbidden_region(rule, ax)
     ax.add_patch(region)
     angles: dict[tuple[float, float], str] = {}
@@ -158,9 +160,18 @@ def plot_clearance(
         write(ax, label, place, colour(number), offset=(-3, -17))
     if any(named):
         add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
-    middle_x, middle_y = region.get_center()
-    write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
+    if min(region.get_width(), region.get_height()) > 0:  # or it lies where nobody comes
+        middle_x, middle_y = region.get_center()
+        write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
     return ax
+
+
+def _ends(designs: Mapping[str, TimingDiagram], name: str) -> tuple[float, float]:
+    """Return from where to where a motion goes in all designs; from 0 on if that is not far."""
+    offsets = [diagram[name].offset_mm(SAMPLED_DEGS) for diagram in designs.values()]
+    low, high = float(min(map(np.min, offsets))), float(max(map(np.max, offsets)))
+    rounding = 1e-9 * (high - low)
+    return 0.0 if -rounding <= low <= high - low else low, high
 
 
 def describe_offset(motion: Motion, name: str) -> str:
