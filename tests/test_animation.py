@@ -13,9 +13,9 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from bs4 import BeautifulSoup
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
-from machines import RULE, make_diagram, make_die, make_mill
+from machines import RULE, examples, make_diagram, make_die, make_mill
 from notebook_lint import _svg_faults
 
 import cammotion as cm
@@ -276,7 +276,7 @@ def machines(draw: st.DrawFn) -> tuple[cm.TimingDiagram, cm.ClearanceRule]:
     )
 
 
-@settings(max_examples=15, deadline=None, derandomize=True)
+@examples(15)
 @given(machine=machines())
 def test_any_two_designs_are_small_and_exact(
     machine: tuple[cm.TimingDiagram, cm.ClearanceRule],

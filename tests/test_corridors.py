@@ -11,6 +11,7 @@ from machines import DOWN_DEG, RULE, Array, die_mm, examples, make_diagram, make
 
 import cammotion as cm
 from cammotion import ClearanceRule, beyond, within
+from cammotion.limits.bands import Band
 from cammotion.limits.corridors import Corridor, corridor
 
 INFINITE = math.inf
@@ -174,3 +175,12 @@ def test_no_place_in_the_room_breaks_the_rule(way: float, cells: int, off: float
     held = (room.high_mm == 19) & (room.next_of(room.high_mm) == 19)
     assert np.all(offs[held] > off - 1e-6)
     assert room.low_mm[room.still] == pytest.approx(die_mm((ahead - way) % 360)[room.still])
+
+
+@pytest.mark.parametrize("stop", [-3, 0, 1, 24])
+def test_at_the_edge_of_a_band_it_is_about_the_same_stop(stop: int) -> None:
+    """Also where a solver has rounded the least position by a little."""
+    band = Band(np.arange(2), np.array([0.0, 100 / 24]), -0.65, 0.65, 100 / 24)
+    low, high = band.limits_mm(stop)
+    for places in (low, low - 1e-10, low + 1e-10, high):
+        assert band.stops_at(places).tolist() == [stop, stop]
