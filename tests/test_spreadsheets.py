@@ -105,6 +105,12 @@ def test_a_sheet_in_sight_comes_first(tmp_path: Path, state: str) -> None:
     assert cm.read_machine(path).diagram.rate_per_hour == 2000
 
 
+def test_a_cell_far_from_the_table_is_told_by_its_column(tmp_path: Path) -> None:
+    """Counted as spreadsheets do after Z: AA, AB, and GS is the 201st."""
+    said = refusal(tmp_path / "m.xlsx", changed(SHEET, r'<c r="K2"', '<c r="GS2"'))
+    assert "has a cell in row 2, column 201; a table of a machine has at most 20000 rows" in said
+
+
 def test_cells_and_rows_need_not_say_where_they_are(tmp_path: Path) -> None:
     """They follow one another, and an empty one is one too."""
     with ZipFile(BytesIO(sheets_as_xlsx({"press": [HEADING, *ROWS]}))) as book:
