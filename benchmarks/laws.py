@@ -29,7 +29,7 @@ FIRST_USE = """
 import time
 import numpy as np
 import sympy
-sympy.Symbol("y") + 1  # SymPy imports half of itself at its first sum
+sympy.Symbol("y") + 1  # SymPy imports its tensors at its first sum
 places = np.linspace(0, 1, 1000)
 started = time.perf_counter()
 import cammotion

@@ -6,9 +6,10 @@ part being a rise or a return with a law from its points.
 """
 
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 
@@ -111,7 +112,7 @@ def _with_dwells(
         turns, which = np.divmod(np.arange(last, then + 1), size)
         places = angles[which] + DEG_PER_TURN * turns
         values = np.array([stay, *heights[which[1:-1]], there])
-        spline = _settled(_resting, places, values, _near(table))
+        spline = _settled(places, values, _near(table), "clamped")
         moves = list(_moves(spline, table, swing))
         yield from moves or [_stay(places[0], places[-1], stay, there)]
 
@@ -122,18 +123,19 @@ def _without_dwells(table: CamTable, swing: float) -> Iterator[Segment]:
     angles, heights = _twice(table)
     first = int(np.argmax(np.abs(np.diff(heights[: size + 1]))))  # where it turns is not here
     turn = slice(first, first + size + 1)
-    spline = _settled(_periodic, angles[turn], heights[turn], _near(table))
-    low, near = min(spline.turns, key=spline.at), _near(table)
+    near = _near(table)
+    spline = _settled(angles[turn], heights[turn], near, "periodic")
+    low = min(spline.turns, key=spline.at)
     knots = np.concatenate([spline.knots, spline.knots[1:] + DEG_PER_TURN])
     inside = knots[(knots > low + near) & (knots < low + DEG_PER_TURN - near)]
     places = np.array([low, *inside, low + DEG_PER_TURN])
     values = spline.over(np.where(places > spline.high, places - DEG_PER_TURN, places))
     values[-1] = values[0]
-    yield from _moves(_resting(places, values), table, swing)
+    yield from _moves(_through(places, values, "clamped"), table, swing)
 
 
 def _settled(
-    fit: Callable[[Floats, Floats], Spline], places: Floats, values: Floats, near: float
+    places: Floats, values: Floats, near: float, ends: Literal["clamped", "periodic"]
 ) -> Spline:
     """Return a spline that turns at a point, and not right beside it.
 
@@ -141,7 +143,7 @@ def _settled(
     sides, it would be missed by their accelerations, which then were not the same at the turn.
     """
     moved, heights, apart = places.copy(), values.copy(), np.diff(places).min()
-    spline = fit(moved, heights)
+    spline = _through(moved, heights, ends)
     for _ in range(_ROUNDS):
         turns = np.array(spline.turns)
         after = np.searchsorted(moved, turns)
@@ -154,7 +156,7 @@ def _settled(
             break
         moved[point[beside]] = turns[beside]
         heights[point[beside]] = spline.over(turns[beside])
-        spline = fit(moved, heights)
+        spline = _through(moved, heights, ends)
     return spline
 
 
@@ -163,16 +165,11 @@ def _near(table: CamTable) -> float:
     return min(_NEAR_DEG, float(np.diff(angles).min()) / 4)
 
 
-def _resting(places: Floats, values: Floats) -> Spline:
+def _through(places: Floats, values: Floats, ends: Literal["clamped", "periodic"]) -> Spline:
+    """Return the spline through points, at rest at both ends, or going on over the end."""
     from scipy.interpolate import CubicSpline  # it takes a second to load
 
-    return Spline(places, np.array(CubicSpline(places, values, bc_type="clamped").c))
-
-
-def _periodic(places: Floats, values: Floats) -> Spline:
-    from scipy.interpolate import CubicSpline
-
-    return Spline(places, np.array(CubicSpline(places, values, bc_type="periodic").c))
+    return Spline(places, np.array(CubicSpline(places, values, bc_type=ends).c))
 
 
 def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
