@@ -7,7 +7,7 @@ is less than is asked of a motion, so that the result lies below the least peak 
 
 import math
 from dataclasses import dataclass
-from itertools import groupby, pairwise, product
+from itertools import groupby, pairwise, permutations, product
 
 import numpy as np
 from machines import Array
@@ -29,6 +29,10 @@ class Duty:
     limit_mm: float
     is_beyond: bool
     move_deg: float = 2
+
+    def offs_mm(self, pitch_mm: float) -> tuple[float, float]:
+        """Return how far from the nearest stop the turret may be, at least and at most."""
+        return (self.limit_mm, pitch_mm / 2) if self.is_beyond else (0.0, self.limit_mm)
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,19 @@ class Turret:
             for number, duty in enumerate(self.duties)
         ]
 
+    def asks_two_things(self) -> bool:
+        """Return whether two arcs that overlap, however little, ask what cannot be at once."""
+        pitch = abs(self.pitch_mm)
+        asked = [(d.start_deg, d.end_deg, *d.offs_mm(pitch)) for d in self.duties]
+        for start, end, place in self.still:
+            passed = (place - self.still[0][2]) % pitch
+            asked.append((start, end, *2 * (min(passed, pitch - passed),)))
+        return any(
+            max(one[2], other[2]) > min(one[3], other[3]) + 1e-9
+            for one, other in permutations(asked, 2)
+            if (other[0] - one[0]) % 360 < one[1] - one[0]
+        )
+
     def strays_mm(self, places: Array, angles: Array, beside_deg: float = 0) -> float:
         """Return how far positions are from what the duties ask at their angles, at most.
 
@@ -91,6 +108,8 @@ class Turret:
 
 def least_by_trying(turret: Turret, nodes: int = 200) -> float:
     """Return what no motion of the turret is below, in m/s2; infinite where there is none."""
+    if turret.asks_two_things():
+        return math.inf
     begin = sum(turret.still[0][:2]) / 2  # an arc that goes on over it stands there on both sides
     angles = begin + 360 / nodes * (np.arange(nodes) + 0.37)
     pitch, stands = abs(turret.pitch_mm), np.full(nodes, math.nan)
