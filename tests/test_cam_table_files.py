@@ -176,6 +176,8 @@ REFUSED: list[tuple[list[str], str]] = [
     (put(HEADED, 2, "0;O.000"), "Line 2 of cam.csv"),
     (put(HEADED, 2, ";0.000"), "Line 2 of cam.csv"),
     (put(HEADED, 2, "0"), "Line 2 of cam.csv"),
+    (put(HEADED, 2, "0.00.7373"), "Line 2 of cam.csv"),  # a row with a mark too few, no date
+    (put(HEADED, 2, "12.13.20245"), "Line 2 of cam.csv"),
     (put(HEADED, 38, "360;?"), "Line 38 of cam.csv"),
     (put(HEADED, 38, "x;0"), "Line 38 of cam.csv"),
     ([*HEADED, "Second cam", *TURN], "Line 39 of cam.csv is 'Second cam'"),
@@ -232,6 +234,19 @@ def test_all_broken_rows_are_told_at_once(tmp_path: Path) -> None:
         "Line 9 of cam.csv is '70;'",
         "Line 38 of cam.csv is '360;?'",
     ]
+
+
+@pytest.mark.parametrize("date", ["12.3.2024", "2024-03-12", "03/12/2024 14:05", "1.2.1999;9:30"])
+def test_a_date_may_stand_over_a_table(tmp_path: Path, date: str) -> None:
+    table = read(tmp_path / "cam.csv", "\n".join([date, *HEADED]).encode())
+    assert table.angle_deg.size == 36
+
+
+@pytest.mark.parametrize("line", ["{};{};", '"{}";"{}";'])
+def test_a_mark_behind_the_last_column_is_no_column(tmp_path: Path, line: str) -> None:
+    rows = [line.format(n, n / 4) for n in range(0, 91, 5)]
+    table = read(tmp_path / "cam.csv", "\n".join(["angle in deg;lift in mm", *rows]).encode())
+    assert np.array_equal(table.position_mm, np.arange(0, 91, 5) / 4)
 
 
 def test_a_row_is_shown_where_no_line_has_two_numbers(tmp_path: Path) -> None:

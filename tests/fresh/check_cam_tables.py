@@ -28,6 +28,8 @@ def cam_tables(machine: Machine) -> None:
         told |= {"is_cycle": shape != "part"}  # a motion may come back within the last step
         if not written.decides:
             told |= {"decimal": written.form.decimal}
+        if written.rises_evenly:
+            told |= {"columns": (1, 2)}
         with TemporaryDirectory() as folder:
             path = Path(folder) / "cam.csv"
             path.write_bytes(written.raw)

@@ -7,6 +7,7 @@ from fresh.drawing import Machine, Rng
 
 NEAR = 3e-5  # of the travel and the radius
 POINTS, STEP_DEG = 2400, 0.15
+KINK = 0.05  # rad that the probe may turn from one point to the next and still show the hollow
 
 
 def profiles(machine: Machine) -> None:
@@ -33,6 +34,8 @@ def check_profile(motion: cm.Motion, rng: Rng) -> None:
     angles = np.sort(np.arange(POINTS) * STEP_DEG + rng.uniform(0, 0.07, POINTS))
     radius = float(rng.choice([0, 0.5, 1.3])) * roller
     x, y = (cam.cutter_mm(angles, radius) if radius else cam.profile_mm(angles)).T
+    if np.hypot(np.diff(x), np.diff(y)).max() > KINK * (cam.hollowest.value - radius):
+        return  # too few points in the hollow, which may be refused
     lift = cm.lift_from_profile(x, y, follower=follower, probe_radius_mm=radius)
     places = motion.position_mm(lift.angle_deg) - motion.range_mm[0]
     lowest = places.min()  # it may be lower between two of these angles

@@ -105,6 +105,12 @@ class Written:
         every = all(re.fullmatch(r"[1-9]\d{0,2}(,\d{3})+|\d+", cell) for cell in cells)
         return self.form.decimal == "." or not every
 
+    @property
+    def rises_evenly(self) -> bool:
+        """Whether its positions may be taken for numbers of rows, and what is beside for them."""
+        steps = np.diff(self.position_mm)
+        return bool(self.form.third and steps.min() > 0 and np.ptp(steps) < 0.1 * steps.mean())
+
     def line(self, number: int) -> str:
         """Return a line, counted from 1."""
         return self.text.split(self.form.newline)[number - 1]

@@ -22,7 +22,8 @@ SEPARATORS = {"\t": "tabs", ";": "semicolons", "|": "bars", ",": "commas", " ": 
 DECIMALS = {".": "decimal points", ",": "decimal commas"}
 _NO_NUMBER = re.compile(r"[-+−]?(nan|inf|infinity|n/?a|null|none|nil)|#.*", re.IGNORECASE)
 _WORD_OF_DIGITS = re.compile(r"\b0\.\.1\b|\bm/s\^?2")
-_DATE = re.compile(r"\d{4}-\d\d?-\d\d?|\d\d?[./]\d\d?[./]\d{4}")
+_DAY, _YEAR = r"(0?[1-9]|[12]\d|3[01])", r"(19|20)\d\d"  # or a month
+_DATE = re.compile(rf"({_YEAR}-{_DAY}-{_DAY}|{_DAY}[./]{_DAY}[./]{_YEAR})(?!\d)")
 _LETTERS = 2  # a word has so many
 _HEADINGS = 2  # lines over the table that may be headings
 
@@ -43,6 +44,11 @@ class Row:
     line: int
     text: str
     cells: list[str]
+
+    @property
+    def width(self) -> int:
+        """How many cells it has up to the last that is not empty."""
+        return _filled(self.cells)
 
 
 @dataclass(frozen=True, eq=False)
@@ -264,13 +270,13 @@ def _cut(line: str, separator: str) -> list[str]:
 def _check_cut_in_two(columns: Columns, asked: Asked) -> None:
     """Raise InputError where commas may be decimal marks as well as separators."""
     row = columns.rows[0]
-    if columns.separator != "," or '"' in row.text or len(row.cells) < 3:  # noqa: PLR2004 - a third
+    if columns.separator != "," or '"' in row.text or row.width < 3:  # noqa: PLR2004 - a third
         return
     has_point = any("." in cell for row in columns.rows for cell in row.cells)
     if has_point or (asked.separator == "," and asked.decimal == "."):
         return
     raise InputError(
-        f"Line {row.line} of {columns.name}, {shorten(row.text.strip())}, has {len(row.cells)} "
+        f"Line {row.line} of {columns.name}, {shorten(row.text.strip())}, has {row.width} "
         "whole numbers between commas, some of which may be decimal marks: give separator=',' and "
         "decimal='.' if none is; else write the table with semicolons between the columns."
     )

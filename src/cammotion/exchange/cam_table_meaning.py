@@ -91,7 +91,7 @@ def check_order(found: Columns) -> None:
 
 def check_not_counted(found: Columns) -> None:
     """Raise InputError where both columns rise evenly, and a third may be the position."""
-    if len(found.rows[0].cells) < 3:  # noqa: PLR2004 - a third
+    if found.rows[0].width < 3:  # noqa: PLR2004 - a third
         return
     steps = np.diff(found.numbers, axis=0)
     if (steps > 0).all() and (np.ptp(steps, axis=0) <= _COUNTED * steps.mean(axis=0)).all():

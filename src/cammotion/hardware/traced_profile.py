@@ -77,7 +77,7 @@ class Traced:
         return lowest
 
     def refuse_kinks(self) -> None:
-        """Raise InputError where the probe has not come down to the bottom of a hollow."""
+        """Raise InputError where the probe has not followed a hollow down to its bottom."""
         ends = np.concatenate([self.points[-1:], self.points, self.points[:1]])
         steps = np.diff(ends)
         turned = np.angle(steps[1:] / steps[:-1])
@@ -86,9 +86,9 @@ class Traced:
         worst = int(np.argmax(sharper))
         if sharper[worst] > _KINK:
             raise InputError(
-                f"The points have a kink inwards {self._where(worst)}: the profile has a hollow "
-                "there that is narrower than the probe, which has not touched its bottom. Measure "
-                "it with a smaller probe."
+                f"The points have a kink inwards {self._where(worst)}: a hollow there is narrower "
+                "than the probe, which has not touched its bottom, or has too few points. Measure "
+                "it with a smaller probe, or at more points."
             )
 
     def refuse_strays(self) -> None:
