@@ -115,7 +115,7 @@ def plot_clearance(
     Horizontally the motion of `rule.only_while` (of a mill, how far it is from a stop), vertically
     that of `rule.when`, both in mm. The hatched region is forbidden. Each of the `designs`, a
     diagram or several by their names, is a path, with a dot every 5 deg of cam angle where both
-    motions are on their way. `span_mm` is how far the horizontal axis goes. Raises InputError for
+    motions are on their way. `span_mm` is how long the horizontal axis is. Raises InputError for
     no design, and for a rule about a motion that one of them lacks.
 
     >>> import cammotion as cm
@@ -137,16 +137,8 @@ def plot_clearance(
         *(describe_offset(first[half.motion], called[half.motion]) for half in (across, up)),
     )
     lowest, highest = _ends(named, up.motion)
-    leftmost, widest = _ends(named, across.motion)
-    near = min(widest, max(8 * across.limit_mm, 0.05 * widest))
-    broken = [
-        violation for diagram in named.values() for violation in find_violations(diagram, rule)
-    ]
-    # no broken rule outside the picture, and nothing of what does not go out from 0
-    right = widest + ROOM * (widest - leftmost) if leftmost else widest if broken else near
-    if span_mm is not None:
-        right = _SPAN.number(span_mm)
-    wide, high = (right - leftmost) or 1.0, (highest - lowest) or 1.0
+    leftmost, rightmost = _across(named, rule, span_mm)
+    wide, high = (rightmost - leftmost) or 1.0, (highest - lowest) or 1.0
     ax.set_xlim(leftmost - ROOM * wide, leftmost + wide)
     ax.set_ylim(lowest - ROOM * high, lowest + 1.1 * high)
     region = _forbidden_region(rule, ax)
@@ -164,6 +156,23 @@ def plot_clearance(
         middle_x, middle_y = region.get_center()
         write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
     return ax
+
+
+def _across(
+    designs: Mapping[str, TimingDiagram], rule: ClearanceRule, span_mm: float | None
+) -> tuple[float, float]:
+    """Return from where to where the horizontal axis goes: over what there is to see of the rule.
+
+    What goes out from 0 is of interest up to some times its limit, unless the rule is broken.
+    """
+    left, right = _ends(designs, rule.only_while.motion)
+    if span_mm is not None:
+        return left, left + _SPAN.number(span_mm)
+    if left:
+        return left, right + ROOM * (right - left)
+    if any(find_violations(diagram, rule) for diagram in designs.values()):
+        return left, right
+    return left, min(right, max(8 * rule.only_while.limit_mm, 0.05 * right))
 
 
 def _ends(designs: Mapping[str, TimingDiagram], name: str) -> tuple[float, float]:
