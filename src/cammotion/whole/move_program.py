@@ -88,7 +88,7 @@ def place(
 ) -> tuple[list[list[Placed]], float] | None:
     """Return the moves of all parts, and the share that no others can be below; None if none are.
 
-    The largest peak is as small as can be; with its move held that of the next, and so on.
+    The largest peak is as small as can be; with its part held that of the next one, and so on.
     """
     program = MoveProgram(movers, apart)
     program.rows.cost[program.least] = -1.0
@@ -96,7 +96,7 @@ def place(
     if found.unknowns is None or found.bound is None:
         return None
     program.settle(found.unknowns)
-    return program.moves(program.widened(program.own, found.unknowns)), -found.bound
+    return program.moves(program.widened(program.of_part, found.unknowns)), -found.bound
 
 
 class MoveProgram:
@@ -223,15 +223,26 @@ class MoveProgram:
         self.rows.high[together] = 0.0  # it asks for nothing any more
         return best, x
 
-    def widened(self, free: Sequence[int], x: Floats) -> Floats:
-        """Return the unknowns with the least of these moves as wide as can be, then the next."""
+    def widened(self, parts: Sequence[Sequence[int]], x: Floats) -> Floats:
+        """Return the unknowns with the narrowest move of some parts as wide as can be.
+
+        With its part held, so is that of the next one; with all parts held, their other moves.
+        """
+        x = self._filled(parts, x)
+        return self._filled([[own] for part in parts for own in part], x)
+
+    def _filled(self, groups: Sequence[Sequence[int]], x: Floats) -> Floats:
+        """Return the unknowns with the narrowest of each group as wide as those before leave it."""
+        free = [group for group in groups if group]
         while free:
-            least, x = self.raised(free, x)
-            for own in free:
-                self.rows.low[own] = least * (1 - _HELD)
-            tight = [own for own in free if x[own] <= least * (1 + _SAME)]
-            held = [own for own in tight if self.raised([own], x)[0] <= least * (1 + _SAME)]
-            free = [own for own in free if own not in (held or free)]
+            owns = [own for group in free for own in group]
+            least, x = self.raised(owns, x)
+            for own in owns:
+                self.rows.low[own] = max(self.rows.low[own], least * (1 - _HELD))
+            enough = least * (1 + _SAME)
+            tight = [group for group in free if x[[*group]].min() <= enough]
+            held = [group for group in tight if self.raised(group, x)[0] <= enough]
+            free = [group for group in free if group not in (held or free)]
         return x
 
     def moves(self, x: Floats) -> list[list[Placed]]:

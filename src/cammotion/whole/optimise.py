@@ -113,9 +113,11 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     own. `starts_deg` and `angles_deg` give for a part a range, or None, for each of its moves.
 
     The largest of the peak accelerations is made small, each times its weight (1 if none is given),
-    in `unit`; then with it held the next one, and so on. With `at_most` no peak of a part is above
-    a limit in m/s2. With a Camshaft in place of the diagram, `minimise` may be "force": then the
-    weights are the masses of its loads, one for each free part.
+    in `unit`; then, with its part held there, the largest of the others, and so on; and last, of
+    each part, those of its other moves; who passes whom stays as it is for the first of them. With
+    `at_most` no peak of a part is above a limit in m/s2.
+    With a Camshaft in place of the diagram, `minimise` may be "force", mass times acceleration:
+    then the weights are the masses of its loads, one for each free part.
 
     It may also be "torque", the largest one on the shaft over the turn, with springs, weights,
     friction, the forces of the process, and the loads of parts that are not free. Masses that slow

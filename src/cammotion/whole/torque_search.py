@@ -135,12 +135,13 @@ class _Search:
 
     def eased(self, low: _Low) -> Floats:
         """Return the unknowns with the moves that ask nothing of the shaft as wide as can be."""
-        program, loose = low.program, []
+        program = low.program
+        loose: list[list[int]] = []
         for part, starts, widths, own in zip(
             self.task.parts, program.starts, program.widths, program.of_part, strict=True
         ):
             if part.motion.name not in self.shaft.loads:
-                loose += own
+                loose.append(own)
                 continue
             for column in [*starts, *(one for width in widths for one in width)]:
                 program.rows.low[column] = low.x[column] - _OFF_DEG
@@ -211,7 +212,7 @@ class _Starts:
         program.settle(x)
         if number == _TODAY:
             return _Low(program, x, np.inf)
-        widest = program.widened(program.own, x)
+        widest = program.widened(program.of_part, x)
         for own in program.own:  # what is held there
             rows.low[own] = 0.0
         share = float(self.rng.uniform(0, _FARTHEST)) if is_at_random else 0.0
