@@ -139,6 +139,7 @@ FAULTS: dict[str, Patch] = {
     "roundings": (Through, "effects", lambda _: lambda *_: 2 * (np.ones(1),)),
     "eccentrics": (cm, "motion_from_table", turned),
     "levelled": (cm, "motion_from_table", turned),
+    "noisy": (cm, "motion_from_table", turned),
     "least": (cm, "least_acceleration", bounded),
     "turrets": (cm, "least_acceleration", bounded),
     "whole": (cm, "least_peak", bounded),

@@ -74,6 +74,7 @@ CHECKS: Mapping[str, Check] = {
     "roundings": check_measured.roundings,
     "eccentrics": check_measured.eccentrics,
     "levelled": check_measured.levelled,
+    "noisy": check_measured.noisy,
     "least": check_limits.least,
     "turrets": check_turrets.turrets,
     "whole": check_whole.whole,

@@ -20,7 +20,9 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.from_points import law_from_points
+from cammotion.measured.resting import Stay, eased
 from cammotion.measured.sampled_law import SampledLaw
+from cammotion.measured.smoothing import SmoothedTable
 from cammotion.quantities import Floats, InputError, Quantity
 
 _DWELL = Quantity("shortest dwell", "deg", example=10, high=360.0)
@@ -31,19 +33,24 @@ _ROUNDS = 40  # of moving points to turns beside them; two are enough for a smoo
 _SETTLED_DEG = 1e-11
 _MOST = 24  # moves of a turn
 _FEWEST = 4  # points of a law
+_NOISE = 6  # times the error of a smoothed table, within which it dwells
 _RULES = 0.2  # of the peak: an effect of the rounding that is to be warned of
 
 
 @checked
-def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10) -> Motion:
-    """Return the motion of a cam that is given by a table of one whole turn.
+def motion_from_table(
+    name: str, table: CamTable | SmoothedTable, *, least_dwell_deg: float = 10
+) -> Motion:
+    """Return the motion of a cam that is given by a table of one whole turn, or a smoothed one.
 
     It goes through the points, with a velocity and an acceleration that do not jump where it turns;
     a point within 0.005 deg of a turn is taken for the turn. Where the positions of three points or
     more stay the same over `least_dwell_deg`, to one and a half of the table's step, it dwells, and
-    rests at both ends. Its moves have laws from points, so that it is checked, drawn and written
-    like any motion. Raises InputError for a table that is no cycle, that stays where it is, or that
-    turns back too often, as one of measured noise does.
+    rests at both ends. Of a table that `smoothed` returned, it dwells where the positions stay the
+    same to six times its error, and goes over to that over ten degrees at most. Its moves have laws
+    from points, so that it is checked, drawn and written like any motion. Raises InputError for a
+    table that is no cycle, that stays where it is, or that turns back too often, as one of measured
+    noise does.
 
     >>> angles = np.arange(0.0, 360.0, 5)
     >>> table = CamTable(angles, 25 - 25 * np.cos(np.radians(angles)), is_cycle=True)
@@ -53,7 +60,9 @@ def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10
     >>> print(f"{cam.position_mm(92.5):.4f} mm")
     26.0905 mm
     """
-    shortest = _DWELL.number(least_dwell_deg)
+    shortest, noise = _DWELL.number(least_dwell_deg), 0.0
+    if isinstance(table, SmoothedTable):
+        noise, table = _NOISE * table.error_mm, table.as_table
     if not table.is_cycle:
         raise InputError(
             "The table is no whole turn, and a motion fills one: give CamTable(..., "
@@ -61,13 +70,16 @@ def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10
             "law_from_table."
         )
     travel = float(np.ptp(table.position_mm))
-    swing, within = max(table.step_mm, _SWING * travel), max(_STEPS * table.step_mm, 1e-9 * travel)
+    swing = max(table.step_mm, noise, _SWING * travel)
+    within = max(_STEPS * table.step_mm, noise, 1e-9 * travel)
     if travel <= within:
         raise InputError(
-            f"The table goes over {travel:g} mm in steps of {table.step_mm:g}, and so stays where "
-            "it is: make a motion of a dwell of 360 deg."
+            f"The table goes over {travel:g} mm, which is no more than {within:.3g} mm of rounding "
+            "or noise, and so stays where it is: make a motion of a dwell of 360 deg."
         )
     stays = _dwells(table, within, shortest)
+    if noise:
+        table, stays = eased(table, stays)
     moves = _with_dwells(table, stays, swing) if stays else _without_dwells(table, swing)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # of each law; said of the table once, below
@@ -76,14 +88,14 @@ def motion_from_table(name: str, table: CamTable, *, least_dwell_deg: float = 10
     return found.shifted(-(found.start_deg // DEG_PER_TURN) * DEG_PER_TURN)
 
 
-def _dwells(table: CamTable, within_mm: float, shortest: float) -> list[tuple[int, int, float]]:
+def _dwells(table: CamTable, within_mm: float, shortest: float) -> list[Stay]:
     """Return the first and the last point of each dwell, the last one after it, and its height.
 
     Points count on over the end of the turn.
     """
     size = table.angle_deg.size
     angles, heights = _twice(table)
-    found: list[tuple[int, int, float]] = []
+    found: list[Stay] = []
     n = int(np.argmax(np.abs(np.diff(heights[: size + 1])))) + 1  # where it surely moves
     end = n + size
     while n < end:
@@ -93,15 +105,16 @@ def _dwells(table: CamTable, within_mm: float, shortest: float) -> list[tuple[in
         if angles[last] - angles[n] >= shortest and last - n > 1:  # two may lie beside a turn
             middle = float(np.median(heights[n : last + 1]))
             known = (stay for _, _, stay in found if abs(stay - middle) <= within_mm)
-            found.append((n, last, next(known, middle)))
+            height, first = next(known, middle), n
+            if found and found[-1][1] == n - 1 and found[-1][2] == height:  # it goes on
+                first, _, _ = found.pop()
+            found.append((first, last, height))
             n = last
         n += 1
     return found
 
 
-def _with_dwells(
-    table: CamTable, stays: Sequence[tuple[int, int, float]], swing: float
-) -> Iterator[Segment]:
+def _with_dwells(table: CamTable, stays: Sequence[Stay], swing: float) -> Iterator[Segment]:
     """Yield each dwell and the moves to the next one."""
     size = table.angle_deg.size
     angles, heights = _twice(table)
@@ -179,7 +192,8 @@ def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
     if len(ends) > _MOST:
         raise InputError(
             f"The table turns back {len(ends) - 2} times by more than {swing:.3g} mm, as one of "
-            "measured noise does: smooth its positions with smoothed, or give its step_mm."
+            "measured noise does: give what smoothed returns for it, with a larger amount if that "
+            "is no help, or a CamTable with its step_mm."
         )
     for (low, start), (high, end) in pairwise(ends):
         at = np.array([low, *places[(places > low + near) & (places < high - near)], high])
@@ -224,10 +238,11 @@ def _warn(motion: Motion, table: CamTable) -> None:
     laws = [law for move in motion.moves if isinstance(law := move.law, SampledLaw)]
     share = max(law.rounding.bound / law.curve.derived(2).largest for law in laws)
     if share > _RULES:
+        much = f"up to {share:.0%}" if share < 1 else "more than all"
         warn(
-            f"The positions of the table are rounded to {table.step_mm:g} mm. That alone changes "
-            f"the acceleration of {motion.name} by up to {share:.0%} of its peak: take positions "
-            "with more digits, or smoothed ones."
+            f"The positions of the table are rounded to {table.step_mm:g} mm. That alone may "
+            f"change the acceleration of {motion.name} by {much} of its peak: take positions with "
+            "more digits, or what smoothed returns for the table."
         )
 
 

@@ -1,6 +1,6 @@
 """The smoothing spline of a table of a cam, with error bars through to the acceleration."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -38,6 +38,11 @@ class SmoothedTable(Alike):
     def __repr__(self) -> str:
         count = self.position_mm.size
         return f"SmoothedTable({count} points by {self.amount:.4g}, error {self.error_mm:.4g} mm)"
+
+    @property
+    def as_table(self) -> CamTable:
+        """The table with the smoothed positions in place of its own."""
+        return replace(self.table, position_mm=self.position_mm, step_mm=0.0)
 
     def at(self, angle_deg: ArrayLike, rate_per_hour: float = 900, derivative: int = 0) -> Numbers:
         """Return the position in mm (or velocity in m/s, acceleration in m/s2) at a cam angle.
