@@ -112,6 +112,7 @@ def _leaves(force: Force, place: float, end: float, joints: Array) -> float:
     """Return the next angle at which the force falls below 0."""
     inner = joints[(joints > place) & (joints < end)]
     places = np.union1d(np.arange(place, end, STEP_DEG), inner)
+    places = places[np.append(np.diff(places) > 2 * BESIDE, True)]  # at a joint, not just before it
     lows, highs = force(places[:-1] + BESIDE), force(places[1:] - BESIDE)
     loose = np.flatnonzero((lows < 0) | (highs < 0))
     if not loose.size:
