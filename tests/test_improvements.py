@@ -123,6 +123,30 @@ def test_a_motion_of_another_build_keeps_its_angles() -> None:
     step = cm.motion("step", *parts, *back)
     found = cm.improvements(cm.Machine("step", cm.TimingDiagram([step], 600)))
     assert [one.kind for one in found] == ["law"]
+    standing = cm.Machine("step", cm.TimingDiagram([step], 600), still={"step": [(45, 55)]})
+    wider = next(one for one in cm.improvements(standing) if one.kind == "widen")
+    moves = wider.machine.diagram["step"].moves
+    assert len(moves) == 3
+    assert sum(move.angle_deg for move in moves) == pytest.approx(350, abs=1e-3)
+    assert moves[0].to_deg <= 45 + 1e-6 < 55 - 1e-6 <= moves[1].from_deg
+
+
+def test_a_still_arc_that_stops_one_move_and_a_rule_that_stops_the_other() -> None:
+    """The rise has to end before the arc, the return is stopped by the rule or by the turn."""
+    up, down = cm.rise(60, over_deg=70), cm.return_(60, over_deg=90)
+    out, back = cm.rise(40, over_deg=45), cm.return_(40, over_deg=45)
+    gripper = cm.motion("gripper", up, cm.dwell(20), down, cm.dwell(180))
+    slide = cm.motion("slide", out, cm.dwell(60), back, cm.dwell(210), start_deg=200)
+    diagram = cm.TimingDiagram([gripper, slide], 5400)
+    rule = cm.ClearanceRule(cm.beyond("gripper", 25), only_while=cm.within("slide", 15))
+    for arc in [(200, 240), (215, 290), (230, 340), (300, 359)]:
+        machine = cm.Machine("m", diagram, [rule], {"gripper": [arc]})
+        one = next(c for c in cm.improvements(machine) if c.mechanism == "gripper")
+        assert one.kind == "widen"
+        assert one.after < 0.8 * one.before
+        assert one.machine.violations == ()
+        off = one.machine.diagram["gripper"].position_mm(np.linspace(*arc, 50))
+        assert np.abs(off).max() < 1e-9
 
 
 def test_a_change_that_breaks_a_rule_is_an_error_and_no_answer(

@@ -7,7 +7,7 @@ from functools import partial
 
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.piece import bisect
-from cammotion.limits.widest import widest_move, with_angle
+from cammotion.limits.widest import WidestMove, widest_move, with_angle
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -16,10 +16,12 @@ from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.rules.checks import find_violations
 from cammotion.rules.rule import Rule
+from cammotion.whole.optimise import optimise
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
 _WORTH = 1e-3  # of a peak: less is no gain
 _SAME_DEG = 0.005
+_SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _ROUNDING = 1e-9  # deg
 
@@ -103,21 +105,13 @@ def improvement(
 
 
 def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Improvement]:
-    is_hard = name in [*machine.peaks][:_HARDEST]
-    try:
-        found = widest_move(machine.diagram, name, rules, each_way=None if is_hard else False)
-        if found.peak_acceleration >= machine.peaks[name] and not is_hard:
-            found = widest_move(machine.diagram, name, rules)
-    except InputError:  # not of this build, or no move of it keeps the rules
+    found, arcs = _widest(machine, name, rules), machine.still.get(name, ())
+    changed, moves = found.diagram if found else None, machine.diagram[name].moves
+    held = f" (then: {found.tight.rule})" if found and found.tight else ""
+    if arcs and not (changed and _stands(changed[name], arcs)):
+        changed, held = _between(machine, name, rules), " (then: its still arc)"
+    if changed is None:
         return
-    held = f" (then: {found.tight.rule})" if found.tight else ""
-    changed, moves = found.diagram, machine.diagram[name].moves
-    if not _stands(changed[name], machine.still.get(name, ())):
-        changed, held = _beside(machine, name), " (then: its still arc)"
-        if {one.rule for one in machine.with_diagram(changed).violations} - {
-            one.rule for one in machine.violations
-        }:
-            return
     new = changed[name].moves
     pairs = [
         f"the {before.kind} from {before.angle_deg:.4g} to {after.angle_deg:.5g} deg"
@@ -138,14 +132,38 @@ def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Impro
         yield improvement(NARROW, said, machine, changed, [name])
 
 
-def _beside(machine: Machine, name: str) -> TimingDiagram:
+def _widest(machine: Machine, name: str, rules: Sequence[Rule]) -> WidestMove | None:
+    """Return the widest move of a motion, of the three hardest with an angle for each way."""
+    is_hard = name in [*machine.peaks][:_HARDEST]
+    try:
+        found = widest_move(machine.diagram, name, rules, each_way=None if is_hard else False)
+        if found.peak_acceleration >= machine.peaks[name] and not is_hard:
+            found = widest_move(machine.diagram, name, rules)
+    except InputError:  # not of this build, or no move of it keeps the rules
+        return None
+    return found
+
+
+def _between(machine: Machine, name: str, rules: Sequence[Rule]) -> TimingDiagram | None:
+    """Return the diagram with the widest moves of a motion that stands over its still arcs."""
+    still = {name: machine.still[name]}
+    try:
+        return optimise(machine.diagram, rules, still=still, seconds=_SECONDS).design
+    except InputError:  # no moves of it keep the rules, or one of them is of another kind
+        changed = _beside(machine, name)
+    broken = {one.rule for one in machine.violations}
+    is_worse = changed and {one.rule for one in machine.with_diagram(changed).violations} - broken
+    return None if is_worse else changed
+
+
+def _beside(machine: Machine, name: str) -> TimingDiagram | None:
     """Return the diagram with the widest move of a motion beside its still arcs, rules aside."""
     motion, arcs = machine.diagram[name], machine.still[name]
     narrow = min(move.angle_deg for move in motion.moves)
     fits = partial(_fits, motion, arcs)
-    angle = narrow
-    if fits(narrow):
-        angle = bisect(fits, narrow, float(DEG_PER_TURN)) - _ROUNDING
+    if not fits(narrow):
+        return None
+    angle = bisect(fits, narrow, float(DEG_PER_TURN)) - _ROUNDING
     return machine.diagram.with_motion(with_angle(motion, angle))
 
 

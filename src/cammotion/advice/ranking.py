@@ -80,13 +80,14 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
 
     Each mechanism is asked by itself, all others as they are: how wide can its moves be
     (`widest_move`), and does a gentler law of the catalogue, one with a finite jerk, keep the
-    rules? What mends a broken rule comes first, then what makes the largest peak of the machine
-    smaller, then what makes that of its own mechanism smaller by most. (Rise and return of the
-    three hardest may get two angles; of the others one, unless only two are a gain.) With
-    `seconds` the balance of all moves at once is sought for so long (`optimise`; the parts with
-    still arcs are free). Each change is checked before it is returned: it breaks no rule that was
-    kept, and its peak is that of the changed diagram. Raises InputError for what is no Machine,
-    and WrongAnswerError if a check fails.
+    rules? One with more than a rise and a return is asked where it has still arcs; between such
+    arcs each move gets an angle of its own (`optimise`). What mends a broken rule comes first, then
+    what makes the largest peak of the machine smaller, then what makes that of its own mechanism
+    smaller by most. (Rise and return of the three hardest may get two angles; of the others one,
+    unless only two are a gain.) With `seconds` the balance of all moves at once is sought for so
+    long (`optimise`; the parts with still arcs are free). Each change is checked before it is
+    returned: it breaks no rule that was kept, and its peak is that of the changed diagram. Raises
+    InputError for what is no Machine, and WrongAnswerError if a check fails.
 
     >>> import cammotion as cm
     >>> both = {"mill": [(205, 305)], "die": [(205, 305)]}

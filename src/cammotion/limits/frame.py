@@ -39,8 +39,8 @@ class Frame:
             build = "one move" if motion.is_indexing else "one rise and one return"
             raise InputError(
                 f"The motion {motion.name!r} has {len(moves)} moves, and only one with {build} can "
-                "be widened symmetrically: give it that, or widen it by hand and look for "
-                "violations."
+                "be widened symmetrically: give it that, or ask optimise for the angles of "
+                "all its moves, with the arcs over which it has to stand."
             )
         first, last = moves[0], moves[-1]
         if motion.is_indexing:
