@@ -69,6 +69,30 @@ def test_the_heading_says_what_separates_the_cells_and_not_a_title(
     assert machine.rules == cm.machine_from_text(TABLE).rules
 
 
+@pytest.mark.parametrize(
+    ("column", "typed"),
+    [("still", "stil"), ("still", "Still in deg"), ("rule", "rulle"), ("stops", "stop")],
+)
+def test_a_misspelt_column_that_may_be_left_out_is_told(column: str, typed: str) -> None:
+    with pytest.raises(cm.InputError, match=f"Line 1 .* a column '{typed}' and none '{column}'"):
+        cm.machine_from_text(TABLE.replace(f"; {column}", f"; {typed}", 1))
+
+
+def test_a_column_of_ones_own_is_left_out() -> None:
+    heading = TABLE.replace("; rule", "; rule; drawing", 1)
+    assert cm.machine_from_text(heading) == cm.machine_from_text(TABLE)
+    assert cm.machine_from_text(TABLE.replace("; still", "; remark", 1)).still == {}
+
+
+def test_a_rule_that_nothing_breaks_is_told() -> None:
+    machine = cm.machine_from_text(TABLE.replace("beyond 19", "beyond 190"))
+    assert "1 rule, kept (1 cannot be broken)" in repr(machine)
+    assert [*machine.idle.values()] == ["the die is never beyond 190 mm"]
+    wide = cm.machine_from_text(TABLE.replace("within 0.65", "within 50"))
+    assert [*wide.idle.values()] == ["the mill is always within 50 mm"]
+    assert cm.machine_from_text(TABLE).idle == {}
+
+
 def test_dwells_may_be_left_out_but_not_one_of_several() -> None:
     complete = cm.machine_from_text("\n".join(FULL))
     moves = cm.machine_from_text("\n".join([FULL[0], FULL[1], FULL[3]]))

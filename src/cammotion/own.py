@@ -60,6 +60,12 @@ class Machine:
         return find_clearances(self.diagram, self.rules) if self.rules else ()
 
     @cached_property
+    def idle(self) -> dict[Rule, str]:
+        """The rules that nothing breaks, however the machine is timed, and why: look at them."""
+        said = {rule: rule.idle(self.diagram) for rule in self.rules}
+        return {rule: why for rule, why in said.items() if why}
+
+    @cached_property
     def peaks(self) -> dict[str, float]:
         """The peak acceleration of each mechanism in m/s2, the largest first."""
         peaks = {name: self.diagram.peak_acceleration(name) for name in self.diagram.names}
@@ -88,6 +94,7 @@ class Machine:
         count, rules = len(self.diagram.names), len(self.rules)
         broken = len({violation.rule for violation in self.violations})
         kept = f"{broken} broken" if broken else "kept" if rules == 1 else "all kept"
+        kept += f" ({len(self.idle)} cannot be broken)" if self.idle else ""
         peak = f"{self.peaks[self.hardest]:.4g}".replace("inf", "∞")
         ruled = f", {rules} rule{'s' * (rules != 1)}, {kept}" if rules else ", no rules"
         return (

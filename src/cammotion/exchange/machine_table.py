@@ -1,7 +1,8 @@
 """The table of a machine: segments, rules and still arcs, read with all faults told at once."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from difflib import get_close_matches
 from itertools import pairwise
 from typing import Any
 
@@ -32,6 +33,8 @@ from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.distance import DistanceRule
 from cammotion.rules.rule import Rule
+
+_LIKE = 0.8  # of 1: so like another name is a misspelt one
 
 
 def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
@@ -71,6 +74,17 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     return Machine(source.name, diagram, rules, arcs_of)
 
 
+def _misspelt(heading: list[str]) -> Iterator[tuple[str, str]]:
+    """Yield the columns that are nearly one that may be left out and is not there, and that one."""
+    lacking = [column for column in (STOPS, STILL, RULE) if column not in heading]
+    for column in heading:
+        if column in HEADING or column == IN_FULL:
+            continue
+        like = get_close_matches(column.casefold(), lacking, 1, _LIKE)
+        begun = [one for one in lacking if column.casefold().startswith(one)]
+        yield from ((column, meant) for meant in (like or begun)[:1])
+
+
 def _records(source: Source, faults: Faults) -> list[Record]:
     """Return the lines below the heading in which anything stands."""
     at, file = source.heading_at, source.file
@@ -87,6 +101,11 @@ def _records(source: Source, faults: Faults) -> list[Record]:
     for column in (*HEADING, STILL, RULE):
         if heading.count(column) > 1:
             faults.add(f"{source.where(at)}: the column '{column}' stands there twice: drop one.")
+    for column, meant in _misspelt(heading):
+        faults.add(
+            f"{source.where(at)}: there is a column '{column}' and none '{meant}': call it "
+            f"'{meant}', or something else."
+        )
     records: list[Record] = []
     for place, line in enumerate(source.rows[at + 1 :], at + 1):
         if any(cell.strip() for cell in line):

@@ -111,6 +111,11 @@ def _rules(found: Findings) -> str:
         rows.append((now.clearance_mm < 0, cells))
     heading = ["rule", "clearance, mm", "reserve, deg"]
     broken = "".join(paragraph(f"Broken: {one}.", "broken") for one in machine.violations)
+    for rule, why in machine.idle.items():
+        broken += paragraph(
+            f"Nothing can break this rule, however the machine is timed, since {why}: {rule}. See "
+            "whether its limit is what was meant."
+        )
     heading += ["of the design, mm"] if found.best else []
     used = sum(one.clearance_mm < _NOTHING for one in found.improved.clearances)
     if found.best and used:

@@ -82,6 +82,20 @@ class ClearanceRule(Rule):
         found = min(rooms, default=None)
         return None if found is None or found.mm == math.inf else found
 
+    def idle(self, diagram: TimingDiagram) -> str:
+        """Return in words why nothing breaks it, however a diagram is timed; '' if something can.
+
+        >>> import cammotion as cm
+        >>> far = ClearanceRule(cm.beyond("die", 60), only_while=cm.within("mill", 0.65))
+        >>> far.idle(cm.EXAMPLE.diagram)
+        'the die is never beyond 60 mm'
+        """
+        if not self.when.arcs(diagram):
+            return f"the {self.when.motion} is never {self.when}"
+        if not self.only_while.opposite.arcs(diagram):
+            return f"the {self.only_while.motion} is always {self.only_while}"
+        return ""
+
     def describe(self) -> str:
         """Say in words what it asks, without its name."""
         when, only = self.motions

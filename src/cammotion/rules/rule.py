@@ -46,6 +46,14 @@ class Rule(ABC):
     def room(self, diagram: TimingDiagram, arc: Arc | None = None) -> Room | None:
         """Return the least room before the rule breaks, in an arc or a turn; None for no end."""
 
+    def idle(self, diagram: TimingDiagram) -> str:
+        """Return in words why nothing breaks it, however a diagram is timed; '' if something can.
+
+        So it is of a limit beyond a stroke, which is a slip more often than it is meant.
+        """
+        self.check(diagram)
+        return ""
+
     @abstractmethod
     def describe(self) -> str:
         """Say in words what it asks, without its name."""
