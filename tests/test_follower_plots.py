@@ -76,3 +76,8 @@ def test_the_worst_of_a_running_machine_is_not_drawn() -> None:
     """It would be that of a resonance between two of its ratios, as high as they happen to be."""
     with pytest.raises(cm.InputError, match="single move"):
         cm.plot_residual("cycloidal", quantity="worst", motion=cm.EXAMPLE.die)
+
+
+def test_ratios_in_any_order() -> None:
+    ax = cm.plot_residual("cycloidal", ratios=[[3, 1], [2, 5]])
+    assert np.asarray(ax.lines[0].get_xdata()).tolist() == [1, 2, 3, 5]

@@ -132,3 +132,9 @@ def test_it_keeps_so_many_harmonics(figure: LiveFigure, number: int) -> None:
 
 def test_the_moving_picture_is_drawn_anew_as_it_is_stored() -> None:
     assert measured_picture.PICTURE.read_text("utf-8") == measured_picture.drawn()
+
+
+def test_a_critical_rank_that_one_list_has_not() -> None:
+    ax = cm.plot_harmonics({"long": [3, 0, 1], "short": [1]}, critical=3)
+    told = sorted(text.get_text() for text in ax.texts)
+    assert told == ["1: 1.00", "1: 3.00", "2: 0.00", "3: 1.00"]

@@ -122,6 +122,30 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
         lambda: cm.CamTable(np.radians(TURN), LOBE, is_cycle=True),
         r"which in radians is a turn: give the cam angles in deg, for example np\.degrees",
     ),
+    "a minute for an hour": (
+        lambda: ANY.TimingDiagram([DIE], rate_per_minute=90),
+        r"no argument 'rate_per_minute': give rate_per_hour=per_minute\(\.\.\.\)",
+    ),
+    "a rise downwards": (
+        lambda: cm.rise(-40, over_deg=50),
+        r"^The stroke is -40 mm; .* above 0 mm, and the way down is a return_\(40, over_deg=",
+    ),
+    "a force over the end of the turn": (
+        lambda: cm.ProcessForce(motion="die", from_deg=350, to_deg=20, force_N=80),
+        r"goes on over the end of the turn, give to_deg=380\.$",
+    ),
+    "a hole that is none of ours": (
+        lambda: cm.Fit("30 K7/h6"),
+        r"no confirmed tolerance zone with the letter 'K': use one of 'F', 'G', 'H'",
+    ),
+    "an arc for a list of arcs": (
+        lambda: ANY.optimise(DIAGRAM, RULE, still={"die": (205, 305)}),
+        r"still\['die'\]\[0\]=205: give 2 values, each a finite number",
+    ),
+    "no expression": (
+        lambda: ANY.plot_weight(1, (cm.x, 0, 1)),
+        r"weight=1: give an expression of SymPy",
+    ),
     "a crankshaft": (lambda: cm.dwell(440), r"is 440 deg, .* or 220 if you count the 720 deg of a"),
     "no overwriting": (
         lambda: ANY.write_segments(DIAGRAM, "machine.csv", overwrite="no"),

@@ -19,6 +19,7 @@ T = TypeVar("T", bound=Callable[..., Any])
 _PLACED = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
 _ANY_NUMBER = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
 _PACKAGE = "cammotion."
+_PER_MINUTE = ("rate_per_minute", "per_minute", "cycles_per_minute", "strokes_per_minute", "rpm")
 
 
 class CallError(InputError, TypeError):
@@ -136,6 +137,8 @@ def _wrong(
 
 
 def _unknown(title: str, name: str, names: Sequence[str]) -> str:
+    if "rate_per_hour" in names and name in _PER_MINUTE:
+        return f"There is no argument {name!r}: give rate_per_hour=per_minute(...)."
     if names:
         try:
             one_of("argument", name, names, is_exact=True)

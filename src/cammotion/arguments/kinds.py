@@ -30,7 +30,8 @@ _HOW = {
     "Rule": "a ClearanceRule or a DistanceRule, for example "
     "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
     "DiscCam": "a RollerCam or a FlatFacedCam",
-    "Fit": "a Fit, for example Fit(20, 'H7', 'h6')",
+    "Expr": "an expression of SymPy, for example 3 * cammotion.x**2",
+    "Fit": "a Fit, for example Fit('40 H7/g6')",
     "FlatFacedCam": "a FlatFacedCam",
     "Indexer": "an Indexer, for example Indexer(38.5, stops=8, time_s=0.75)",
     "int": "a whole number",
@@ -251,7 +252,8 @@ def _words(hint: Any) -> str:
     if origin in (types.UnionType, typing.Union):
         return (", or " if any("," in one for one in each) else " or ").join(each)
     if origin is tuple and inside[1:] != (...,):
-        return f"{len(inside)} in a row" + (f", {', '.join(each)}" if {*inside} != {Any} else "")
+        kinds = [f"each {each[0]}"] if len({*inside}) == 1 else each
+        return ", ".join([f"{len(inside)} values", *([] if {*inside} == {Any} else kinds)])
     if origin in (tuple, list, Sequence, Iterable):
         return f"a list, each {each[0]}"
     if origin is Mapping:

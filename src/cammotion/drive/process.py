@@ -10,7 +10,7 @@ from cammotion.machine.diagram import name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE
-from cammotion.quantities import Numbers, Quantity, keep_numbers, plain
+from cammotion.quantities import InputError, Numbers, Quantity, keep_numbers, plain
 
 _FORCE = Quantity("force of the process", "N", example=400, low=-math.inf)
 
@@ -40,6 +40,13 @@ class ProcessForce:
         ends = {"from_deg": CAM_ANGLE.number, "to_deg": CAM_ANGLE.number}
         forces = [name for name in ("force_N", "last_N") if getattr(self, name) is not None]
         keep_numbers(self, **ends, **dict.fromkeys(forces, _FORCE.number))
+        if self.to_deg <= self.from_deg:
+            turns = 1 + (self.from_deg - self.to_deg) // DEG_PER_TURN
+            raise InputError(
+                f"The force begins at {self.from_deg:g} deg and ends at {self.to_deg:g} deg: if it "
+                "goes on over the end of the turn, give "
+                f"to_deg={self.to_deg + turns * DEG_PER_TURN:g}."
+            )
         PART_ANGLE.number(self.to_deg - self.from_deg)
 
     def at(self, angle_deg: ArrayLike) -> Numbers:

@@ -5,6 +5,7 @@ The formulas are for understanding. A drawing takes the table, which is not the 
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -250,12 +251,13 @@ class Fit:
                 f"one, not {shorten(given)}: give for example '40 H7/g6'."
             )
         size = float(found[1])
-        return _limits(size, found[2], int(found[3])), _limits(size, found[4], int(found[5]))
+        hole = _limits(size, found[2], int(found[3]), [*filter(str.isupper, _LETTERS)])
+        return hole, _limits(size, found[4], int(found[5]))
 
 
-def _limits(diameter_mm: float, letter: str, grade: int) -> Limits:
+def _limits(diameter_mm: float, letter: str, grade: int, known: Sequence[str] = _LETTERS) -> Limits:
     at = _step(diameter_mm)
-    one_of("confirmed tolerance zone with the letter", letter, _LETTERS, is_exact=True)
+    one_of("confirmed tolerance zone with the letter", letter, known, is_exact=True)
     width = GRADES[_checked_grade(grade)][at]
     zone = f"{letter}{grade}"
     if letter == SYMMETRIC:

@@ -9,7 +9,7 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.kinematics import STROKE
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment, part_angle
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, is_real, shorten
 
 MATCHED = "matched"
 """For the law of a rise or a return: the polynomial of degree five that goes on at both ends with
@@ -51,9 +51,19 @@ def dwell(angle_deg: float) -> Part:
 def _move(way: int, stroke_mm: float, over_deg: float, law: str | MotionLaw) -> Part:
     return Part(
         part_angle(over_deg),
-        way * STROKE.number(stroke_mm),
+        way * _stroke(way, stroke_mm),
         MATCHED if isinstance(law, str) and law.casefold() == MATCHED else as_law(law),
     )
+
+
+def _stroke(way: int, stroke_mm: float) -> float:
+    if is_real(stroke_mm) and stroke_mm < 0:
+        other = "down is a return_" if way > 0 else "up is a rise"
+        raise InputError(
+            f"The stroke is {stroke_mm:g} mm; it has to be a finite number above 0 mm, and the way "
+            f"{other}({-stroke_mm:g}, over_deg=...): give for example 50 mm."
+        )
+    return STROKE.number(stroke_mm)
 
 
 def motion(name: str, *parts: Part, start_deg: float = 0, start_mm: float = 0) -> Motion:

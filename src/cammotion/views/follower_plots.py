@@ -63,7 +63,7 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     'tm/Tn, swings of the mass during the move'
     """
     drawn = as_laws([*LAWS] if laws is None else laws)
-    at = _RATIOS if ratios is None else np.atleast_1d(RATIO.array(ratios))
+    at = _RATIOS if ratios is None else np.sort(np.ravel(RATIO.array(ratios)))
     quantity = one_of("quantity", quantity, QUANTITIES)
     if quantity == "worst" and motion is not None:
         raise InputError(

@@ -106,12 +106,14 @@ def plot_harmonics(
     wide = _WIDE / len(amplitudes)
     last = 1
     for number, (name, given) in enumerate(amplitudes.items()):
-        heights = np.atleast_1d(_AMPLITUDE.array(given)) / METRES[unit]
+        heights = np.ravel(_AMPLITUDE.array(given)) / METRES[unit]
         ranks = np.arange(1, heights.size + 1)
         last = max(last, heights.size)
         left = ranks - _WIDE / 2 + wide * (number + 0.5)
         ax.bar(left, heights, wide, color=colour(number), label=name, hatch="//" if number else "")
-        told = {*(np.argsort(-heights)[:_TOLD] + 1), *([critical] if critical else [])}
+        told = {*(np.argsort(-heights)[:_TOLD] + 1)}
+        if critical and critical <= heights.size:
+            told.add(critical)
         for rank in sorted(told):
             text = f"{rank}: {heights[rank - 1]:.2f}"
             ax.annotate(text, (left[rank - 1], heights[rank - 1]), (0, 3), **_ABOVE)
