@@ -12,10 +12,12 @@ from machines import RULE, make_diagram, make_die, make_mill
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 import cammotion as cm
 from cammotion.views.chart import draw_chart
+from cammotion.views.chart_lanes import beside
 
 DAY = "2026-11-27"
 A4 = 297.0, 210.0
@@ -161,3 +163,14 @@ def test_what_is_no_chart(tmp_path: Path) -> None:
     with pytest.raises(cm.InputError, match="has 25 mechanisms"):
         cm.write_chart(packaging_machine(25), tmp_path / "chart.pdf")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_rise_and_return_by_two_laws_have_a_line_each() -> None:
+    rise = cm.rise(40, over_deg=80, law="modified trapezoid")
+    gripper = cm.motion("gripper", rise, cm.return_(40, over_deg=100), cm.dwell(180))
+    dial = cm.indexing_motion("dial", cm.rise(50, over_deg=90), cm.dwell(270), stops=12)
+    assert beside(gripper, 1, None).laws == ["↑ modified trapezoid", "↓ cycloidal"]
+    assert beside(dial, 1, 100).stroke == "50 mm (28.6°), 12 stops"
+    page = draw_chart(cm.TimingDiagram([dial, gripper], 2000), 1, ("cams", ""), (), {})
+    words = {text.get_text() for text in page.findobj(Text)}
+    assert {"↑ modified trapezoid", "↓ cycloidal", "cycloidal"} <= words

@@ -38,7 +38,7 @@ _DPI = 200  # of a PNG
 _MM_PER_INCH = 25.4
 _MARGIN, _BLOCK = 10.0, 26.0  # of the page, and how high the block below is, in mm
 _TOP, _UNDER = 9.0, 6.0  # over and under the lanes
-_NAMES, _PEAKS, _TITLE = 40.0, 30.0, 119.0  # wide is what stands beside and below the lanes
+_NAMES, _PEAKS, _TITLE = 40.0, 33.0, 119.0  # wide is what stands beside and below the lanes
 _LINE, _MOST_RULES = 4.2, 5  # mm from line to line of the rules, and how many have one
 
 

@@ -27,7 +27,7 @@ _NAME, _SMALL, _ANGLE = 9.0, 7.0, 7.0  # sizes of texts in points, in a lane tha
 _LEAST = 0.6  # of these sizes, in a low one
 MM_PER_POINT = 25.4 / 72
 _APART_MM = 0.6  # between two angles
-_LEFT_MM, _RIGHT_MM = 37.0, 27.0  # of room for texts beside the lanes
+_LEFT_MM, _RIGHT_MM = 37.0, 30.0  # of room for texts beside the lanes
 
 
 class _Box(NamedTuple):
@@ -49,20 +49,32 @@ class Beside(NamedTuple):
 
     stroke: str
     peak: str
-    laws: str
+    laws: list[str]
 
 
 def beside(motion: Motion, peak: float, radius_mm: float | None) -> Beside:
     """Return what is said of a motion, its peak acceleration in m/s2 being known."""
+    low, high = motion.range_mm
+    way = abs(motion.pitch_mm) if motion.is_indexing else high - low
+    turned = "" if radius_mm is None else f" ({short_number(math.degrees(way / radius_mm))}°)"
     if motion.is_indexing:
-        stroke = f"{short_number(abs(motion.pitch_mm))} mm, {motion.stops} stops"
+        stroke = f"{short_number(way)} mm{turned}, {motion.stops} stops"
     else:
-        low, high = motion.range_mm
-        stroke = f"{short_number(low)} to {short_number(high)} mm"
-        if radius_mm is not None:
-            stroke += f" ({short_number(math.degrees((high - low) / radius_mm))}°)"
-    laws = sorted({as_law(move.law).name for move in motion.moves})
-    return Beside(stroke, f"{as_text(peak, '.3g')} m/s²", ", ".join(laws) or "stands")
+        stroke = f"{short_number(low)} to {short_number(high)} mm{turned}"
+    return Beside(stroke, f"{as_text(peak, '.3g')} m/s²", _laws(motion))
+
+
+def _laws(motion: Motion) -> list[str]:
+    """Return the laws of a motion, a line for each; with an arrow if up and down have their own."""
+    ways = [("↑", "rise"), ("↓", "return")]
+    laws = {
+        arrow: list(dict.fromkeys(as_law(m.law).name for m in motion.moves if m.kind == kind))
+        for arrow, kind in ways
+    }
+    up, down = laws.values()
+    if not up or not down or up == down:
+        return up or down or ["stands"]
+    return [f"{arrow} {law}" for arrow, names in laws.items() for law in names]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -164,7 +176,7 @@ def draw_lane(paper: Paper, number: int, motion: Motion, name: str, said: Beside
     corners = [(paper.across(at), y, at) for at, y in zip(joints, heights.tolist(), strict=True)]
     _write_angles(paper, corners, base + paper.curve_mm / 2)
     _write_beside(paper, number, (name, said.stroke), (paper.left - 2, "right", _LEFT_MM))
-    _write_beside(paper, number, (said.peak, said.laws), (paper.right + 2, "left", _RIGHT_MM))
+    _write_beside(paper, number, (said.peak, *said.laws), (paper.right + 2, "left", _RIGHT_MM))
 
 
 def draw_violation(paper: Paper, rows: Sequence[int], arc: Arc) -> None:
@@ -213,15 +225,15 @@ def _places(paper: Paper, x: float, y: float, middle: float, width: float) -> It
 
 
 def _write_beside(
-    paper: Paper, number: int, lines: tuple[str, str], place: tuple[float, str, float]
+    paper: Paper, number: int, lines: Sequence[str], place: tuple[float, str, float]
 ) -> None:
-    """Write two lines beside a lane; the place is x, the side at which they are even, the room."""
+    """Write some lines beside a lane; the place is x, the side at which they are even, the room."""
     middle = paper.floor(number) + paper.lane_mm / 2
     x, side, room = place
     for row, line in enumerate(lines):
         is_name = side == "right" and not row
         size = (_NAME if is_name else _SMALL) * paper.share
         shown = cut(line, room / MM_PER_POINT, size, bold=is_name)
-        y = middle + (0.22 if not row else -0.22) * min(paper.lane_mm, _FULL_MM)
+        y = middle + (0.44 - 0.88 * (row + 0.5) / len(lines)) * min(paper.lane_mm, _FULL_MM)
         weight = "bold" if is_name else "normal"
         paper.write(x, y, shown, size, ha=side, weight=weight)
