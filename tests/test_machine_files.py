@@ -84,6 +84,27 @@ def test_a_column_of_ones_own_is_left_out() -> None:
     assert cm.machine_from_text(TABLE.replace("; still", "; remark", 1)).still == {}
 
 
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        (
+            [FULL[0], FULL[3], FULL[1]],
+            "150 deg stands below that from 305 deg: sort",
+        ),
+        (
+            [FULL[0], FULL[1].replace(",2000,", ",2000,300 to 20"), FULL[3]],
+            "or 300 to 380 over the",
+        ),
+        ([FULL[0], FULL[1] + '"205 to 250, 260 to 300"', FULL[3]], "several with 'and' between"),
+    ],
+)
+def test_what_is_typed_in_another_order_or_over_the_turn_is_told(
+    lines: list[str], words: str
+) -> None:
+    with pytest.raises(cm.InputError, match=words):
+        cm.machine_from_text("\n".join(lines))
+
+
 def test_a_rule_that_nothing_breaks_is_told() -> None:
     machine = cm.machine_from_text(TABLE.replace("beyond 19", "beyond 190"))
     assert "1 rule, kept (1 cannot be broken)" in repr(machine)

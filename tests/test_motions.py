@@ -246,16 +246,16 @@ REFUSED: dict[str, Callable[[], object]] = {
             "die", cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=215)
         )
     ),
-    "The motion 'die' ends 10 mm from where it began: add a return of 10 mm, or make it with "
-    "indexing_motion if it moves on from stop to stop.": (
+    "The motion 'die' ends 10 mm from where it began: add a return of 10 mm, or, if it moves "
+    "on from stop to stop, give its stops (indexing_motion does).": (
         lambda: cm.motion("die", cm.rise(50, over_deg=180), cm.return_(40, over_deg=180))
     ),
-    "The motion 'die' ends 50 mm from where it began: add a rise of 50 mm, or make it with "
-    "indexing_motion if it moves on from stop to stop.": (
+    "The motion 'die' ends 50 mm from where it began: add a rise of 50 mm, or, if it moves "
+    "on from stop to stop, give its stops (indexing_motion does).": (
         lambda: cm.motion("die", cm.return_(50, over_deg=180), cm.dwell(180))
     ),
     "The indexing motion 'mill' ends where it began, and an indexing motion moves on: leave out "
-    "its return, or make it with motion.": (
+    "its return, or its stops (make it with motion).": (
         lambda: cm.indexing_motion(
             "mill", cm.rise(50, over_deg=180), cm.return_(50, over_deg=180), stops=24
         )

@@ -175,6 +175,13 @@ def _filled(segments: list[Segment]) -> list[Segment]:
 
     Where it lists some dwell, a gap is a slip: Motion says so.
     """
+    for before, after in pairwise(segments):
+        if after.from_deg < before.from_deg:
+            raise InputError(
+                f"the segment from {after.from_deg:g} deg stands below that from "
+                f"{before.from_deg:g} deg: sort the lines by their angles, which count on over "
+                f"{DEG_PER_TURN} deg."
+            )
     if any(segment.is_dwell for segment in segments):
         return segments
     first = segments[0]

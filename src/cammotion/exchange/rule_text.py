@@ -63,7 +63,10 @@ def rule_from_text(text: str, names: Iterable[str], decimal: str = ".") -> Rule:
         if found := form.fullmatch(said):
             part, other = (_motion(found[side], known) for side in ("part", "other"))
             return DistanceRule(part, other, _number(found["limit"], text, decimal), name)
-    raise InputError(f"The rule is {shorten(text)}: write it as '{EXAMPLE}' or '{DISTANCE}'.")
+    alone = ", one in a cell" if len(halves) > 1 else ""
+    raise InputError(
+        f"The rule is {shorten(text)}: write it as '{EXAMPLE}' or '{DISTANCE}'{alone}."
+    )
 
 
 def _condition(half: str, text: str, names: list[str], decimal: str) -> Condition:
@@ -71,7 +74,7 @@ def _condition(half: str, text: str, names: list[str], decimal: str) -> Conditio
     if not found:
         raise InputError(
             f"The rule has the half {shorten(half.strip())}: write it as '{EXAMPLE}', with "
-            "'beyond', 'within', 'moving' or 'standing' in each half."
+            "'beyond', 'within', 'moving' or 'standing' in each half, and limits in mm."
         )
     name = _motion(found["name"], names)
     if found["way"]:
@@ -101,7 +104,7 @@ def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:
         if not found:
             raise InputError(
                 f"The still arc is {shorten(text)}: write 'yes' for the whole dwell, or an arc in "
-                f"deg like '{ARC_EXAMPLE}'."
+                f"deg like '{ARC_EXAMPLE}', several with 'and' between them."
             )
         start, end = (_number(found[end], text, decimal) for end in ("start", "end"))
         arcs.append((start, end))

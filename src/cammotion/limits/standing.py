@@ -44,9 +44,11 @@ def still_arcs(motion: Motion, still: Any) -> list[Arc]:
     arcs = [(CAM_ANGLE.number(start), CAM_ANGLE.number(end)) for start, end in pairs]
     for start, end in arcs:
         if not start < end < start + DEG_PER_TURN:
+            over = f", or {start:g} to {end + DEG_PER_TURN:g} over the end of the turn"
             raise InputError(
                 f"The still arc goes from {start:g} to {end:g} deg; it has to end after it begins "
-                "and within a turn: give, for example, (205, 305)."
+                "and within a turn: give, for example, (205, 305)"
+                f"{over if end < start < end + DEG_PER_TURN else ''}."
             )
     return arcs
 

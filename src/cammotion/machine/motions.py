@@ -286,8 +286,8 @@ class Motion:
         if self.stops is None and abs(way) > _ROUNDING:
             raise InputError(
                 f"The motion {self.name!r} ends {told(way)} mm from where it began: add a "
-                f"{'return' if way > 0 else 'rise'} of {told(way)} mm, or make it with "
-                "indexing_motion if it moves on from stop to stop."
+                f"{'return' if way > 0 else 'rise'} of {told(way)} mm, or, if it "
+                "moves on from stop to stop, give its stops (indexing_motion does)."
             )
         if self.stops is None:
             return
@@ -296,5 +296,5 @@ class Motion:
         if abs(way) <= _ROUNDING:
             raise InputError(
                 f"The indexing motion {self.name!r} ends where it began, and an indexing motion "
-                "moves on: leave out its return, or make it with motion."
+                "moves on: leave out its return, or its stops (make it with motion)."
             )
