@@ -113,7 +113,7 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     nothing to it. Parts are rigid, and follow their motions exactly. The motions that are
     built are checked by `find_violations` and by their curves. Raises WrongAnswerError if they
     fail. Raises InputError for what is out of range, for an arc over which a part does not stand,
-    and where no motions keep all of this.
+    for a rule that says no position of a free part, and where no motions keep all of this.
 
     >>> import cammotion as cm
     >>> given = cm.EXAMPLE
