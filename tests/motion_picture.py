@@ -8,13 +8,13 @@ import hashlib
 import json
 from pathlib import Path
 
+from cam_machine import cam_machine
 from machines import RULE, make_diagram
+from table_machine import table_machine
 from test_animation import MACHINES
 
 import cammotion as cm
 from cammotion.views.animation import Animation
-from cammotion.views.animation.cam_machine import cam_machine
-from cammotion.views.animation.indexing_table import table_machine
 
 IMAGES = Path(__file__).parent.parent / "notebooks" / "images"
 PICTURE = IMAGES / "motion.svg"

@@ -7,15 +7,15 @@ from xml.etree import ElementTree
 import motion_picture
 import numpy as np
 import pytest
+from cam_machine import cam_machine
 from machines import RULE, make_diagram, make_die, make_mill
 from notebook_lint import _svg_faults
+from plate_cam import STEEPEST_DEG, Places, PlateCam
 from test_animation import parse
 
 import cammotion as cm
 from cammotion.quantities import Floats
-from cammotion.views.animation.cam_machine import cam_machine
 from cammotion.views.animation.dies import Die, find_dies
-from cammotion.views.animation.plate_cam import STEEPEST_DEG, Places, PlateCam
 
 DIAGRAM = make_diagram()
 ROOT = parse(cam_machine(DIAGRAM, RULE))

@@ -22,7 +22,6 @@ from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time
 from cammotion.quantities import Floats, InputError, Quantity, shorten
 from cammotion.views.animation import svg
-from cammotion.views.animation.cam_machine import STEEL
 from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.animation.leaving_charts import CAM, FOLLOWER, Curves, draw_charts
@@ -199,7 +198,7 @@ class _Picture:
         shape = svg.polyline([(x, -y) for x, y in places], **style, data_part="profile")
         shape.Z()
         turning.append(shape)
-        turning.append(draw.Circle(0, 0, 12, **STEEL))
+        turning.append(draw.Circle(0, 0, 12, **svg.STEEL))
         turning.append(svg.box(-2.5, -15, 5, 6, fill="#555555"))  # the key
         yield svg.placed(*_AXIS, turning)
         yield svg.label("cam", _AXIS[0], _AXIS[1] + 34, text_anchor="middle", fill=svg.dark(CAM))

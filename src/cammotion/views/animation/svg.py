@@ -24,6 +24,7 @@ FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
 INK, GREY = "#222222", "#777777"
 ALARM, PALE_ALARM = BROKEN["edgecolor"], BROKEN["facecolor"]
 SMALL, NORMAL, LARGE = 11, 12, 15
+STEEL: dict[str, Any] = {"fill": "#dcdcdc", "stroke": "#555555", "stroke_width": 1.5}
 
 # What the reader's wish for less motion stops, unless a player has taken the class cm-still away.
 STYLE = """

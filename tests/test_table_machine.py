@@ -8,9 +8,9 @@ import motion_picture
 import numpy as np
 import pytest
 from notebook_lint import _svg_faults
+from table_machine import table_machine
 
 import cammotion as cm
-from cammotion.views.animation.indexing_table import table_machine
 
 TABLE = cm.Indexer(38.5, stops=8, time_s=0.75, friction_N_m=10)
 SVG = "{http://www.w3.org/2000/svg}"

@@ -10,6 +10,7 @@ from typing import Any
 
 import drawsvg as draw
 import numpy as np
+from plate_cam import STEP_DEG, PlateCam
 
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.diagram import TimingDiagram
@@ -21,7 +22,6 @@ from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import Die, find_dies
 from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.animation.picture import TURN
-from cammotion.views.animation.plate_cam import STEP_DEG, PlateCam
 from cammotion.views.animation.turret import HALF_TURN, Turret
 from cammotion.views.named import short_diagram, short_rule
 from cammotion.views.names import printable
@@ -31,7 +31,6 @@ WIDTH_PX, HEIGHT_PX = 760, 380
 TRAVEL_PX = 62.5  # of the die, and the measure of all sizes that do not follow from the machine
 PIVOT_PX = (266.0, 96.0)
 CAM = 2  # the number of its colour
-STEEL: dict[str, Any] = {"fill": "#dcdcdc", "stroke": "#555555", "stroke_width": 1.5}
 FRAME: dict[str, Any] = {"fill": "#f1f1f1", "stroke": "#9a9a9a", "stroke_width": 1.5}
 _BASE, _TIP, _TOOL, _GUIDE = 240.0, 170.0, 50.0, (48.0, 84.0)  # below pivot, pin or pivot
 _BRACKET, _SPRING_X, _COILS = 58.0, 92.0, 5
@@ -133,7 +132,7 @@ class _Machine:
         turning = svg.moving(CAMSHAFT, self.turn_s, "rotate", data={"part": "cam"})
         turning.append(self._profile())
         turning.append(draw.Circle(0, 0, 21, fill="white", stroke=colour(CAM), stroke_width=1.5))
-        turning.append(draw.Circle(0, 0, 13, **STEEL))
+        turning.append(draw.Circle(0, 0, 13, **svg.STEEL))
         turning.append(svg.box(-3, -16.5, 6, 7, fill="#555555"))  # the key
         least = float(np.abs(self.cam.profile(self.angles)).min()) * self.scale
         mark = draw.Path(stroke=colour(CAM), stroke_width=1.5, fill="none")
@@ -172,7 +171,7 @@ class _Machine:
         lever = svg.moving(degs, self.turn_s, "rotate", data={"part": "lever"})
         left, right, end = -self.cam.roller_arm * self.scale, self.die_x, 26.0
         roller = self.cam.roller_radius * self.scale
-        body = draw.Path(**STEEL, stroke_linejoin="round")
+        body = draw.Path(**svg.STEEL, stroke_linejoin="round")
         body.M(svg.px(left), -9).L(0, -17).L(svg.px(right - 8), -10).h(end)
         body.a(4, 4, 0, 0, 1, 4, 4).v(12).a(4, 4, 0, 0, 1, -4, 4).h(-end).L(0, 17)
         body.L(svg.px(left), 9).A(9, 9, 0, 0, 1, svg.px(left), -9).Z()
@@ -222,7 +221,7 @@ class _Machine:
         top, bottom = _GUIDE
         jaws = svg.placed(self.die_x, top)
         for left in (-22, 9):
-            jaws.append(svg.box(left, 0, 13, bottom - top, **STEEL))
+            jaws.append(svg.box(left, 0, 13, bottom - top, **svg.STEEL))
         return jaws
 
     def _spring(self) -> Any:
