@@ -11,13 +11,13 @@ import node
 import pytest
 
 from cammotion.site.answers import packed_answers, unpack
-from cammotion.site.figures import as_json
 from cammotion.site.shared import host_module
 from cammotion.site.verdicts import Verdicts, table_of
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.variants import NAMELESS, drawn
+from cammotion.views.live.page import as_json
 
 NUMBERS = sorted(n for n, one in EXERCISES.items() if isinstance(one, NumberExercise))
 OFFS = (0, 1e-4, 0.0035, 0.0045, 0.0125, 0.019, 0.07)

@@ -8,11 +8,11 @@ import gzip
 from collections.abc import Iterable
 from typing import Any
 
-from cammotion.site.figures import as_json
 from cammotion.site.verdicts import table_of
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise
 from cammotion.teaching.prediction import Prediction
+from cammotion.views.live.page import as_json
 
 _HINT = 'cm.hint("{}") gives a hint.'
 _DIGITS = 12

@@ -1,11 +1,10 @@
 """What lives in a page: the modules of live figures and of animations, and what each is given."""
 
-import json
 import re
-from typing import Any
 
 from cammotion.site.pictures import size_of
 from cammotion.views.animation.player import clock_of
+from cammotion.views.live.page import as_json, in_script
 
 _TURN = re.compile(r'\bdur="([\d.]+)s"')
 _CYCLE = re.compile(r"([\d.]+) s a turn")
@@ -33,16 +32,6 @@ def _living(module: str, shown: str, state: str, style: str = "") -> str:
     )
 
 
-def in_script(data: str) -> str:
-    """Return JSON as it may stand in a script element."""
-    return data.replace("<", "\\u003c")
-
-
 def _bare(svg: str) -> str:
     """Return an SVG without what stands before its root, as a page takes it."""
     return svg[svg.index("<svg") :]
-
-
-def as_json(data: Any) -> str:
-    """Return data as one line of JSON."""
-    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))

@@ -3,10 +3,10 @@
 import re
 from importlib.resources import files
 
-from cammotion.site.figures import as_json
 from cammotion.views import paper
 from cammotion.views.animation import player
 from cammotion.views.live import page as live
+from cammotion.views.live.page import as_json
 
 _HERE = files("cammotion.site")
 # Not as modules of their own: a browser reads none from a disk, where each file is a stranger.

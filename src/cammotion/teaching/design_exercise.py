@@ -93,14 +93,14 @@ class DesignExercise(Exercise):
         """What a design has to keep, in the order in which it is told."""
         too_hard = Requirement(
             "The largest peak acceleration is above what is asked for.",
-            lambda design, machine: _too_hard(design, self.limit(machine)),
+            lambda design, machine: _above(largest_peak(design), self.limit(machine), "m/s²"),
         )
         if self.jerk_limit is None:
             return (*_ALWAYS, too_hard)
         jerk_limit = self.jerk_limit
         too_sharp = Requirement(
             "The largest jerk is above what is asked for.",
-            lambda design, machine: _too_sharp(design, jerk_limit(machine)),
+            lambda design, machine: _above(largest_jerk(design), jerk_limit(machine), "m/s³"),
         )
         return (*_ALWAYS, too_hard, too_sharp)
 
@@ -114,7 +114,7 @@ class DesignExercise(Exercise):
         design = _design(answer)
         if design is None or self.judge(answer, machine).state != "right":
             return None
-        return _largest(design) / bound_of(machine)
+        return largest_peak(design) / bound_of(machine)
 
 
 @lru_cache(maxsize=200)
@@ -148,7 +148,7 @@ def clearance_rule(machine: MillAndDie) -> ClearanceRule:
 
 def said_of(design: TimingDiagram, machine: MillAndDie) -> str:
     """Say how far a design is from the bound."""
-    reached, bound = _largest(design), bound_of(machine)
+    reached, bound = largest_peak(design), bound_of(machine)
     return (
         f"It reaches {reached:.4g} m/s². No motions of these parts can have less than "
         f"{np.floor(bound * 1000) / 1000:.3f} m/s², so that it is at most "
@@ -172,7 +172,8 @@ def largest_jerk(design: TimingDiagram) -> float:
     return max(design.peak_jerk(name) for name in design.names)
 
 
-def _largest(design: TimingDiagram) -> float:
+def largest_peak(design: TimingDiagram) -> float:
+    """Return the largest peak acceleration of a design in m/s2."""
     return max(design.peak_acceleration(name) for name in design.names)
 
 
@@ -221,14 +222,8 @@ def _smooth(design: TimingDiagram, _: MillAndDie) -> str:
     return f"It does so in the {' and the '.join(jumps)}." if jumps else ""
 
 
-def _too_hard(design: TimingDiagram, limit: float) -> str:
-    peak = _largest(design)
-    return "" if peak <= limit * (1 + _SAME) else f"It is {peak:.4g} m/s²."
-
-
-def _too_sharp(design: TimingDiagram, limit: float) -> str:
-    jerk = largest_jerk(design)
-    return "" if jerk <= limit * (1 + _SAME) else f"It is {jerk:.4g} m/s³."
+def _above(value: float, limit: float, unit: str) -> str:
+    return "" if value <= limit * (1 + _SAME) else f"It is {value:.4g} {unit}."
 
 
 _PARTS = Requirement("The design has to have two motions, 'mill' and 'die'.", _parts)

@@ -2,13 +2,13 @@
 
 import math
 
-from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import indexing_time
 from cammotion.teaching.design_exercise import (
     DesignExercise,
     balanced,
     clearance_rule,
     largest_jerk,
+    largest_peak,
 )
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
@@ -50,16 +50,12 @@ def _least(m: MillAndDie, factor: float = 4.0) -> float:
     return _peak(m, m.pitch_mm, m.mill_angle_deg, factor)
 
 
-def _largest(design: TimingDiagram) -> float:
-    return max(design.peak_acceleration(name) for name in design.names)
-
-
 def _limit(m: MillAndDie) -> float:
-    return float(f"{_ROOM * _largest(balanced(m)):.3g}")
+    return float(f"{_ROOM * largest_peak(balanced(m)):.3g}")
 
 
 def _hard_limit(m: MillAndDie) -> float:
-    return float(f"{_LESS * _largest(balanced(m)):.3g}")
+    return float(f"{_LESS * largest_peak(balanced(m)):.3g}")
 
 
 def _jerk_limit(m: MillAndDie) -> float:

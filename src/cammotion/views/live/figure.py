@@ -224,7 +224,7 @@ class LiveFigure(anywidget.AnyWidget):
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Show picture and text beside the widget, and what a page can be made from."""
         data, metadata = super()._repr_mimebundle_(**kwargs) or ({}, {})
-        shown = {MIME: page.as_text(self._data), **as_bundle(self.picture(), self.text)}
+        shown = {MIME: page.as_json(self._data), **as_bundle(self.picture(), self.text)}
         return data | shown, metadata
 
 

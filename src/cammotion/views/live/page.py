@@ -69,7 +69,7 @@ def write_page(data: dict[str, Any], text: str) -> str:
 
     `text` is what a reader without JavaScript sees.
     """
-    stored = as_text(data).replace("<", "\\u003c")
+    stored = in_script(as_json(data))
     whole = f"{module()}{model()}export const style = {json.dumps(style())};\n"
     packed = base64.b64encode(gzip.compress(whole.encode(), mtime=0)).decode("ascii")
     return _PAGE.format(
@@ -80,9 +80,14 @@ def write_page(data: dict[str, Any], text: str) -> str:
     )
 
 
-def as_text(data: dict[str, Any]) -> str:
-    """Return what a figure stores as one line of JSON."""
+def as_json(data: Any) -> str:
+    """Return data as one line of JSON."""
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+
+
+def in_script(data: str) -> str:
+    """Return JSON as it may stand in a script element."""
+    return data.replace("<", "\\u003c")
 
 
 def _read(name: str) -> str:
