@@ -45,19 +45,18 @@ class Machine:
             raise InputError(
                 f"The name of the machine is {shorten(self.name)}: give one like 'press'."
             )
-        if self.rules:
-            object.__setattr__(self, "rules", every_rule(self.diagram, self.rules))
+        object.__setattr__(self, "rules", every_rule(self.diagram, self.rules))
         object.__setattr__(self, "still", arcs_by_name(self.diagram, self.still))
 
     @cached_property
     def violations(self) -> tuple[Violation, ...]:
         """Every violation of a rule."""
-        return find_violations(self.diagram, self.rules) if self.rules else ()
+        return find_violations(self.diagram, self.rules)
 
     @cached_property
     def clearances(self) -> tuple[Clearance, ...]:
         """The smallest clearance that each rule leaves, in the order of the rules."""
-        return find_clearances(self.diagram, self.rules) if self.rules else ()
+        return find_clearances(self.diagram, self.rules)
 
     @cached_property
     def idle(self) -> dict[Rule, str]:

@@ -190,7 +190,7 @@ def _other_law(
         changed = machine.diagram.with_motion(motion.with_law(law))
         if changed.peak_acceleration(name) >= before * (1 - _WORTH):
             return  # the others are no gentler
-        if not rules or {one.rule for one in find_violations(changed, rules)} <= broken:
+        if {one.rule for one in find_violations(changed, rules)} <= broken:
             old = " and ".join(dict.fromkeys(as_law(move.law).name for move in motion.moves))
             said = f"give the {name} the law {law} (now: {old})"
             yield improvement(LAW, said, machine, changed, [name])

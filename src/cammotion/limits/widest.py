@@ -112,7 +112,7 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
             _check(diagram, frame, own, angles)
             tight = _tight(wider, frame.met(events, angles), dict(zip(own, touching, strict=True)))
             others = [rule for rule in given if rule not in touching]
-            elsewhere = find_violations(diagram, others) if others else ()
+            elsewhere = find_violations(diagram, others)
             return WidestMove(wider, motion, angles, tight, elsewhere)
     narrow = diagram.with_motion(frame.with_angles([NARROW_DEG] * len(frame.anchors)))
     broken = "; ".join(map(str, find_violations(narrow, own)))
@@ -154,7 +154,7 @@ def _check(
     """Raise WrongAnswerError for a move that can be made wider, or that moves what stood."""
     name = frame.motion.name
     found = diagram.with_motion(frame.with_angles(angles))
-    if find_violations(found, rules) if rules else ():
+    if find_violations(found, rules):
         raise WrongAnswerError("widest_move", f"the {name} with {angles} deg breaks a rule")
     for _, anchor, _ in frame.anchors:
         moved = found[name].position_mm(anchor) - frame.motion.position_mm(anchor)

@@ -50,7 +50,7 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
     """
     progress(0.0, "checking rules, looking what to change first")
     ranking = improvements(machine)
-    left = reserves(machine.diagram, machine.rules) if machine.rules else ()
+    left = reserves(machine.diagram, machine.rules)
     notes: list[str] = []
     best, least = None, None
     if not machine.free:

@@ -120,7 +120,7 @@ def compare(
             "both as Camshafts, or shaft.diagram of the one."
         )
     one, other = (each.diagram if isinstance(each, Camshaft) else each for each in (before, after))
-    spelled = [every_rule(each, rules) if rules != () else () for each in (one, other)]
+    spelled = [every_rule(each, rules) for each in (one, other)]
     effects = [*_peaks(one, other), *_of_rules((one, other), spelled)]
     if shafts:
         effects += _of_shafts(*shafts)

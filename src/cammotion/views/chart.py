@@ -80,7 +80,7 @@ def write_chart(  # noqa: PLR0913 - what a page may have is given by name
             "or .png."
         )
     width = PAPERS[one_of("paper", paper, PAPERS)]
-    given = every_rule(diagram, rules) if rules != () else ()
+    given = every_rule(diagram, rules)
     radii = _radii(diagram, radius_mm or {})
     day = datetime.date.today().isoformat() if date is None else date
     with mpl.rc_context({"pdf.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "chart"}):
@@ -120,7 +120,7 @@ def draw_chart(
         peak = diagram.peak_acceleration(motion.name)
         said = beside(motion, peak, radii_mm.get(motion.name))
         draw_lane(paper, number, motion, called[number], said)
-    violations = find_violations(diagram, rules) if rules else ()
+    violations = find_violations(diagram, rules)
     for found in violations:
         rows = [names.index(name) for name in found.rule.motions]
         draw_violation(paper, rows, (found.start_deg, found.end_deg))

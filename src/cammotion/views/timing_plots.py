@@ -76,7 +76,7 @@ def plot_timing(
     'displacement in mm'
     """
     rows = [one_of("row", row, ROWS) for row in rows]
-    given = every_rule(diagram, rules) if rules else ()
+    given = every_rule(diagram, rules)
     names = labels(readable(diagram).names)
     in_lanes = len(names) > SHARED_AXIS
     heights = [LANE_INCHES * len(names)] * (1 + len(rows))
@@ -228,7 +228,7 @@ def _shade(ax: Axes, bars: Axes, diagram: TimingDiagram, rules: tuple[Rule, ...]
         ax.axvspan(start, end, **style, linewidth=0, zorder=0.4, label=span)
     if overlaps:
         key.append(Patch(**style, label="overlap"))
-    if draw_broken(ax, bars, diagram, find_violations(diagram, rules) if rules else ()):
+    if draw_broken(ax, bars, diagram, find_violations(diagram, rules)):
         key.append(Patch(**BROKEN, label="rule broken"))
     ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(key), frameon=False)
 

@@ -213,8 +213,7 @@ class _Grid:
 
 def _faults(task: Task, design: TimingDiagram) -> Iterator[str]:
     """Yield in words what a design does not keep."""
-    if task.rules:
-        yield from map(str, find_violations(design, task.rules))
+    yield from map(str, find_violations(design, task.rules))
     for part in task.parts:
         new = design[part.motion.name]
         if not np.isfinite(design.peak_acceleration(new.name)):

@@ -212,7 +212,7 @@ def _best(
 
 def _check(task: Task, answer: Optimised) -> None:
     """Raise WrongAnswerError unless the design keeps what it has to and has the peak promised."""
-    faults = [str(one) for one in find_violations(answer.design, task.rules)] if task.rules else []
+    faults = [str(one) for one in find_violations(answer.design, task.rules)]
     for part in task.parts:
         new = answer.design[part.motion.name]
         before = answer.design.with_motion(part.motion)

@@ -72,7 +72,7 @@ def least_torque(
         if start is not None:
             if number == _LEAST_PEAK:
                 offer(built(task, start.program.moves(start.x)))
-            if number == _TODAY and not (task.rules and find_violations(task.diagram, task.rules)):
+            if number == _TODAY and not find_violations(task.diagram, task.rules):
                 offer(task.diagram)
             low = search.lowered(start, _COARSE)
             reached = offer(built(task, low.program.moves(low.x)))

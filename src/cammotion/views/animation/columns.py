@@ -47,7 +47,7 @@ class Design:
     @cached_property
     def violations(self) -> tuple[Violation, ...]:
         """Where its rules are broken."""
-        return find_violations(self.diagram, self.rules) if self.rules else ()
+        return find_violations(self.diagram, self.rules)
 
     @property
     def accelerated(self) -> list[str]:

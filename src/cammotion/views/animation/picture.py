@@ -183,7 +183,7 @@ def _design(title: Any, diagram: Any, rules: Any) -> Design:
             f"The design {title!r} is {shorten(diagram)}: give a TimingDiagram of the motions, for "
             "example TimingDiagram([mill, die], rate_per_hour=2000)."
         )
-    found = () if rules == () else every_rule(readable(diagram), rules)
+    found = every_rule(readable(diagram), rules)
     return Design(
         printable(title),
         short_diagram(readable(diagram)),
