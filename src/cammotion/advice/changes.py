@@ -14,13 +14,14 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError
-from cammotion.rules.checks import find_violations
+from cammotion.rules.checks import find_violations, smallest_clearance
 from cammotion.rules.rule import Rule
 from cammotion.whole.optimise import optimise
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
 _WORTH = 1e-3  # of a peak: less is no gain
 _SAME_DEG = 0.005
+_USED = 1e-3  # mm: of a rule that has no more room
 _SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _ROUNDING = 1e-9  # deg
@@ -109,7 +110,9 @@ def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Impro
     changed, moves = found.diagram if found else None, machine.diagram[name].moves
     held = f" (then: {found.tight.rule})" if found and found.tight else ""
     if arcs and not (changed and _stands(changed[name], arcs)):
-        changed, held = _between(machine, name, rules), " (then: its still arc)"
+        changed = _between(machine, name, rules)
+        used = changed and [r for r in rules if smallest_clearance(changed, r).clearance_mm < _USED]
+        held = f" (then: {'; '.join(['its still arc', *map(str, used or ())])})"
     if changed is None:
         return
     new = changed[name].moves
