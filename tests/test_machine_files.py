@@ -105,6 +105,12 @@ def test_what_is_typed_in_another_order_or_over_the_turn_is_told(
         cm.machine_from_text("\n".join(lines))
 
 
+def test_no_table_under_the_name_of_another_format(tmp_path: Path) -> None:
+    with pytest.raises(cm.InputError, match=r"'press.ods' would be CSV .* end in .csv or .xlsx"):
+        cm.write_machine(cm.machine_from_text(TABLE), tmp_path / "press.ods")
+    assert not [*tmp_path.iterdir()]
+
+
 def test_a_rule_that_nothing_breaks_is_told() -> None:
     machine = cm.machine_from_text(TABLE.replace("beyond 19", "beyond 190"))
     assert "1 rule, kept (1 cannot be broken)" in repr(machine)

@@ -18,6 +18,7 @@ from cammotion.own import Machine
 from cammotion.quantities import InputError, shorten
 
 _BOOK = ".xlsx"
+_OTHER_BOOKS = (".ods", ".fods", ".xls", ".xlsm", ".xlsb", ".numbers")
 
 
 def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine:
@@ -71,7 +72,8 @@ def machine_from_text(text: str, name: str = "my machine") -> Machine:
 def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False) -> Path:
     """Write a machine into one table that `read_machine` reads back; return its path.
 
-    A name that ends in .xlsx makes a workbook, any other a CSV file. Nothing is written over a file
+    A name that ends in .xlsx makes a workbook, .ods and .xls are refused, any other makes a CSV
+    file. Nothing is written over a file
     that is there, unless `overwrite` is True, and nothing that cannot be read back; raises
     InputError.
 
@@ -84,8 +86,13 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
     ...     read_machine(path) == machine
     True
     """
-    rows = machine_rows(machine)
-    is_book = as_path(path).suffix.casefold() == _BOOK
+    rows, suffix = machine_rows(machine), as_path(path).suffix.casefold()
+    if suffix in _OTHER_BOOKS:
+        raise InputError(
+            f"The file {shorten(as_path(path).name)} would be CSV under the name of another format: let its "
+            "name end in .csv or .xlsx."
+        )
+    is_book = suffix == _BOOK
     content = sheets_as_xlsx({"machine": rows}) if is_book else rows_as_text(rows)
     try:
         back = read_table(_source("the table", content))
