@@ -89,8 +89,8 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
     rows, suffix = machine_rows(machine), as_path(path).suffix.casefold()
     if suffix in _OTHER_BOOKS:
         raise InputError(
-            f"The file {shorten(as_path(path).name)} would be CSV under the name of another format: let its "
-            "name end in .csv or .xlsx."
+            f"The file {shorten(as_path(path).name)} would be CSV under the name of another "
+            "format: let its name end in .csv or .xlsx."
         )
     is_book = suffix == _BOOK
     content = sheets_as_xlsx({"machine": rows}) if is_book else rows_as_text(rows)
