@@ -1,5 +1,6 @@
 """A motion said in words: rise 50 mm over 55 deg, dwell 100, return 50 over 55, dwell 150."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -57,7 +58,7 @@ def _move(way: int, stroke_mm: float, over_deg: float, law: str | MotionLaw) -> 
 
 
 def _stroke(way: int, stroke_mm: float) -> float:
-    if is_real(stroke_mm) and stroke_mm < 0:
+    if is_real(stroke_mm) and -math.inf < stroke_mm < 0:
         other = "down is a return_" if way > 0 else "up is a rise"
         raise InputError(
             f"The stroke is {stroke_mm:g} mm; it has to be a finite number above 0 mm, and the way "
