@@ -82,6 +82,7 @@ class ClearanceRule(Rule):
         found = min(rooms, default=None)
         return None if found is None or found.mm == math.inf else found
 
+    @checked
     def idle(self, diagram: TimingDiagram) -> str:
         """Return in words why nothing breaks it, however a diagram is timed; '' if something can.
 
