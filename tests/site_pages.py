@@ -1,5 +1,7 @@
 """The site as it is built from the stored notebooks, once for a run of tests."""
 
+import base64
+import gzip
 from functools import cache
 from pathlib import Path
 
@@ -34,3 +36,8 @@ def files() -> dict[str, bytes]:
 def page(name: str) -> BeautifulSoup:
     """Return a page, read."""
     return BeautifulSoup(files()[f"{name}.html"].decode(), "html.parser")
+
+
+def unpack(packed: str) -> str:
+    """Return what `pack` has packed, as the script of a page does."""
+    return gzip.decompress(base64.b64decode(packed)).decode()

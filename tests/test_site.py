@@ -11,9 +11,8 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from bs4 import BeautifulSoup, Tag
 from fontTools.ttLib import TTFont
-from site_pages import LESSONS, NOTEBOOKS, PAGES, files, page
+from site_pages import LESSONS, NOTEBOOKS, PAGES, files, page, unpack
 
-from cammotion.site.answers import unpack
 from cammotion.site.cells import LAB_ONLY
 from cammotion.site.lessons import find_lessons
 from cammotion.teaching.design_exercise import DesignExercise

@@ -9,8 +9,9 @@ from typing import Any
 
 import node
 import pytest
+from site_pages import unpack
 
-from cammotion.site.answers import packed_answers, unpack
+from cammotion.site.answers import pack, packed_answers
 from cammotion.site.shared import host_module
 from cammotion.site.verdicts import Verdicts, table_of
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
@@ -159,6 +160,10 @@ def test_predictions_in_percent_are_read_as_such() -> None:
 def run(body: str, given: Any) -> Any:
     """Run JavaScript with all that a page's host knows."""
     return node.run(body, given, host_module())
+
+
+def test_what_is_packed_is_unpacked_as_it_was() -> None:
+    assert unpack(pack("0.6451 mm")) == "0.6451 mm"
 
 
 def test_what_is_packed_is_one_line_that_cannot_be_read() -> None:

@@ -32,15 +32,6 @@ def pack(text: str) -> str:
     return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode("ascii")
 
 
-def unpack(packed: str) -> str:
-    """Return the text that was packed.
-
-    >>> unpack(pack("0.6451 mm"))
-    '0.6451 mm'
-    """
-    return gzip.decompress(base64.b64decode(packed)).decode()
-
-
 def _of_exercise(exercise: Exercise, machine: MillAndDie) -> dict[str, Any]:
     if isinstance(exercise, NumberExercise):
         table = table_of(exercise, machine)
