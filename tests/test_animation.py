@@ -490,7 +490,7 @@ def test_labels_keep_apart() -> None:
 
 def test_lines_are_broken_between_words() -> None:
     text = "the die is 5.97 mm too deep at 134.96 deg"
-    lines = wrapped(text, 100)
+    lines = wrapped(text, 100, 12, most=9)
     assert " ".join(lines) == text
     assert len(lines) > 1
     assert all(text_px(line, 12) <= 100 for line in lines)

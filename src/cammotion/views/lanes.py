@@ -58,7 +58,7 @@ def curves_of(motions: Sequence[Motion], values: Values) -> list[Curve]:
     return found
 
 
-def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None = None) -> None:
+def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None) -> None:
     """Draw each curve in a lane of its own: its name to the left, its range to the right.
 
     `peaks` are those of a quantity that is 0 at rest; where one is infinite, that is said.

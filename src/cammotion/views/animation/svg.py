@@ -101,9 +101,7 @@ def line_style(number: int) -> dict[str, Any]:
     }
 
 
-def wrapped(
-    text: str, width: float, size: int = NORMAL, *, bold: bool = False, most: int | None = None
-) -> list[str]:
+def wrapped(text: str, width: float, size: int, *, most: int, bold: bool = False) -> list[str]:
     """Return the lines into which a text is broken to be no wider than `width` px.
 
     Where that is more than `most` lines, the last one ends in an ellipsis.
@@ -115,7 +113,7 @@ def wrapped(
             lines.append(word)
         else:
             lines[-1] = longer
-    if most is not None and len(lines) > most:
+    if len(lines) > most:
         lines[most - 1 :] = [cut(" ".join(lines[most - 1 :]), width, size, bold=bold)]
     return lines
 

@@ -55,16 +55,16 @@ class Moving:
         """The cam angles in the turn at which one part passes into the next."""
         return [sp.Mod(self.start + end, DEG_PER_TURN) for end in (0, *self.ends[:-1])]
 
-    def position(self, angle: Any = ALPHA) -> sp.Expr:
-        """Return where the motion is at a cam angle, in mm, from 0 on each turn."""
-        return self.start_mm + self._over_parts(angle, 0)
+    def position(self) -> sp.Expr:
+        """Return where the motion is, in mm, from 0 on each turn."""
+        return self.start_mm + self._over_parts(0)
 
     def displacement(self) -> sp.Expr:
         """Return the position as it is drawn: an indexing motion from the stop nearest at 0 deg."""
         if not self.is_indexing:
             return self.position()
         pitch = sum(part.change_mm for part in self.parts)
-        turns = (ALPHA - self.start - self._since(ALPHA)) / DEG_PER_TURN
+        turns = (ALPHA - self.start - self._since()) / DEG_PER_TURN
         way = self.position() + pitch * turns
         return way - pitch * sp.floor(
             way.xreplace({ALPHA: sp.Integer(0)}) / pitch + 1 / sp.Integer(2)
@@ -80,12 +80,12 @@ class Moving:
 
     def acceleration(self, rate: Any) -> sp.Expr:
         """Return the acceleration in m/s² at a machine rate in pieces per hour."""
-        return self._over_parts(ALPHA, 2, rate)
+        return self._over_parts(2, rate)
 
     def by_rad(self, order: int) -> sp.Expr:
         """Return a derivative of the position by the cam angle, in mm/rad or mm/rad²."""
         per_rad = SECONDS_BY_DEG_AND_RATE * 180 / sp.pi  # the rate at which a second takes a rad
-        return 1000 * self._over_parts(ALPHA, order, per_rad)
+        return 1000 * self._over_parts(order, per_rad)
 
     def peak(self, rate: Any) -> sp.Expr:
         """Return the largest acceleration in m/s², by the factors Ca of the laws."""
@@ -97,13 +97,13 @@ class Moving:
         ]
         return sp.Max(*peaks, evaluate=False) if len(peaks) > 1 else peaks[0]
 
-    def _since(self, angle: Any) -> sp.Expr:
-        """Return how far the turn that begins at the start has come at a cam angle, in deg."""
-        return sp.Mod(angle - self.start, DEG_PER_TURN, evaluate=False)
+    def _since(self) -> sp.Expr:
+        """Return how far the turn that begins at the start has come, in deg."""
+        return sp.Mod(ALPHA - self.start, DEG_PER_TURN, evaluate=False)
 
-    def _over_parts(self, angle: Any, order: int, rate: Any = None) -> sp.Expr:
+    def _over_parts(self, order: int, rate: Any = None) -> sp.Expr:
         """Return a derivative of the position, each part by its law since it began."""
-        since = self._since(angle)
+        since = self._since()
         pieces, come, begin = [], sp.Integer(0), sp.Integer(0)
         for part, end in zip(self.parts, self.ends, strict=True):
             value = come if order == 0 else sp.Integer(0)
