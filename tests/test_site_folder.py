@@ -1,7 +1,9 @@
 """What is written where: nothing that this command has not made is touched."""
 
+import io
 import json
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -84,13 +86,29 @@ def test_the_command_says_what_is_wrong(tmp_path: Path, capsys: pytest.CaptureFi
     assert not (tmp_path / "site").exists()
 
 
-def test_the_command_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A notebook of anybody's becomes a page, with an exercise, a prediction and its reveal."""
+@pytest.fixture
+def books(tmp_path: Path) -> Path:
     books = tmp_path / "books"
     (books / "images").mkdir(parents=True)
     drawing = ROOT / "notebooks" / "images" / "motion.svg"
     (books / "images" / "motion.svg").write_text(drawing.read_text("utf-8"), "utf-8")
     (books / "01_one.ipynb").write_text(json.dumps(notebook()), "utf-8")
+    return books
+
+
+def test_the_command_names_a_folder_in_any_terminal(
+    books: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written, encoding="ascii"))
+    assert command.main([str(books), str(tmp_path / "Übung")]) == 0
+    assert re.search(rb"[/\\]\?bung[/\\]index\.html in a browser", written.getvalue())
+
+
+def test_the_command_writes_pages(
+    books: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A notebook of anybody's becomes a page, with an exercise, a prediction and its reveal."""
     assert command.main([str(books), str(tmp_path / "site")]) == 0
     assert "2 pages" in capsys.readouterr().out
     made = (tmp_path / "site" / "01_one.html").read_text("utf-8")

@@ -5,7 +5,6 @@ for a table that cannot be read, of which nothing is written, and with 1 for any
 """
 
 import argparse
-import io
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,6 +12,7 @@ from pathlib import Path
 from cammotion.exchange.machine_files import read_machine
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.report.writing import write_report
+from cammotion.terminal import suit_any_terminal
 
 KEPT, FAILED, BAD_INPUT, BROKEN, INTERRUPTED = 0, 1, 2, 3, 130
 _BAR, _WIDTH = 24, 100
@@ -26,9 +26,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--seconds", type=float, default=20.0)
     parser.add_argument("--dxf", action="store_true")
     options = parser.parse_args(arguments)
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace", line_buffering=True)
+    suit_any_terminal()
     try:
         machine = read_machine(options.machine)
     except InputError as wrong:

@@ -9,6 +9,7 @@ from pathlib import Path
 from cammotion.quantities import InputError
 from cammotion.site import folder
 from cammotion.site.build import build
+from cammotion.terminal import suit_any_terminal
 
 _MB = 1e6
 
@@ -19,6 +20,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("notebooks", type=Path, metavar="NOTEBOOKS")
     parser.add_argument("folder", type=Path, metavar="FOLDER")
     options = parser.parse_args(arguments)
+    suit_any_terminal()
     try:
         return _write(options.notebooks, options.folder)
     except InputError as wrong:

@@ -1,7 +1,6 @@
 """What ``workbook.py class FOLDER`` runs: read the files, write the page, say what is with both."""
 
 import argparse
-import io
 import sys
 from collections.abc import Sequence
 from datetime import date
@@ -12,6 +11,7 @@ from cammotion.quantities import InputError
 from cammotion.teaching.classroom import page
 from cammotion.teaching.classroom.clean import clean
 from cammotion.teaching.classroom.collect import read_class
+from cammotion.terminal import suit_any_terminal
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -22,9 +22,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--anonymous", action="store_true")
     parser.add_argument("--overwrite", action="store_true")
     options = parser.parse_args(arguments)
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")
+    suit_any_terminal()
     try:
         return _write(options.folder, options.output, options.anonymous, options.overwrite)
     except InputError as wrong:
