@@ -14,6 +14,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import POSITION
 from cammotion.quantities import InputError, shorten
 from cammotion.views.broken import BROKEN
+from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
@@ -61,8 +62,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
     if ax is None:
         ax = blank_axes(7.5, 5.4 if with_acceleration else 3.4)
-    called = dict(zip(first.names, labels(first.names), strict=True))[name]
-    style_axes(ax, "", f"height y of the {called} in mm")
+    style_axes(ax, "", f"height y of the {labels_of(first)[name]} in mm")
     lower = _add_below(ax) if with_acceleration else ax
     for number, (label, (title, design)) in enumerate(
         zip(labels([*designs], TITLE), designs.items(), strict=True)

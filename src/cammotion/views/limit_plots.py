@@ -14,8 +14,8 @@ from matplotlib.axes import Axes
 
 from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
-from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, style_axes
@@ -65,7 +65,7 @@ def plot_jerk_price(
             "The price of a jerk is a curve over the limits to it: give results of "
             "least_acceleration with at least two different jerk limits, for example 8 and 12 m/s³."
         )
-    name = _called(best[0])
+    name = labels_of(best[0].design)[best[0].motion.name]
     ax = _square(ax, (7.5, 4.6), f"peak jerk of the {name} in m/s³", name)
     reached = np.array([each.reached for each in best])
     _shade(ax, limits, np.array([each.bound for each in best]))
@@ -125,7 +125,7 @@ def plot_front(
             f"The ends of the axes are {low:g} and {high:g} m/s2: give the lower one first, for "
             "example (0.3, 1.5)."
         )
-    one, other = (_label(results[0].diagram, name) for name in results[0].parts)
+    one, other = (labels_of(results[0].diagram)[name] for name in results[0].parts)
     ax = _square(ax, (6, 5.6), f"peak acceleration of the {one} in m/s²", other)
     sides, heights = _columns(sorted(tuple(_corner(each)) for each in results))
     heights = np.maximum.accumulate(heights[::-1])[::-1]  # of all corners to the right
@@ -195,15 +195,6 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
             arrowprops={"arrowstyle": "-", "color": "#999999"},
         )
         plain(written)
-
-
-def _called(found: LeastAcceleration) -> str:
-    """Return what the motion of a result is called in a picture."""
-    return _label(found.design, found.motion.name)
-
-
-def _label(diagram: TimingDiagram, name: str) -> str:
-    return dict(zip(diagram.names, labels(diagram.names), strict=True))[name]
 
 
 def _labelled(given: Iterable[str]) -> list[tuple[str, str]]:

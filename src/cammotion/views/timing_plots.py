@@ -31,7 +31,7 @@ from cammotion.views.lanes import (
     room_inches,
     say_infinite,
 )
-from cammotion.views.named import readable
+from cammotion.views.named import labels_of, readable
 from cammotion.views.names import TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
@@ -131,7 +131,7 @@ def plot_clearance(
     if ax is None:
         ax = blank_axes(7.5, 4.6)
     across, up = rule.only_while, rule.when
-    called = dict(zip(first.names, labels(first.names), strict=True))
+    called = labels_of(first)
     style_axes(
         ax,
         *(describe_offset(first[half.motion], called[half.motion]) for half in (across, up)),
