@@ -322,7 +322,7 @@ TOLD: list[tuple[dict[str, Any], str]] = [
     ({"columns": (1, 1)}, "counted from 1"),
     ({"columns": (1.9, 2.7)}, r"The columns are \(1\.9, 2\.7\): give .* counted from 1"),
     ({"columns": (True, 2)}, "counted from 1"),
-    ({"columns": 3}, "is given columns=3: give 2 in a row, a whole number"),
+    ({"columns": 3}, "is given columns=3: give 2 values, each a whole number"),
     ({"uneven": "no"}, "is given uneven='no': give True or False"),
     ({"is_cycle": "no"}, "is given is_cycle='no': give True or False"),
     ({"columns": (1, 5)}, "no line with two numbers"),
