@@ -202,7 +202,7 @@ def test_what_cannot_be_asked() -> None:
         cm.Camshaft(make_diagram(jumping), {"die": DIE})
     with pytest.raises(cm.InputError, match="There is no load of a motion 'die'"):
         cm.Camshaft(make_diagram(), {"mill": cm.FollowerLoad(mass_kg=40)}, [PRESSING])
-    with pytest.raises(cm.InputError, match="begins at 10 deg and ends at 10 deg: .* give to_deg=370"):
+    with pytest.raises(cm.InputError, match=r"begins at 10 deg and .* give to_deg=370"):
         cm.ProcessForce(motion="die", from_deg=10, to_deg=10, force_N=1)
     with pytest.raises(cm.InputError, match="force of the process is inf N"):
         cm.ProcessForce(motion="die", from_deg=10, to_deg=20, force_N=math.inf)

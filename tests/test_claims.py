@@ -33,6 +33,25 @@ def test_the_force_that_holds_an_upright_die() -> None:
     assert says("02", "24 percent, not by 80")
 
 
+def test_the_jerks_at_which_play_is_crossed() -> None:
+    """Written out: sine and cosine zones turn with so many waves, the polynomial is 10, -15, 6."""
+    sine = 4 * math.pi / (4 + math.pi)  # the modified sine's Ca over pi
+    trapezoid = 8 / (2 + math.pi)
+    middles = {
+        "modified trapezoid": 4 * math.pi**2 * trapezoid,
+        "cycloidal": 4 * math.pi**2,
+        "3-4-5 polynomial": 30,
+        "modified sine": 4 * math.pi**2 * sine / 3,
+    }
+    starts = middles | {"3-4-5 polynomial": 60, "modified sine": 4 * math.pi**2 * sine}
+    for name in FOUR:
+        found = [abs(float(cm.LAWS[name](x, 3))) for x in (0.5, 0)]
+        assert found == pytest.approx([middles[name], starts[name]])
+    assert min(middles, key=lambda name: middles[name]) == "modified sine"
+    assert max(starts, key=lambda name: starts[name]) == "modified sine"
+    assert says("08", "the largest of the four, 69.5 to the cycloid's 39.5")
+
+
 def test_the_collision_of_notebook_04() -> None:
     def covered(x: float) -> float:
         return x - math.sin(2 * math.pi * x) / (2 * math.pi)

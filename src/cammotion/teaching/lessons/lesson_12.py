@@ -262,7 +262,7 @@ PREDICTIONS = (
         "12.rate",
         "pieces per hour",
         3857,
-        "One looks at the die, which could go on to 4540. But a machine is as fast as its slowest "
+        "One looks at the die, which could go on to 4542. But a machine is as fast as its slowest "
         "part, and after the overlap that is the mill.",
         low=10,
         high=99_999,
