@@ -47,9 +47,10 @@ class Rule(ABC):
         """Return the least room before the rule breaks, in an arc or a turn; None for no end."""
 
     def idle(self, diagram: TimingDiagram) -> str:
-        """Return in words why nothing breaks it, however a diagram is timed; '' if something can.
+        """Return in words why nothing breaks it, however a diagram is timed; '' if none is known.
 
-        So it is of a limit beyond a stroke, which is a slip more often than it is meant.
+        So it is of a limit beyond a stroke, which is a slip more often than it is meant. Of a
+        distance none is known.
         """
         self.check(diagram)
         return ""
