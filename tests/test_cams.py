@@ -260,7 +260,7 @@ def test_a_cutter_that_is_too_large_is_refused() -> None:
     [
         (lambda: cm.RollerCam(cm.EXAMPLE.mill, ROLLER, 60), "moves on from stop to stop"),
         (lambda: cm.FlatFacedCam(cm.EXAMPLE.mill, 60), "moves on from stop to stop"),
-        (lambda: cm.RollerCam(cast(Any, "die"), ROLLER, 60), "motion of the cam is 'die'"),
+        (lambda: cm.RollerCam(cast(Any, "die"), ROLLER, 60), "motion='die': give a motion"),
         (
             lambda: cm.RollerCam(DIE, cast(Any, "roller"), 60),
             "give a TranslatingRoller or a SwingingRoller",

@@ -244,10 +244,10 @@ def test_on_the_cam_force_and_place_are_the_cams() -> None:
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"motion": "die"}, "motion of the cam is 'die': give a Motion"),
+        ({"motion": "die"}, "motion='die': give a motion"),
         ({"motion": cm.EXAMPLE.mill}, "moves on from stop to stop"),
         ({"motion": made(cm.MotionLaw("line", cm.x))}, "has a velocity that jumps"),
-        ({"load": 12}, "The load is 12: give a FollowerLoad"),
+        ({"load": 12}, "load=12: give a FollowerLoad"),
         ({"load": cm.FollowerLoad(mass_kg=2)}, "with 0 N, .* give a preload above 0 N"),
         (
             {"load": cm.FollowerLoad(mass_kg=2, preload_N=5, weight_N=-19.6)},

@@ -57,7 +57,7 @@ def test_the_gap_of_the_still_is_the_gap() -> None:
 
 
 def test_what_is_refused() -> None:
-    with pytest.raises(cm.InputError, match="flights are 12: give what follower_flights"):
+    with pytest.raises(cm.InputError, match="flights=12: give what follower_flights"):
         cm.animate_follower(12)  # type: ignore[arg-type]
     with pytest.raises(cm.InputError, match=r"magnification of the gap is 0\.5"):
         cm.animate_follower(FLIGHTS, magnify=0.5)

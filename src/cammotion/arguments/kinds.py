@@ -27,12 +27,16 @@ _HOW = {
     "Condition": "a condition, made with beyond('die', 19) or within('mill', 0.65)",
     "Any": "anything",
     "Callable": "a function",
+    "RollerFollower": "a TranslatingRoller or a SwingingRoller, for example TranslatingRoller(10)",
     "Rule": "a ClearanceRule or a DistanceRule, for example "
     "ClearanceRule(beyond('die', 19), only_while=within('mill', 0.65))",
     "DiscCam": "a RollerCam or a FlatFacedCam",
     "Expr": "an expression of SymPy, for example 3 * cammotion.x**2",
     "Fit": "a Fit, for example Fit('40 H7/g6')",
     "FlatFacedCam": "a FlatFacedCam",
+    "Flights": "what follower_flights returned",
+    "FollowerLoad": "a FollowerLoad, for example "
+    "FollowerLoad(mass_kg=12, stiffness_N_per_mm=5, preload_N=100)",
     "Indexer": "an Indexer, for example Indexer(38.5, stops=8, time_s=0.75)",
     "int": "a whole number",
     "LeastAcceleration": "what least_acceleration returned",

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.dynamics.flight import Cam, Fall
 from cammotion.dynamics.loads import FollowerLoad
 from cammotion.dynamics.turns import Flight, Run
@@ -162,6 +163,7 @@ class Flights:
         return known.array(angle_deg)
 
 
+@checked
 def follower_flights(
     motion: Motion,
     load: FollowerLoad,
@@ -207,13 +209,6 @@ def follower_flights(
 
 
 def _check(motion: Motion, load: FollowerLoad) -> None:
-    if not isinstance(motion, Motion):
-        raise InputError(f"The motion of the cam is {shorten(motion)}: give a Motion.")
-    if not isinstance(load, FollowerLoad):
-        raise InputError(
-            f"The load is {shorten(load)}: give a FollowerLoad, for example "
-            "FollowerLoad(mass_kg=12, stiffness_N_per_mm=5, preload_N=100)."
-        )
     if motion.is_indexing or motion.steps(1):
         fault = "moves on from stop to stop" if motion.is_indexing else "has a velocity that jumps"
         raise InputError(

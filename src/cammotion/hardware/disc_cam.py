@@ -20,7 +20,7 @@ from cammotion.machine.arcs import unwrap
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
-from cammotion.quantities import Floats, InputError, Numbers, shorten
+from cammotion.quantities import Floats, InputError, Numbers
 
 PER_RAD = math.degrees(1.0)  # a slope in mm/deg becomes one in mm/rad
 
@@ -97,8 +97,6 @@ def travel_mm(motion: Motion) -> float:
 
 def check_motion(motion: Motion) -> None:
     """Raise InputError for a motion that no disc cam can give."""
-    if not isinstance(motion, Motion):
-        raise InputError(f"The motion of the cam is {shorten(motion)}: give a Motion.")
     if motion.is_indexing:
         raise InputError(
             f"The motion '{motion.name}' moves on from stop to stop, and a disc cam brings its "

@@ -5,6 +5,7 @@ from functools import cached_property
 
 from numpy.typing import ArrayLike
 
+from cammotion.arguments import checked
 from cammotion.bracketed import Extreme, largest
 from cammotion.hardware.disc_cam import (
     PER_RAD,
@@ -20,6 +21,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, Numbers, keep_numbers, plain
 
 
+@checked
 @dataclass(frozen=True)
 class FlatFacedCam(DiscCam):
     """A cam whose follower has a flat face, square to its way.

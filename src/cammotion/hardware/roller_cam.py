@@ -30,11 +30,12 @@ from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Numbers, keep_numbers, plain, shorten
+from cammotion.quantities import Floats, InputError, Numbers, keep_numbers, plain
 
 _FINE_DEG, _SEEN_MM = 0.05, 1e-3
 
 
+@checked
 @dataclass(frozen=True)
 class RollerCam(DiscCam):
     """A cam whose follower has a roller.
@@ -58,11 +59,6 @@ class RollerCam(DiscCam):
 
     def __post_init__(self) -> None:
         check_motion(self.motion)
-        if not isinstance(self.follower, RollerFollower):
-            raise InputError(
-                f"The follower is {shorten(self.follower)}: give a TranslatingRoller or a "
-                "SwingingRoller, for example TranslatingRoller(10)."
-            )
         keep_numbers(self, prime_radius_mm=PRIME.number)
         self.follower.check(self.prime_radius_mm, travel_mm(self.motion))
 

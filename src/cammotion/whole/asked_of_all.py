@@ -1,6 +1,6 @@
 """What is asked of the motions of several parts, read from what a user gives."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -9,13 +9,14 @@ import numpy as np
 
 from cammotion.arguments.by_name import as_given, by_name
 from cammotion.limits.corridors import even_nodes, travel_ends
+from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity
-from cammotion.rules.checks import as_rules
+from cammotion.rules.checks import as_rules, find_violations
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.rule import Rule
 from cammotion.whole.parts import Part
@@ -111,6 +112,20 @@ def weighted_peak(diagram: TimingDiagram, weights: Mapping[str, float]) -> float
     return max(
         weight * diagram.peak_acceleration(name) for name, weight in weights.items() if weight
     )
+
+
+def faults_of(task: Task, design: TimingDiagram) -> Iterator[str]:
+    """Yield in words what a design does not keep."""
+    yield from map(str, find_violations(design, task.rules))
+    for part in task.parts:
+        new = design[part.motion.name]
+        if not np.isfinite(design.peak_acceleration(new.name)):
+            yield f"the velocity of the {new.name} jumps"
+            continue
+        asked = Asked((), part.still, part.travel_mm, np.inf)
+        yield from find_faults(design.with_motion(part.motion), new, asked)
+        if task.too_hard(part, design):
+            yield f"the peak of the {new.name} is above its limit"
 
 
 def read_task(  # noqa: PLR0913 - all but two are given by name

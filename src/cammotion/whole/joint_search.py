@@ -14,11 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cammotion.limits.faults import Asked, find_faults
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, WrongAnswerError
-from cammotion.rules.checks import find_violations
-from cammotion.whole.asked_of_all import Task, weighted_peak
+from cammotion.whole.asked_of_all import Task, faults_of, weighted_peak
 from cammotion.whole.joint_bound import Outline, outline
 from cammotion.whole.joint_motion import motions, unsettled
 from cammotion.whole.optimise import best_moves
@@ -53,7 +51,7 @@ class Search:
     def __init__(self, task: Task) -> None:
         self.task, self.best = task, Best(0.0, None)
         for design in (task.diagram, best_moves(task, [_FIRST_LAW], _FIRST_SECONDS)):
-            if design and not list(_faults(task, design)):
+            if design and not list(faults_of(task, design)):
                 self._keep(design)
 
     @property
@@ -129,10 +127,10 @@ class Search:
         if part_of_it is not self.task:
             rest = self.task.beside(part_of_it, design)
             found = best_moves(rest, [_FIRST_LAW], _FIRST_SECONDS)
-            if found is None or list(_faults(self.task, found)):
+            if found is None or list(faults_of(self.task, found)):
                 return
             design = found
-        faults = list(_faults(self.task, design))
+        faults = list(faults_of(self.task, design))
         peak = weighted_peak(design, self.task.weights)
         if peak < self.best.bound * (1 - _ROUNDING) - _ROUNDING:
             faults.append(f"motions reach {peak:g}, less than the bound {self.best.bound:g}")
@@ -209,17 +207,3 @@ class _Grid:
         middles = [found.angle_deg[cell] + width[cell] / 2 for cell in halved]
         self.angle_deg = np.sort(np.concatenate([self.angle_deg, middles]))
         return bool(halved)
-
-
-def _faults(task: Task, design: TimingDiagram) -> Iterator[str]:
-    """Yield in words what a design does not keep."""
-    yield from map(str, find_violations(design, task.rules))
-    for part in task.parts:
-        new = design[part.motion.name]
-        if not np.isfinite(design.peak_acceleration(new.name)):
-            yield f"the velocity of the {new.name} jumps"
-            continue
-        asked = Asked((), part.still, part.travel_mm, np.inf)
-        yield from find_faults(design.with_motion(part.motion), new, asked)
-        if task.too_hard(part, design):
-            yield f"the peak of the {new.name} is above its limit"

@@ -10,20 +10,16 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from cammotion.arguments import checked
 from cammotion.drive.camshaft import LOADED, Camshaft
 from cammotion.laws.catalogue import as_law
-from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, Quantity, WrongAnswerError, one_of
-from cammotion.rules.checks import find_violations
 from cammotion.rules.rule import Rule
-from cammotion.whole.asked_of_all import Task, read_task, weighted_peak
+from cammotion.whole.asked_of_all import Task, faults_of, read_task, weighted_peak
 from cammotion.whole.asked_of_moves import Laws, Ranges
 from cammotion.whole.move_program import place
 from cammotion.whole.movers import built, read_moves
@@ -212,14 +208,7 @@ def _best(
 
 def _check(task: Task, answer: Optimised) -> None:
     """Raise WrongAnswerError unless the design keeps what it has to and has the peak promised."""
-    faults = [str(one) for one in find_violations(answer.design, task.rules)]
-    for part in task.parts:
-        new = answer.design[part.motion.name]
-        before = answer.design.with_motion(part.motion)
-        asked = Asked((), part.still, (-np.inf, np.inf), np.inf)
-        faults += find_faults(before, new, asked)
-        if task.too_hard(part, answer.design):
-            faults.append(f"the peak of the {new.name} is above its limit")
+    faults = [*faults_of(task, answer.design)]
     if answer.reached < answer.bound * (1 - _SHARE):
         faults.append(f"it reaches {answer.reached:g}, less than the bound {answer.bound:g}")
     if faults:

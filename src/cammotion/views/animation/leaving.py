@@ -13,6 +13,7 @@ from typing import Any
 import drawsvg as draw
 import numpy as np
 
+from cammotion.arguments import checked
 from cammotion.dynamics.contact import Flights
 from cammotion.dynamics.turns import Flight
 from cammotion.hardware.followers import TranslatingRoller
@@ -20,7 +21,7 @@ from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time
-from cammotion.quantities import Floats, InputError, Quantity, shorten
+from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.views.animation import svg
 from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.keyframes import CAMSHAFT, Trace
@@ -108,6 +109,7 @@ class FollowerAnimation(MovingPicture):
         return first + np.mod(np.asarray(angle_deg) - first, DEG_PER_TURN)
 
 
+@checked
 def animate_follower(
     flights: Flights, *, magnify: float | None = None, turn_s: float = 9.0
 ) -> FollowerAnimation:
@@ -126,11 +128,6 @@ def animate_follower(
     It leaves the cam at 311.9°, by up to 4.38 mm, and hits it at 344.3° with 0.314 m/s.
     The gap is drawn 2 times as large.
     """
-    if not isinstance(flights, Flights):
-        raise InputError(
-            f"The flights are {shorten(flights)}: give what follower_flights(motion, load, rate) "
-            "returns."
-        )
     if flights.turns < 1:
         raise InputError(
             f"The flights are those of {flights.turns:g} turns: ask for at least 1, to see one."
