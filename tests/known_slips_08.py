@@ -8,9 +8,11 @@ from collections.abc import Callable
 from functools import cache
 
 import mpmath
+import numpy as np
 from known_slips import KnownSlip
 from known_slips_laws import CYCLOID, POLYNOMIAL, SINE, TRAPEZOID
 
+import cammotion as cm
 from cammotion.teaching.example import MillAndDie
 
 
@@ -85,6 +87,15 @@ def shaft(
     return power / (shaft_rad_per_s or math.radians(m.table.angle_deg) / m.table.time_s)
 
 
+def with_friction(m: MillAndDie) -> float:
+    """Return the largest torque of the camshaft with the friction in it, among many places."""
+    law, x = cm.LAWS[m.table.law], np.linspace(0, 1, 200_001)
+    step, time = 2 * math.pi / m.table.stops, m.table.time_s
+    torque = inertia(m) * law(x, 2) * step / time**2 + m.table.friction_N_m
+    speed = law(x, 1) * step / time
+    return float(np.max(torque * speed)) / (math.radians(m.table.angle_deg) / time)
+
+
 def another(m: MillAndDie, law: str) -> float:
     return math.nan if m.table.law == law else torque(m, CA[law])
 
@@ -117,6 +128,17 @@ def seen_bent(slots: int, alpha: float, order: int) -> float:
 def wheel(m: MillAndDie) -> float:
     """Return the acceleration half-way from the entry to the middle, in rad/s²."""
     return bent(m, entry(m) / 2) * omega(m) ** 2
+
+
+def tangent(m: MillAndDie) -> float:
+    """Return what the inside of the arctan is bent by, half-way."""
+    ratio = mpmath.sin(mpmath.pi / m.table.slots)
+
+    def inside(angle: mpmath.mpf) -> mpmath.mpf:
+        return ratio * mpmath.sin(angle) / (1 - ratio * mpmath.cos(angle))
+
+    with mpmath.workdps(40):
+        return abs(float(mpmath.diff(inside, entry(m) / 2, 2))) * omega(m) ** 2
 
 
 def largest(m: MillAndDie) -> float:
@@ -222,6 +244,8 @@ SLIPS = [
     ),
     KnownSlip("08.3", "velocity factor", lambda m: shaft(m, CV[m.table.law]), "Cv"),
     KnownSlip("08.3", "half", lambda m: shaft(m) / 2, "half"),
+    KnownSlip("08.3", "by the angle", lambda m: shaft(m) / m.table.time_s, "by the angle"),
+    KnownSlip("08.3", "with friction", with_friction, "friction"),
     KnownSlip(
         "08.3",
         "ratio upside down",
@@ -231,6 +255,10 @@ SLIPS = [
     # The Geneva wheel.
     KnownSlip("08.4", "at the entry", lambda m: bent(m, entry(m)) * omega(m) ** 2, "entry"),
     KnownSlip("08.4", "the largest", largest, "largest"),
+    KnownSlip(
+        "08.4", "pi/n", lambda m: bent(m, math.pi / m.table.slots) * omega(m) ** 2, "alpha is pi/n"
+    ),
+    KnownSlip("08.4", "no arctan", tangent, "arctan is missing"),
     KnownSlip("08.4", "half of the entry", lambda m: bent(m, entry(m)) * omega(m) ** 2 / 2, "line"),
     KnownSlip(
         "08.4", "the velocity", lambda m: bent(m, entry(m) / 2, 1) * omega(m), "velocity, in"

@@ -46,6 +46,12 @@ def left(m: MillAndDie) -> float:
     return 100 / (1 + amount * other**4)
 
 
+def scaled(m: MillAndDie) -> float:
+    """Return the share of the other harmonic, if it went with the fourth power itself."""
+    rank, percent, other = m.measured.left
+    return percent * (rank / other) ** 4
+
+
 def push(m: MillAndDie) -> float:
     """Return the acceleration of the parabola in m/s²: half the way in half the time."""
     half = 60 / m.measured.per_minute / 4
@@ -93,6 +99,8 @@ SLIPS = [
     KnownSlip("09.1", "in mm", lambda m: step(m) / 1000, "mm"),
     KnownSlip("09.1", "one degree", lambda m: step(m) * (m.measured.points / 360) ** 2, "degree"),
     KnownSlip("09.1", "in minutes", lambda m: step(m) / 3600, "minutes"),
+    KnownSlip("09.1", "twice the time", lambda m: 4 * step(m), "doubled"),
+    KnownSlip("09.1", "half the error", lambda m: step(m) / 4, "not half of it"),
     # The swings in a turn.
     KnownSlip(
         "09.2",
@@ -123,6 +131,8 @@ SLIPS = [
     KnownSlip("09.2", "in minutes", lambda m: swings(m) / 60, "minute"),
     KnownSlip("09.2", "by g", lambda m: swings(m) * math.sqrt(9.81), r"\bg\b"),
     KnownSlip("09.2", "weight", lambda m: swings(m) / math.sqrt(9.81), "weight"),
+    KnownSlip("09.2", "a minute", lambda m: swings(m) * m.measured.per_minute, "swings a minute"),
+    KnownSlip("09.2", "upside down", lambda m: 1 / swings(m), "turns a swing"),
     KnownSlip("09.2", "averaged", lambda m: swings(m) * math.sqrt(3), "averaged"),
     # What folds back.
     KnownSlip("09.3", "itself", lambda m: m.measured.folded[1], "limit"),
@@ -164,6 +174,7 @@ SLIPS = [
         ),
         "upside",
     ),
+    KnownSlip("09.4", "the share scaled", scaled, "share itself"),
     KnownSlip("09.4", "taken away", lambda m: 100 - left(m), "taken away"),
     KnownSlip("09.4", "the same", lambda m: m.measured.left[1], "other harmonic"),
     KnownSlip(
@@ -182,6 +193,10 @@ SLIPS = [
     ),
     KnownSlip("09.4", "a share", lambda m: left(m) / 100, "share of 1"),
     # The harmonic of the parabola.
+    KnownSlip("09.5", "a second for a minute", lambda m: wave(m) * 3600, "turns a second"),
+    KnownSlip("09.5", "the whole turn", lambda m: wave(m) / 4, "half of it"),
+    KnownSlip("09.5", "2h/t²", lambda m: wave(m) / 2, "not twice: half the stroke"),
+    KnownSlip("09.5", "counted twice", lambda m: wave(m) / 2, "four times"),
     KnownSlip("09.5", "the push", push, "itself"),
     KnownSlip("09.5", "no 4/pi", lambda m: push(m) / m.measured.rank, "4/pi"),
     KnownSlip("09.5", "half", lambda m: wave(m) / 2, "half"),

@@ -98,6 +98,7 @@ NUMBER_SLIPS = [
         lambda m: m.rate_per_hour * math.sqrt(before(m) / peak(m, stroke(m), widest(m))),
         "Who else",
     ),
+    KnownSlip("12.1", "as today", lambda m: m.rate_per_hour, "today's rate"),
     KnownSlip("12.1", "no root", lambda m: faster(m, 1), "square of the rate"),
     KnownSlip("12.1", "upside down", lambda m: faster(m, -0.5), "upside down"),
     KnownSlip("12.1", "upside down, no root", lambda m: faster(m, -1), "slower than today"),

@@ -55,9 +55,41 @@ def test_what_is_not_met_is_told_all_at_once_with_what_is_measured() -> None:
     design = EXAMPLE.diagram.at_rate(1000).with_motion(die)
     said = OPEN.judge(design, EXAMPLE).text
     assert "The machine rate is not that of the question. It is 1000 pieces per hour." in said
-    assert "have to stand where they stood. So it is with the die." in said
+    assert "have to stand where they stood. The die does not." in said
     assert "The clearance rule is broken. For the die is" in said
-    assert said.endswith("requirements 4 are met.")
+    assert said.endswith("Of the 8 requirements 5 are met.")
+
+
+@pytest.mark.parametrize("law", ["modified trapezoid", "3-4-5 polynomial"])
+def test_the_law_that_is_asked_for_is_looked_at(law: str) -> None:
+    other = balanced(EXAMPLE, law)
+    said = OPEN.judge(other, EXAMPLE).text
+    assert said.startswith("The law of each move has to be the cycloid. The rise of the mill has ")
+    own = cm.MotionLaw("mine", cm.LAWS["cycloidal"].s)
+    mine = balanced(EXAMPLE)
+    for name in mine.names:
+        mine = mine.with_motion(mine[name].with_law(own))
+    assert OPEN.judge(mine, EXAMPLE).state == "right"
+
+
+def test_a_mill_with_other_stops_is_told_how_many_it_has() -> None:
+    mill = cm.indexing_motion(
+        "mill", *(cm.rise(100, over_deg=150), cm.dwell(210)), stops=EXAMPLE.stops - 1
+    )
+    said = OPEN.judge(EXAMPLE.diagram.with_motion(mill), EXAMPLE).text
+    assert f"It goes 100 mm and has {EXAMPLE.stops - 1} stops." in said
+
+
+def test_a_learner_gets_the_diagram_and_the_rule_of_the_question(own: Session) -> None:
+    """Asked by name, with fresh numbers and again: a design for them is right."""
+    cm.variant("Anna")
+    for asked in (cm.ask, cm.again, cm.ask):
+        machine = asked("12.3").machine
+        work = [(machine.down_deg, machine.down_deg + machine.work_deg)]
+        still = {"mill": work, "die": work}
+        found = cm.optimise(machine.diagram, machine.rule, still=still)
+        assert cm.check("12.3", found.design).is_right
+    assert own.machine == machine_for("Anna")
 
 
 def test_the_contest_has_a_limit_to_the_jerk() -> None:

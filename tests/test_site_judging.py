@@ -25,6 +25,7 @@ OFFS = (0, 1e-4, 0.0035, 0.0045, 0.0125, 0.019, 0.07)
 TYPED = [
     *("92.5", "about 92,5", "1/4", "1/4 of tm", "25 %", "25%", "0.25", "−3", "-3.2", "1e3", "0"),
     *("50 or 60", "few", "", "1/0", "v2", "2.5.3", "3,000", "x^2", "1e999", "2e12", "a 7 b"),
+    *("10^0.667", "4*0.0005*81", "sqrt(10)", "less than 1", "64 per minute", "√10", "1 %", "mm 4"),
     *("½", "10 percent", "100", "0.0001", ".5", "5.", "+4", "4 m/s2", "4 m/s²", "µ5", "5µ"),
 ]
 
@@ -126,6 +127,7 @@ def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
                     "true": [each.true, *each.also],
                     "low": each.low,
                     "high": each.high,
+                    "isPlace": each.is_place,
                 },
                 texts,
             ]

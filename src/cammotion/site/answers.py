@@ -57,7 +57,8 @@ def _of_prediction(made: Prediction) -> dict[str, Any]:
     if isinstance(made.true, str):
         return {}
     ends = {"low": made.low, "high": made.high}
-    return {"asked": made.asked, "true": [made.true, *made.also], **ends}
+    place = {"isPlace": True} if made.is_place else {}
+    return {"asked": made.asked, "true": [made.true, *made.also], **ends, **place}
 
 
 def _short(number: float) -> float:

@@ -2,7 +2,10 @@
 // decides it by the same steps: `verdicts.py` and `teaching/prediction.py`.
 
 const NUMBER =
-  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?))?(?![.,]?\d|\s*\/\s*\d)(?<percent>\s*%)?/giu;
+  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?))?(?![.,]?\d|\s*\/\s*\d)(?:\s*%)?/giu;
+const UNSURE = /[*^√×·=<>≤≥]|\b(?:sqrt|root|less|more|below|above|least|most|than)\b/iu;
+const OTHER = ["mm", "cm", "µm", "rad", "min", "sec"],
+  SHARES = ["percent", "fraction"];
 const LARGEST = 1e12,
   CLOSE = 0.02,
   IN_TIMES = 2;
@@ -17,9 +20,15 @@ export function verdict({ off, edges, places, said }, given, format) {
 /** The numbers that a typed prediction may be: one, none, or two that make sense. */
 export function numbersIn({ asked, low, high }, text, readings) {
   const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
-  if (found.length !== 1) return [];
-  const [{ value, over, percent }] = found;
-  const parts = percent && !asked.includes("percent") ? 100 : 1;
+  const isShare = text.includes("%") || text.includes("percent");
+  const isOne =
+    !(isShare && !SHARES.some((share) => asked.includes(share))) &&
+    !UNSURE.test(text) &&
+    !OTHER.some((unit) => text.includes(unit) && !asked.includes(unit));
+  if (found.length !== 1 || !isOne) return [];
+  const [{ value, over }] = found;
+  const inPercent = asked.includes("percent");
+  const parts = isShare ? (inPercent ? 1 : 100) : over && inPercent ? 0.01 : 1;
   const numbers = readings(value)
     .flatMap((a) => readings(over ?? "1").map((b) => (b === 0 ? NaN : a / b / parts)))
     .filter((number) => Math.abs(number) <= LARGEST);
@@ -40,6 +49,10 @@ export function howFar(made, text, { format, readings }) {
   if (numbers.length !== 1) return "";
   const [number] = numbers,
     right = made.true;
+  if (made.isPlace) {
+    const off = Math.abs(number - right[0]);
+    return off ? `${format(off, "g")} place${off === 1 ? "" : "s"} off` : "as good as right";
+  }
   if (number <= 0) return "too little";
   if (right.some((value) => Math.abs(number / value - 1) <= CLOSE)) return "as good as right";
   const ratio = number / right[0],

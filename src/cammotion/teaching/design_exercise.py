@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.segments import Segment
 from cammotion.own import Machine
 from cammotion.rules.checks import find_violations
 from cammotion.rules.clearance import ClearanceRule
@@ -24,6 +26,8 @@ from cammotion.whole.optimise import optimise
 _GAP, _SECONDS = 0.1, 5.0  # of the bound, which need not be close to tell how far a design is
 _SAME = 1e-6  # mm, and a share of a peak
 _DECIMALS = 1000  # of a limit in mm that a question tells
+_PLACES = np.linspace(0, 1, 101)
+_NAMED = {"cycloidal": "cycloid"}
 _FAR = 1e12  # m/s3: a jerk beyond it is a jump
 
 
@@ -42,13 +46,15 @@ class Requirement:
 class DesignExercise(Exercise):
     """A design of mill and die with a largest peak of at most `limit` in m/s2.
 
-    With a `jerk_limit`, in m/s3, the jerk is at most that. The answer is a timing diagram, or a
+    With a `law` all moves have that law; with a `jerk_limit`, in m/s3, the jerk is at most that.
+    The answer is a timing diagram, or a
     Machine; `answer` makes one that is right. In a contest the class page shows who came nearest
     to the bound.
     """
 
     answer: Callable[[MillAndDie], TimingDiagram]
     limit: Callable[[MillAndDie], float]
+    law: str = ""
     jerk_limit: Callable[[MillAndDie], float] | None = None
     is_contest: bool = False
 
@@ -95,14 +101,15 @@ class DesignExercise(Exercise):
             "The largest peak acceleration is above what is asked for.",
             lambda design, machine: _above(largest_peak(design), self.limit(machine), "m/s²"),
         )
+        asked = *_ALWAYS, *([_of_law(self.law)] if self.law else []), too_hard
         if self.jerk_limit is None:
-            return (*_ALWAYS, too_hard)
+            return asked
         jerk_limit = self.jerk_limit
         too_sharp = Requirement(
             "The largest jerk is above what is asked for.",
             lambda design, machine: _above(largest_jerk(design), jerk_limit(machine), "m/s³"),
         )
-        return (*_ALWAYS, too_hard, too_sharp)
+        return (*asked, too_sharp)
 
     @property
     def faults(self) -> tuple[str, ...]:
@@ -191,7 +198,7 @@ def _rate(design: TimingDiagram, machine: MillAndDie) -> str:
 def _pitch(design: TimingDiagram, machine: MillAndDie) -> str:
     mill = design["mill"]
     same = mill.stops == machine.stops and abs(mill.pitch_mm - machine.pitch_mm) <= _SAME
-    return "" if same else f"It goes {mill.pitch_mm:g} mm."
+    return "" if same else f"It goes {mill.pitch_mm:g} mm and has {mill.stops or 'no'} stops."
 
 
 def _stroke(design: TimingDiagram, machine: MillAndDie) -> str:
@@ -209,12 +216,25 @@ def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
             moved += [name for _ in find_faults(before, design[name], asked)][:1]
         else:
             moved.append(name)
-    return f"So it is with the {' and the '.join(moved)}." if moved else ""
+    names = " and the ".join(moved)
+    return f"The {names} {'do' if len(moved) > 1 else 'does'} not." if moved else ""
 
 
 def _rule(design: TimingDiagram, machine: MillAndDie) -> str:
     found = find_violations(design, clearance_rule(machine))
     return f"For {found[0]}." if found else ""
+
+
+def _of_law(name: str) -> Requirement:
+    def other(design: TimingDiagram, _: MillAndDie) -> str:
+        moves = ((each.name, move) for each in design.motions for move in each.moves)
+        wrong = [f"The {move.kind} of the {whose}" for whose, move in moves if not is_it(move)]
+        return f"{wrong[0]} has another." if wrong else ""
+
+    def is_it(move: Segment) -> bool:
+        return bool(np.allclose(as_law(move.law)(_PLACES, 2), LAWS[name](_PLACES, 2), atol=_SAME))
+
+    return Requirement(f"The law of each move has to be the {_NAMED[name]}.", other)
 
 
 def _smooth(design: TimingDiagram, _: MillAndDie) -> str:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import State, Verdict
 from cammotion.teaching.shown.frame import Shown
 from cammotion.teaching.store import Record, count
@@ -42,11 +43,15 @@ class Card:
 
 @dataclass(frozen=True, repr=False)
 class Question(Card):
-    """The question of an exercise, with the unit of its answer; it may hold formulas."""
+    """The question of an exercise, with the unit of its answer; it may hold formulas.
+
+    `machine` is what it asks about.
+    """
 
     number: str
     question: str
     wanted: str
+    machine: MillAndDie
 
     @property
     def text(self) -> str:

@@ -10,9 +10,14 @@ from cammotion.typed import readings
 _DIGITS = r"\d+(?:[.,]\d+)?"
 _NUMBER = re.compile(
     rf"(?<![\w.,^/*])(?P<value>[-+−]?{_DIGITS}(?:e[-+]?\d+)?)"
-    rf"(?:\s*/\s*(?P<over>{_DIGITS}))?(?![.,]?\d|\s*/\s*\d)(?P<percent>\s*%)?",
+    rf"(?:\s*/\s*(?P<over>{_DIGITS}))?(?![.,]?\d|\s*/\s*\d)(?:\s*%)?",
     re.IGNORECASE,
 )
+_UNSURE = re.compile(
+    r"[*^√×·=<>≤≥]|\b(?:sqrt|root|less|more|below|above|least|most|than)\b", re.IGNORECASE
+)
+_OTHER = ("mm", "cm", "µm", "rad", "min", "sec")  # units, unless they are asked for
+_SHARES = ("percent", "fraction")
 _LARGEST = 1e12  # beyond that it is a joke and no prediction
 _SENSIBLE = 999.0
 _CLOSE = 0.02
@@ -27,7 +32,8 @@ class Prediction:
     for. What is as right as `true` is in `also`, and `why` one guesses otherwise is a word for the
     reveal: it stands here and not in the notebook's cell, where it would be read too soon. All of
     them are about the machine of the lessons, with the same numbers for everybody. Sensible
-    predictions lie from `low` to `high`: this tells what a comma before three digits means.
+    predictions lie from `low` to `high`: this tells what a comma before three digits means. Of a
+    place in an order, `is_place`, it is said how many places it is off, and not how many times.
     """
 
     key: str
@@ -37,6 +43,7 @@ class Prediction:
     also: tuple[float, ...] = ()
     low: float = 0.0
     high: float = _SENSIBLE
+    is_place: bool = False
 
     def numbers(self, text: str) -> tuple[float, ...]:
         """Return the numbers that a typed prediction may be: one, none, or two that make sense.
@@ -74,6 +81,9 @@ class Prediction:
         if isinstance(self.true, str) or len(numbers) != 1:
             return ""
         (number,) = numbers
+        if self.is_place:
+            off = abs(number - self.true)
+            return f"{off:g} place{'s' * (off != 1)} off" if off else "as good as right"
         if number <= 0:
             return "too little"
         ratio = number / self.true
@@ -91,22 +101,40 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
 
     A comma may stand for the point, a fraction for its value; units and words may stand around it.
     One comma before three digits may also part thousands. A share in percent is made a number where
-    percent are not what is asked for.
+    a fraction is asked for, and a fraction percent where those are. What is to be reckoned out, has
+    another unit, or says no more than "less than" is no number.
 
     >>> numbers_in("about 1,04 m/s2", "m/s²"), numbers_in("1/4 of tm", "fraction")
     ((1.04,), (0.25,))
     >>> numbers_in("25 %", "percent"), numbers_in("25 %", "fraction"), numbers_in("50 or 60", "deg")
     ((25.0,), (0.25,), ())
+    >>> numbers_in("10^0.667", "times"), numbers_in("64 per minute", "pieces per hour")
+    ((), ())
     >>> numbers_in("4,154 m/s²", "m/s²"), numbers_in("0,806", "m/s²"), numbers_in("4.154", "m/s²")
     ((4.154, 4154.0), (0.806,), (4.154,))
     """
     found = [*_NUMBER.finditer(text)]
-    if len(found) != 1:
+    if len(found) != 1 or not _is_one_number(text, asked):
         return ()
     value, over = found[0]["value"], found[0]["over"] or "1"
-    parts = 100 if found[0]["percent"] and "percent" not in asked else 1
+    in_percent = "percent" in asked
+    if _is_share(text):
+        parts = 1.0 if in_percent else 100.0
+    else:
+        parts = 0.01 if found[0]["over"] and in_percent else 1.0
     numbers = [a / b / parts for a in _readings(value) for b in _readings(over) if b != 0]
     return tuple(one for one in numbers if math.isfinite(one) and abs(one) <= _LARGEST)
+
+
+def _is_one_number(text: str, asked: str) -> bool:
+    """Tell whether all that is typed is a number in the unit that is asked for."""
+    if _is_share(text) and not any(share in asked for share in _SHARES):
+        return False
+    return not _UNSURE.search(text) and not any(u in text and u not in asked for u in _OTHER)
+
+
+def _is_share(text: str) -> bool:
+    return "%" in text or "percent" in text
 
 
 def _readings(digits: str) -> tuple[float, ...]:

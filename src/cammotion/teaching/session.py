@@ -163,7 +163,7 @@ def ask(number: str) -> Question:
     exercise = find_exercise(number)
     machine = _SESSION.machine
     _SESSION.practice.end(number)
-    return Question(number, exercise.question(machine), exercise.wanted_for(machine))
+    return Question(number, exercise.question(machine), exercise.wanted_for(machine), machine)
 
 
 def again(number: str) -> Question:
@@ -187,7 +187,7 @@ def again(number: str) -> Question:
         return ask(number)
     machine = _SESSION.practice.begin(exercise, _SESSION.machine)
     question = f"With fresh numbers: {whole_question(exercise, machine)}"
-    return Question(number, question, exercise.wanted_for(machine))
+    return Question(number, question, exercise.wanted_for(machine), machine)
 
 
 def check(number: str, answer: Any) -> Feedback:

@@ -53,7 +53,7 @@ NAMELESS = MillAndDie(
         friction_N_m=55,
         law="cycloidal",
         angle_deg=110,
-        slots=6,
+        slots=5,
         per_minute=36,
     ),
     measured=MeasuredNumbers(

@@ -92,6 +92,8 @@ class ShaftTorque:
         for one, start, angle in loaded:
             since = np.mod(angles - start, DEG_PER_TURN)
             here = since < angle
+            if not here.any():  # it is hardly there
+                continue
             share = since[here] / angle
             torque[here] += np.interp(share, one.shares, one.of_mass) / angle**3
             standing = np.interp(share, one.shares, one.standing)

@@ -62,30 +62,34 @@ def least_torque(
     search, end = _Search(shaft, task, movers), monotonic() + _SEARCHED * seconds
     starts, lows = _Starts(task, movers, apart), list[_Low]()
     found: list[tuple[float, TimingDiagram]] = []
+    tried: list[float] = []  # the least from each start
 
-    def offer(design: TimingDiagram) -> float:
+    def offer(design: TimingDiagram, of: int) -> float:
         found.append((peak_torque(shaft, design), design))
+        tried[of] = min(tried[of], found[-1][0])
         return found[-1][0]
 
     for number in range(_STARTS):
         start = starts.find(number, min(lows, key=_torque_of, default=None), end - monotonic())
         if start is not None:
+            own = len(tried)
+            tried.append(np.inf)
             if number == _LEAST_PEAK:
-                offer(built(task, start.program.moves(start.x)))
+                offer(built(task, start.program.moves(start.x)), own)
             if number == _TODAY and not find_violations(task.diagram, task.rules):
-                offer(task.diagram)
+                offer(task.diagram, own)
             low = search.lowered(start, _COARSE)
-            reached = offer(built(task, low.program.moves(low.x)))
+            reached = offer(built(task, low.program.moves(low.x)), own)
             lows.append(low._replace(torque=reached))
         if monotonic() > end or not lows:
             break
-    for low in sorted(lows, key=_torque_of)[:_POLISHED]:
-        fine = search.lowered(low, _FINE)
-        offer(built(task, fine.program.moves(search.eased(fine))))
+    for own in sorted(range(len(lows)), key=lambda number: lows[number].torque)[:_POLISHED]:
+        fine = search.lowered(lows[own], _FINE)
+        offer(built(task, fine.program.moves(search.eased(fine))), own)
     if not found:
         return None
     best = min(found[::-1], key=lambda each: float(f"{each[0]:.{_DIGITS}g}"))  # the last are eased
-    return best[1], tuple(sorted(map(_torque_of, lows)))
+    return best[1], tuple(sorted(max(torque, best[0]) for torque in tried))
 
 
 def _torque_of(low: _Low) -> float:

@@ -3,6 +3,7 @@
 import math
 
 from cammotion.hardware.geneva import Geneva
+from cammotion.hardware.indexer import Indexer
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.teaching.example import MillAndDie
@@ -78,6 +79,12 @@ def _shaft(m: MillAndDie, inertia: float | None = None, factor: float | None = N
     return turns * _step(m) / m.table.time_s**2 * cq * _ratio(m)
 
 
+def _indexer(m: MillAndDie) -> Indexer:
+    """Return the table with its friction."""
+    t = m.table
+    return Indexer(_inertia(m), t.stops, t.time_s, law=t.law, friction_N_m=t.friction_N_m)
+
+
 def _wheel(m: MillAndDie) -> Geneva:
     return Geneva(m.table.slots)
 
@@ -90,6 +97,19 @@ def _omega(m: MillAndDie) -> float:
 def _half_way(m: MillAndDie, derivative: int = 2) -> float:
     """Return a derivative by alpha, half-way between entry and middle."""
     return abs(float(_wheel(m)(_wheel(m).angle_deg / 4, derivative)))
+
+
+def _at(m: MillAndDie, alpha_deg: float) -> float:
+    """Return the wheel's angular acceleration where the driver is so far from the middle."""
+    return abs(float(_wheel(m)(alpha_deg, 2))) * _omega(m) ** 2
+
+
+def _without_arctan(m: MillAndDie) -> float:
+    """Return what the tangent of the wheel's angle, differentiated twice, makes half-way."""
+    k, alpha = _wheel(m).ratio, math.radians(_wheel(m).angle_deg / 4)
+    under = 1 - k * math.cos(alpha)
+    bent = k * math.sin(alpha) * (2 * k**2 - 1 - k * math.cos(alpha)) / under**3
+    return abs(bent) * _omega(m) ** 2
 
 
 def _degrees_for_rad(m: MillAndDie) -> float:
@@ -314,6 +334,14 @@ EXERCISES = (
                 "This is the power, in W. Divide it by the speed of the shaft.",
             ),
             Slip(
+                lambda m: _shaft(m) / m.table.time_s,
+                "The power was divided by the angle of the shaft. Its speed is that angle over tm.",
+            ),
+            Slip(
+                lambda m: _indexer(m).peak_camshaft_torque_N_m(m.table.angle_deg),
+                "This is with the friction, which the question leaves out.",
+            ),
+            Slip(
                 lambda m: _shaft(m) * math.pi / 180,
                 "The angle of the shaft is in degrees here. The torque comes from rad/s.",
             ),
@@ -397,6 +425,15 @@ EXERCISES = (
                 _half_way,
                 "This is the second derivative by the angle. The square of the driver's speed is "
                 "missing.",
+            ),
+            Slip(
+                lambda m: _at(m, DEG_PER_TURN / 2 / m.table.slots),
+                "Here alpha is pi/n, an angle of the wheel. The driver's, from entry to middle, is "
+                "pi/2 - pi/n.",
+            ),
+            Slip(
+                _without_arctan,
+                "The arctan is missing: its inside was differentiated twice.",
             ),
             Slip(
                 lambda m: abs(float(_wheel(m)(_wheel(m).peak_alpha_deg / 2, 2))) * _omega(m) ** 2,

@@ -88,10 +88,10 @@ EXERCISES = (
     NumberExercise(
         number="09.1",
         question=lambda m: (
-            f"A cam is to be measured at {m.measured.points} even angles of its turn, and turns "
-            f"{m.measured.per_minute:g} times a minute. The readings are rounded to a step. How "
-            "large may the step be, so that the rounding changes no second difference of the "
-            f"table, the acceleration, by more than {m.measured.limit:g} m/s²?"
+            f"A cam is to be measured at {m.measured.points} evenly spaced angles of its turn, and "
+            f"turns {m.measured.per_minute:g} times a minute. The readings are rounded to a "
+            "step. How large may the step be, so that the rounding changes no second difference of "
+            f"the table, the acceleration, by more than {m.measured.limit:g} m/s²?"
         ),
         unit="µm",
         answer=_step,
@@ -109,6 +109,16 @@ EXERCISES = (
             Slip(
                 lambda m: _step(m, 1),
                 "This is for an error of one neighbour alone. Which errors of three do most?",
+            ),
+            Slip(
+                lambda m: _step(m, 1),
+                "The time from point to point was doubled. A velocity has twice of it in it, and a "
+                "second difference the square of once.",
+            ),
+            Slip(
+                lambda m: _step(m, 16),
+                "Rounding is off by half a step at most. So a step is twice the error, and not "
+                "half of it.",
             ),
             Slip(
                 lambda m: _step(m, math.sqrt(6)),
@@ -189,6 +199,14 @@ EXERCISES = (
                 "This is in swings a second. How long is a turn?",
             ),
             Slip(
+                lambda m: _swings(m) / _turn(m) * _SECONDS_PER_MINUTE,
+                "This is in swings a minute. How many turns has a minute?",
+            ),
+            Slip(
+                lambda m: 1 / _swings(m),
+                "This is how many turns a swing takes. How many swings has a turn?",
+            ),
+            Slip(
                 lambda m: _swings(m) / _turn(m) ** 2,
                 "The rate was multiplied. With a faster cam there are fewer swings in a turn.",
             ),
@@ -224,9 +242,9 @@ EXERCISES = (
     NumberExercise(
         number="09.3",
         question=lambda m: (
-            f"A cam is measured at {m.measured.folded[0]} even angles of its turn. In truth it has "
-            f"a strong harmonic of rank {m.measured.folded[1]}. At which rank will the table have "
-            "it?"
+            f"A cam is measured at {m.measured.folded[0]} evenly spaced angles of its turn. In "
+            f"truth it has a strong harmonic of rank {m.measured.folded[1]}. At which rank will "
+            "the table have it?"
         ),
         unit="",
         answer=_folded,
@@ -315,6 +333,10 @@ EXERCISES = (
                 "The 1 was forgotten: it is λk⁴, and not 1 + λk⁴, that goes with the fourth power.",
             ),
             Slip(
+                lambda m: m.measured.left[1] / _ratio(m) ** 4,
+                "The share itself was scaled by the fourth power. It is λk⁴ that goes with it.",
+            ),
+            Slip(
                 lambda m: 100 - (100 - m.measured.left[1]) * _ratio(m) ** 4,
                 "What is taken away was scaled by the fourth power. Scale λk⁴, and divide then.",
             ),
@@ -362,6 +384,15 @@ EXERCISES = (
                 "of the product is the amplitude.",
             ),
             Slip(
+                lambda m: _wave(m) / 2,
+                "The integral from 0 to 90 degrees was counted twice. It comes four times.",
+            ),
+            Slip(
+                lambda m: _wave(m) / 2,
+                "The peak of this law is 4 times the stroke by the square of the time, not twice: "
+                "half the stroke takes half the time.",
+            ),
+            Slip(
                 lambda m: _wave(m) / m.measured.rank,
                 "The rank counts once too often. That would be a wave without jumps.",
             ),
@@ -372,6 +403,14 @@ EXERCISES = (
             Slip(
                 lambda m: _wave(m) / 4,
                 "The peak of this law is 4 times the stroke by the square of the time, not once.",
+            ),
+            Slip(
+                lambda m: _wave(m) / 4,
+                "The time of the whole turn was taken. The rise takes half of it.",
+            ),
+            Slip(
+                lambda m: _wave(m) * _SECONDS_PER_MINUTE**2,
+                "Turns a minute were taken for turns a second.",
             ),
             Slip(
                 lambda m: _wave(m) * 4,
@@ -398,8 +437,8 @@ EXERCISES = (
     ChoiceExercise(
         number="09.6",
         question=lambda m: (
-            "A cam was measured at 24 even angles. Its follower, struck and left alone, swings "
-            "12.1 times during a turn, and it chatters. The twelfth harmonic of the second "
+            "A cam was measured at 24 evenly spaced angles. Its follower, struck and left alone, "
+            "swings 12.1 times during a turn, and it chatters. The twelfth harmonic of the second "
             "differences is only sixth in strength. What may be said?"
         ),
         options={
@@ -446,5 +485,6 @@ PREDICTIONS = (
         8,
         "The source calls it strong, and who looks for it finds it. The table has it eighth, with "
         "a fifth of the strongest.",
+        is_place=True,
     ),
 )

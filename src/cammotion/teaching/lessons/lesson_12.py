@@ -69,7 +69,8 @@ def _task(m: MillAndDie) -> str:
         f"goes {m.pitch_mm:g} mm on in each turn, from 0 mm; the die goes from 0 to "
         f"{m.stroke_mm:g} mm and back. From {m.down_deg:g} to {m.down_deg + m.work_deg:g} degrees "
         f"both stand, the mill at {m.pitch_mm:g} and the die at {m.stroke_mm:g} mm, and always "
-        f"{rule}. (Your own numbers are in cm.variant().diagram and cm.variant().rule.) Starts and "
+        f"{rule}. (What cm.ask and cm.again return has them too: machine.diagram and "
+        "machine.rule.) Starts and "
         "angles are yours"
     )
 
@@ -118,6 +119,10 @@ EXERCISES = (
             Slip(
                 lambda m: m.rate_per_hour / math.sqrt(_before(m) / max(_die(m), _mill(m))),
                 "The ratio stands upside down: this is slower than today.",
+            ),
+            Slip(
+                lambda m: m.rate_per_hour,
+                "This is today's rate. With the smaller peak the machine can run faster.",
             ),
             Slip(
                 lambda m: math.sqrt(_before(m) / max(_die(m), _mill(m))),
@@ -199,6 +204,7 @@ EXERCISES = (
         ),
         answer=balanced,
         limit=_limit,
+        law="cycloidal",
         right="All requirements are met.",
         hints=(
             "Give the die its widest move first. Who is the hardest then, and has it room?",
