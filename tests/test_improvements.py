@@ -131,6 +131,82 @@ def test_a_motion_of_another_build_keeps_its_angles() -> None:
     assert moves[0].to_deg <= 45 + 1e-6 < 55 - 1e-6 <= moves[1].from_deg
 
 
+def pair(start_deg: float) -> cm.TimingDiagram:
+    """Return two slides A and B, each out for 100 deg."""
+    both = [
+        cm.motion(
+            name,
+            *(cm.rise(20, over_deg=60), cm.dwell(100), cm.return_(20, over_deg=60), cm.dwell(140)),
+            start_deg=start,
+        )
+        for name, start in (("A", 0), ("B", start_deg))
+    ]
+    return cm.TimingDiagram(both, 3600)
+
+
+def test_what_makes_a_broken_rule_worse_is_left_out_and_that_it_is_broken_is_said() -> None:
+    rule = cm.ClearanceRule(cm.beyond("A", 5), only_while=cm.within("B", 5))
+    for still in ({}, {"A": [(60, 160)], "B": [(90, 190)]}):
+        machine = cm.Machine("k", pair(30), [rule], still)
+        found = cm.improvements(machine)
+        assert "1 rule is broken, and no change here mends it." in repr(found)
+        assert "no change here mends it" in found._repr_html_()
+        (before,) = machine.violations
+        for one in found:
+            (now,) = one.machine.violations
+            assert now.excess_mm <= before.excess_mm + 1e-3
+            assert now.end_deg - now.start_deg <= before.end_deg - before.start_deg + 0.005
+    wider = machine.diagram.with_motion(cm.with_angle(machine.diagram["A"], 90))
+    wide = changes.improvement("widen", "wider", machine, wider, "A")
+    assert (wide.mends, wide.worsens) == (0, 1)
+
+
+def test_with_a_distance_rule_unequal_ways_may_become_one_angle() -> None:
+    up = cm.motion(
+        "upper",
+        *(cm.rise(30, over_deg=80), cm.dwell(60), cm.return_(30, over_deg=80), cm.dwell(140)),
+        start_deg=40,
+        start_mm=12,
+    )
+    low = cm.motion(
+        "lower",
+        *(cm.rise(30, over_deg=60), cm.dwell(40), cm.return_(30, over_deg=70), cm.dwell(190)),
+        start_deg=75,
+    )
+    rule = cm.DistanceRule("upper", above="lower", at_least_mm=5)
+    diagram = cm.TimingDiagram([up, low], 5400)
+    first = cm.improvements(cm.Machine("m", diagram, [rule]))[0]
+    assert (first.kind, first.mechanism) == ("widen", "lower")
+    widest = cm.widest_move(diagram, "lower", rule, each_way=False)
+    assert first.after == pytest.approx(widest.peak_acceleration)
+    assert first.after < first.before / 3
+
+
+def test_a_table_that_would_stand_nowhere_is_said_to() -> None:
+    table = cm.indexing_motion("table", cm.rise(275, over_deg=120), cm.dwell(240), stops=8)
+    first = cm.improvements(cm.Machine("m", cm.TimingDiagram([table], 3000)))[0]
+    assert (
+        first.said == "widen the rise from 120 to 360 deg of the table, so that it stands nowhere"
+    )
+
+
+def test_a_move_that_hands_on_its_velocity_keeps_its_law() -> None:
+    """A law from rest to rest would stop it there."""
+    lifts = cm.polynomial((0, 0.15, 0, 0), (1, 0, -4, 0), name="lifts", may_leave=True)
+    valve = cm.motion(
+        "valve",
+        cm.rise(0.25, over_deg=20, law=cm.MATCHED),
+        cm.rise(8.75, over_deg=58, law=lifts),
+        cm.return_(8.75, over_deg=66, law=cm.MATCHED),
+        cm.return_(0.25, over_deg=25, law="cubic"),
+        cm.dwell(191),
+        start_deg=100,
+    )
+    found = cm.improvements(cm.Machine("v", cm.TimingDiagram([valve], 90_000)))
+    assert not len(found)
+    assert "Not asked to be wider, for want of still arcs: the valve." in repr(found)
+
+
 def test_a_still_arc_that_stops_one_move_and_a_rule_that_stops_the_other() -> None:
     """The rise has to end before the arc, the return is stopped by the rule or by the turn."""
     up, down = cm.rise(60, over_deg=70), cm.return_(60, over_deg=90)

@@ -185,7 +185,7 @@ def test_it_says_that_no_bound_is_known_and_how_far_apart_the_starts_ended() -> 
     found = best()
     assert (found.bound, found.unit, found.shaft) == (0, "N m", SHAFT)
     assert list(found.tried) == sorted(found.tried)
-    assert found.tried[0] >= found.reached * (1 - 1e-6)
+    assert found.tried[0] == pytest.approx(found.reached, rel=1e-6)
     first, second = repr(found).splitlines()[:2]
     assert first == f"{found.reached:.4f} N m (before: 3.3730)"
     assert f"the best of {len(found.tried)} starts" in second

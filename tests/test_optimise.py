@@ -205,6 +205,42 @@ def test_what_makes_no_sense_is_said(changed: dict[str, Any], words: str) -> Non
         optimise(make_diagram(), RULE, **asked)
 
 
+@pytest.mark.parametrize("solver", [cm.optimise, cm.least_peak])
+def test_where_parts_have_to_stand_against_a_rule_is_said(solver: Any) -> None:
+    early = make_die(down_deg=(100, 200))
+    with pytest.raises(InputError, match=r"From 100 to 1\S+ deg the die has to stand, and there"):
+        solver(make_diagram(make_mill(), early), RULE, still={"die": [(100, 200)]})
+    late = make_diagram(make_mill(30, middle_deg=170), early)
+    both = {"mill": [(0, 150)], "die": [(100, 140)]}
+    assert solver(late, RULE, still=both).design
+
+
+def test_a_force_over_an_arc_without_a_sample_in_a_move_is_no_error() -> None:
+    table = cm.indexing_motion(
+        "table", cm.rise(275, over_deg=120, law="modified sine"), cm.dwell(240), stops=8
+    )
+    press = cm.motion(
+        "press",
+        *(cm.rise(40, over_deg=70), cm.dwell(80), cm.return_(40, over_deg=70), cm.dwell(140)),
+        start_deg=130,
+    )
+    loads = {
+        "table": cm.FollowerLoad(mass_kg=103.5),
+        "press": cm.FollowerLoad(mass_kg=20, weight_N=-196),
+    }
+    shaft = cm.Camshaft(
+        cm.TimingDiagram([table, press], 3000),
+        loads,
+        process=[cm.ProcessForce(motion="press", from_deg=190, to_deg=200, force_N=0, last_N=5000)],
+        friction_N={"table": 200.0},
+    )
+    rule = cm.ClearanceRule(cm.beyond("press", 5), cm.within("table", 0.2))
+    still = {"table": [(200, 280)], "press": [(200, 280)]}
+    found = cm.optimise(shaft, rule, still=still, minimise="torque", seconds=4)
+    assert found.reached == pytest.approx(found.tried[0], rel=1e-6)
+    assert found.reached < abs(shaft.peak_torque().value)
+
+
 def test_a_wrong_answer_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> None:
     from cammotion.whole import movers
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 
@@ -12,10 +13,11 @@ from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
 from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.rules.checks import find_violations, smallest_clearance
-from cammotion.rules.rule import Rule
+from cammotion.rules.rule import Rule, Violation
 from cammotion.whole.optimise import optimise
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
@@ -25,6 +27,7 @@ _USED = 1e-3  # mm: of a rule that has no more room
 _SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _ROUNDING = 1e-9  # deg
+_REST = 1e-6  # of the mean velocity of a move
 
 
 @dataclass(frozen=True, repr=False)
@@ -35,7 +38,8 @@ class Improvement:
     "balance" for all moves at once. `before` and `after` are the peak acceleration of the
     `mechanism` in m/s2 (of the whole machine in a balance), `largest` is that of the machine once
     it is done. At `rate_per_hour` the changed machine meets the largest peak that it has today.
-    `mends` counts the broken rules that are kept then. `machine` is the machine with the change.
+    `mends` counts the broken rules that are kept then, `worsens` those that are broken by more, or
+    for longer. `machine` is the machine with the change.
     """
 
     kind: str
@@ -47,6 +51,7 @@ class Improvement:
     after: float
     largest: float
     mends: int = 0
+    worsens: int = 0
 
     @property
     def gain(self) -> float:
@@ -66,12 +71,16 @@ class Improvement:
 
 
 def changes_of(machine: Machine, name: str, laws: Sequence[str]) -> Iterator[Improvement]:
-    """Yield what can be changed of one mechanism with a gain, or so that a broken rule is kept."""
+    """Yield what can be changed of one mechanism with a gain, or so that a broken rule is kept.
+
+    What makes a broken rule worse is left out.
+    """
     if not machine.diagram[name].moves:
         return
     rules = [rule for rule in machine.rules if name in rule.motions]
-    yield from _wider(machine, name, rules)
-    yield from _other_law(machine, name, rules, laws)
+    for one in (*_wider(machine, name, rules), *_other_law(machine, name, rules, laws)):
+        if not one.worsens:
+            yield one
 
 
 def improvement(
@@ -79,16 +88,11 @@ def improvement(
 ) -> Improvement:
     """Return what a changed diagram brings; raise WrongAnswerError if it breaks a rule anew."""
     after = machine.with_diagram(changed)
-    broken = {violation.rule for violation in machine.violations}
-    still_broken = broken
     touched = [r for r in machine.rules if {*r.motions} & {*names}]
-    if touched:
-        now = {violation.rule for violation in find_violations(changed, touched)}
-        if now - broken:
-            raise WrongAnswerError(
-                "improvements", f"'{said}' breaks the rule '{next(iter(now - broken))}'"
-            )
-        still_broken = (broken - {*touched}) | now
+    broken = _faults(v for v in machine.violations if v.rule in touched)
+    now = _faults(find_violations(changed, touched) if touched else ())
+    if anew := [rule for rule in now if rule not in broken]:
+        raise WrongAnswerError("improvements", f"'{said}' breaks the rule '{anew[0]}'")
     peaks = {**machine.peaks, **{name: changed.peak_acceleration(name) for name in names}}
     most, largest = max(machine.peaks.values()), max(peaks.values())
     faster = math.sqrt(most / largest) if 0 < largest < math.inf else 1.0
@@ -101,8 +105,22 @@ def improvement(
         after=max(peaks[name] for name in names),
         largest=largest,
         rate_per_hour=machine.diagram.rate_per_hour * faster,
-        mends=len(broken - still_broken),
+        mends=len(broken) - len(now),
+        worsens=sum(_is_worse(broken[rule], fault) for rule, fault in now.items()),
     )
+
+
+def _faults(violations: Iterable[Violation]) -> dict[Rule, tuple[float, float]]:
+    """Return how far each broken rule is broken at the worst, in mm, and for how long, in deg."""
+    found: dict[Rule, tuple[float, float]] = {}
+    for one in violations:
+        most, long = found.get(one.rule, (0.0, 0.0))
+        found[one.rule] = max(most, one.excess_mm), long + one.end_deg - one.start_deg
+    return found
+
+
+def _is_worse(before: tuple[float, float], after: tuple[float, float]) -> bool:
+    return after[0] > before[0] + _USED or after[1] > before[1] + _SAME_DEG
 
 
 def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Improvement]:
@@ -111,10 +129,12 @@ def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Impro
     held = f" (then: {found.tight.rule})" if found and found.tight else ""
     if arcs and not (changed and _stands(changed[name], arcs)):
         changed = _between(machine, name, rules)
-        used = changed and [r for r in rules if smallest_clearance(changed, r).clearance_mm < _USED]
+        used = changed and [r for r in rules if _is_used_up(changed, r)]
         held = f" (then: {'; '.join(['its still arc', *map(str, used or ())])})"
     if changed is None:
         return
+    if _dwells(machine.diagram[name]) and not _dwells(changed[name]):
+        held = f"{held}, so that it stands nowhere"
     new = changed[name].moves
     pairs = [
         f"the {before.kind} from {before.angle_deg:.4g} to {after.angle_deg:.5g} deg"
@@ -131,19 +151,35 @@ def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Impro
     if one.after < one.before * (1 - _WORTH):
         yield one
     elif one.mends:
-        said = one.said.replace(f"{word} ", "narrow ", 1)
+        narrower = all(
+            after.angle_deg <= before.angle_deg + _SAME_DEG
+            for before, after in zip(moves, new, strict=True)
+        )
+        said = one.said.replace(f"{word} ", "narrow " if narrower else "change ", 1)
         yield improvement(NARROW, said, machine, changed, [name])
 
 
+def _is_used_up(diagram: TimingDiagram, rule: Rule) -> bool:
+    return abs(smallest_clearance(diagram, rule).clearance_mm) < _USED
+
+
+def _dwells(motion: Motion) -> bool:
+    return any(segment.kind == "dwell" for segment in motion.segments)
+
+
 def _widest(machine: Machine, name: str, rules: Sequence[Rule]) -> WidestMove | None:
-    """Return the widest move of a motion, of the three hardest with an angle for each way."""
+    """Return the widest move of a motion, of the three hardest with an angle for each way.
+
+    Where that is no gain, it is the other way round; a distance rule, for one, allows one angle.
+    """
     is_hard = name in [*machine.peaks][:_HARDEST]
-    try:
-        found = widest_move(machine.diagram, name, rules, each_way=None if is_hard else False)
-        if found.peak_acceleration >= machine.peaks[name] and not is_hard:
-            found = widest_move(machine.diagram, name, rules)
-    except InputError:  # not of this build, or no move of it keeps the rules
-        return None
+    found = None
+    for each_way in (None, False) if is_hard else (False, None):
+        with suppress(InputError):  # not of this build, or no move of it keeps the rules
+            wider = widest_move(machine.diagram, name, rules, each_way=each_way)
+            found = found or wider
+            if wider.peak_acceleration < machine.peaks[name]:
+                return wider
     return found
 
 
@@ -188,6 +224,8 @@ def _other_law(
 ) -> Iterator[Improvement]:
     """Yield the change to the first of these laws, the gentlest first, that keeps the rules."""
     motion, before = machine.diagram[name], machine.peaks[name]
+    if _hands_over(motion):
+        return
     broken = {violation.rule for violation in machine.violations}
     for law in laws:
         changed = machine.diagram.with_motion(motion.with_law(law))
@@ -198,6 +236,25 @@ def _other_law(
             said = f"give the {name} the law {law} (now: {old})"
             yield improvement(LAW, said, machine, changed, [name])
             return
+
+
+def _hands_over(motion: Motion) -> bool:
+    """Tell whether a move goes on at once with a velocity that the one before has left it.
+
+    Such a joint would get a stop from a law that rests at its ends.
+    """
+    moves = motion.moves
+    following = [*moves[1:], *moves[:1]]
+    return any(
+        abs((after.from_deg - before.to_deg) % DEG_PER_TURN) < _SAME_DEG
+        and _moves_at(before, 1)
+        and _moves_at(after, 0)
+        for before, after in zip(moves, following, strict=True)
+    )
+
+
+def _moves_at(move: Segment, end: int) -> bool:
+    return abs(float(as_law(move.law)(end, 1))) > _REST
 
 
 def gentle_laws() -> list[str]:

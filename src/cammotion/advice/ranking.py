@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
+from html import escape
 from typing import Any
 
 from cammotion.advice.changes import (
@@ -35,11 +36,12 @@ class Improvements(Sequence[Improvement]):
     """What to change first in a machine, the best first; made by `improvements`.
 
     It is a sequence, so that `found[0]` is the first to do and `found[0].machine` the machine once
-    that is done.
+    that is done. The mechanisms `unasked` were not asked to be wider, for want of still arcs.
     """
 
     machine: Machine
     changes: tuple[Improvement, ...]
+    unasked: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return len(self.changes)
@@ -62,16 +64,31 @@ class Improvements(Sequence[Improvement]):
             return f"{first}."
         return f"{first}; after it comes the {names[1]}, with {peaks[1]:.3f} m/s²."
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be known beside the changes: rules that stay broken, who was not asked."""
+        said = []
+        broken = len({violation.rule for violation in self.machine.violations})
+        if broken and max((one.mends for one in self.changes), default=0) < broken:
+            many, them = (f"{broken} rules are", "all") if broken > 1 else ("1 rule is", "it")
+            said.append(f"{many} broken, and no change here mends {them}.")
+        if self.unasked:
+            names = " and the ".join(self.unasked)
+            said.append(f"Not asked to be wider, for want of still arcs: the {names}.")
+        return tuple(said)
+
     def __repr__(self) -> str:
-        """Say what is hardest, and the first changes."""
+        """Say what is hardest, what is broken, and the first changes."""
         shown = [f"{number}. {one}" for number, one in enumerate(self.changes[:_SHOWN], 1)]
         left = len(self.changes) - len(shown)
         more = [f"and {left} more"] if left > 0 else []
-        none = [] if self.changes else ["No single change makes a peak smaller."]
-        return "\n".join([self.hardest, *shown, *more, *none])
+        worse = " and no broken rule worse" if self.machine.violations else ""
+        none = [] if self.changes else [f"No single change makes a peak smaller{worse}."]
+        return "\n".join([self.hardest, *self.notes, *shown, *more, *none])
 
     def _repr_html_(self) -> str:
-        return f"<p>{self.hardest}</p>{as_table(_HEADING, [one.row for one in self.changes])}"
+        notes = "".join(f"<p>{escape(note)}</p>" for note in (self.hardest, *self.notes))
+        return f"{notes}{as_table(_HEADING, [one.row for one in self.changes])}"
 
 
 @checked
@@ -86,7 +103,9 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     smaller by most. (Rise and return of the three hardest may get two angles; of the others one,
     unless only two are a gain.) With `seconds` the balance of all moves at once is sought for so
     long (`optimise`; the parts with still arcs are free). Each change is checked before it is
-    returned: it breaks no rule that was kept, and its peak is that of the changed diagram. Raises
+    returned: it breaks no rule that was kept and makes none worse that is broken, and its peak is
+    that of the changed diagram. A motion that hands a velocity from move to move keeps its laws.
+    Raises
     InputError for what is no Machine, and WrongAnswerError if a check fails.
 
     >>> import cammotion as cm
@@ -109,7 +128,15 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     if limit is not None and machine.free:
         found += _balance(machine, limit)
     ordered = sorted(found, key=lambda one: (-one.mends, one.largest, -one.gain))
-    return Improvements(machine, tuple(ordered))
+    return Improvements(machine, tuple(ordered), tuple(_unasked(machine)))
+
+
+def _unasked(machine: Machine) -> Iterator[str]:
+    """Yield who has several moves, of which nothing says where they have to stand."""
+    for motion in machine.diagram.motions:
+        usual = 1 if motion.is_indexing else 2
+        if len(motion.moves) > usual and motion.name not in machine.still:
+            yield motion.name
 
 
 def _balance(machine: Machine, seconds: float) -> Iterator[Improvement]:
@@ -121,7 +148,7 @@ def _balance(machine: Machine, seconds: float) -> Iterator[Improvement]:
         return
     said = f"balance all moves of {len(names)} mechanisms at once"
     one = improvement(BALANCE, said, machine, found.design, names)
-    if one.gain > 0 or one.mends:
+    if (one.gain > 0 or one.mends) and not one.worsens:
         yield one
 
 

@@ -176,7 +176,8 @@ def _mechanisms(found: Findings) -> str:
 def _ranking(found: Findings) -> str:
     machine = found.machine
     if not found.ranking:
-        return paragraph("No change of one mechanism alone makes its peak smaller.")
+        none = "No change of one mechanism alone makes its peak smaller."
+        return "".join(map(paragraph, (*found.ranking.notes, none)))
     today = machine.peaks[machine.hardest]
     rows: list[tuple[bool, Sequence[Cell]]] = []
     for one in found.ranking:
@@ -197,7 +198,8 @@ def _ranking(found: Findings) -> str:
         "rate at today's largest peak, pieces/h",
     ]
     caption = "One change at a time, all else as it is; each is computed and checked"
-    return f"{paragraph(found.ranking.hardest)}{table(caption, heading, rows)}"
+    notes = map(paragraph, (found.ranking.hardest, *found.ranking.notes))
+    return f"{''.join(notes)}{table(caption, heading, rows)}"
 
 
 def _design(found: Findings) -> str:

@@ -11,7 +11,7 @@ from cammotion.arguments.by_name import as_given, by_name
 from cammotion.limits.corridors import even_nodes, travel_ends
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.standing import arcs_by_name
-from cammotion.machine.arcs import Arc
+from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
@@ -139,13 +139,13 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
 ) -> Task:
     """Return what is asked of the parts; raises InputError for what makes no sense."""
     given = as_rules(diagram, rules)
-    arcs = arcs_by_name(diagram, still)
-    if not arcs:
+    standing = arcs_by_name(diagram, still)
+    if not standing:
         raise InputError(
             "No part is free: give still arcs of at least one, for example "
             "still={'die': [(205, 305)]}."
         )
-    names = tuple(arcs)
+    names = tuple(standing)
     free = partial(by_name, names=names, of=FREE)
     travels = free("travels", travel_mm, read=as_given, example="{'die': (0, 50)}")
     weight = free("weights", weights, read=_WEIGHT.number, example="{'die': 12}")
@@ -153,7 +153,7 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
     task = Task(diagram, (), ())
     parts = []
     for name in names:
-        motion, found = diagram[name], arcs[name]
+        motion, found = diagram[name], standing[name]
         _check_begins_at_a_stop(motion, found)
         if motion.is_indexing and travels.get(name) is not None:
             raise InputError(
@@ -169,7 +169,25 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
         parts.append(Part(motion, found, travel_ends(travels.get(name)), share, cap))
     if not any(part.weight for part in parts):
         raise InputError("All weights are 0: give at least one part a weight above 0.")
-    return Task(diagram, tuple(parts), _of_interest(given, names))
+    task = Task(diagram, tuple(parts), _of_interest(given, names))
+    _check_can_stand(task)
+    return task
+
+
+def _check_can_stand(task: Task) -> None:
+    """Raise InputError where a rule is broken while all free parts in it have to stand."""
+    for broken in find_violations(task.diagram, task.rules):
+        free = [part for part in task.parts if part.motion.name in broken.rule.motions]
+        where = arcs([(broken.start_deg, broken.end_deg)])
+        for part in free:
+            where = intersect(where, arcs(part.still))
+        if where:
+            names = " and the ".join(part.motion.name for part in free)
+            start, end = (angle % DEG_PER_TURN for angle in where[0])
+            raise InputError(
+                f"From {start:g} to {end:g} deg the {names} ha{'s' if len(free) == 1 else 've'} to "
+                f"stand, and there the rule '{broken.rule}' is broken: change it or the still arcs."
+            )
 
 
 def _check_begins_at_a_stop(motion: Motion, still: Sequence[Arc]) -> None:
