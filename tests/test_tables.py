@@ -383,9 +383,13 @@ def changed(**cells: str) -> list[str]:
 
 
 MALFORMED: dict[str, list[list[str]]] = {
-    "The file bad.csv lacks the column 'motion': its first line has to be motion, stops,": [],
+    "The file bad.csv lacks the columns 'motion', 'from in deg', 'to in deg', 'from in mm',": [],
     "The file bad.csv lacks the column 'to in mm': its first line has to be motion, stops,": [
         [column for column in HEADING if column != "to in mm"],
+        TURN,
+    ],
+    "The file bad.csv lacks the column 'from in mm', and has 'from in inch', unknown here": [
+        [column.replace("from in mm", "from in inch") for column in HEADING],
         TURN,
     ],
     "The file bad.csv has no line with a segment: add some.": [HEADING, []],

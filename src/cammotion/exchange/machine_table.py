@@ -1,7 +1,7 @@
 """The table of a machine: segments, rules and still arcs, read with all faults told at once."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 from itertools import pairwise
 from typing import Any
@@ -74,6 +74,11 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     return Machine(source.name, diagram, rules, arcs_of)
 
 
+def _listed(what: str, names: Sequence[str]) -> str:
+    """Return names with what they are, in the plural if there are several."""
+    return f"the {what}{'s' * (len(names) > 1)} {', '.join(map(repr, names))}"
+
+
 def _misspelt(heading: list[str]) -> Iterator[tuple[str, str]]:
     """Yield the columns that are nearly one that may be left out and is not there, and that one."""
     lacking = [column for column in (STOPS, STILL, RULE) if column not in heading]
@@ -94,9 +99,11 @@ def _records(source: Source, faults: Faults) -> list[Record]:
     heading = [named.get(" ".join(cell.split()).casefold(), cell.strip()) for cell in first]
     needed = [column for column in HEADING if column != STOPS]
     if missing := [column for column in needed if column not in heading]:
+        unknown = [repr(cell) for cell in heading if cell and cell not in named.values()]
+        strange = f", and has {', '.join(unknown)}, unknown here" if unknown else ""
         raise InputError(
-            f"The file {file} lacks the column '{missing[0]}': its first line has to "
-            f"be {', '.join(HEADING)}."
+            f"The file {file} lacks {_listed('column', missing)}{strange}: its first line has to "
+            f"be {', '.join(HEADING)}, with the numbers in these units; stops may be left out."
         )
     for column in (*HEADING, STILL, RULE):
         if heading.count(column) > 1:
