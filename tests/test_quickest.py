@@ -11,6 +11,8 @@ import pytest
 from scipy.optimize import linprog
 
 import cammotion as cm
+from cammotion.limits import quickest
+from cammotion.quantities import WrongAnswerError
 
 INF = math.inf
 LIMITED = {"velocity_m_per_s": 0.3, "jerk_m_per_s3": 200}
@@ -181,3 +183,15 @@ def test_at_the_rate_that_is_advised_the_move_fits() -> None:
         advised = float(str(refusal.value).split("run at most ")[1].split()[0])
         move = cm.quickest_move(stroke, **fast | {"rate_per_hour": advised})
         assert 359.9 < move.angle_deg <= 360
+
+
+@pytest.mark.parametrize("share", [0.9, 0.98])
+def test_a_move_above_its_limits_is_never_given_out(
+    monkeypatch: pytest.MonkeyPatch, share: float
+) -> None:
+    real = quickest._times
+    monkeypatch.setattr(
+        quickest, "_times", lambda *given: quickest._Times(*(share * t for t in real(*given)))
+    )
+    with pytest.raises(WrongAnswerError, match=r"quickest_move.*is above"):
+        cm.quickest_move(50, acceleration_m_per_s2=4, rate_per_hour=2000, **LIMITED)
