@@ -143,6 +143,7 @@ PICTURES: dict[str, Drawing] = {
         cm.Move(stroke_mm=50, angle_deg=angle, rate_per_hour=2000) for angle in (55, 80, 124.8)
     ),
     "laws": lambda: cm.plot_laws(["cycloidal", "modified sine", CONSTANT_VELOCITY]),
+    "all laws": lambda: cm.plot_laws(list(cm.LAWS), curve="V"),
     "jerk of laws": lambda: cm.plot_laws(["3-4-5 polynomial", "cubic"], curve="J"),
     "ranking": lambda: cm.plot_ranking({"cycloidal": 4.154, "modified sine": 3.66, "MCV50": 5.3}),
     "cam": lambda: cm.plot_cam(roller_cam(), bore_mm=20),
@@ -159,6 +160,12 @@ PICTURES: dict[str, Drawing] = {
         corners=((70, 31), (190, 31)),
         usual_mm=50,
         with_acceleration=True,
+    ),
+    "detour of many": lambda: cm.plot_detour(
+        {f"design {n}": make_diagram(make_mill(), make_die(55 + 10 * n)) for n in range(7)},
+        "die",
+        still=(205, 305),
+        corners=((70, 31), (190, 31)),
     ),
     "weight": lambda: cm.plot_weight(
         sp.Piecewise((65 - sp.Symbol("u"), sp.Symbol("u") < 70), (-5, True)),
