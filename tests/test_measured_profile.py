@@ -68,6 +68,20 @@ def test_noise_of_a_micrometre_stays_one(
     assert lift.off_mm < 0.01
 
 
+def test_noise_shifts_the_whole_lift_and_off_mm_is_not_that_noise() -> None:
+    """As the docstring says, with a way to find the shift."""
+    cam, noise = RollerCam(DIE, cm.TranslatingRoller(10), 160), 3e-3
+    x, y = noisy(cam.profile_mm(np.arange(0, 360.0)), noise).T
+    lift = lift_from_profile(x, y, follower=cam.follower)
+    off = lift.position_mm - DIE.position_mm(lift.angle_deg)
+    shift = np.median(lift.position_mm[DIE.position_mm(lift.angle_deg) == 0])
+    assert 2 * noise < shift < 3 * noise
+    assert np.median(off) == pytest.approx(shift, abs=0.3 * noise)
+    assert lift.prime_radius_mm - 160 == pytest.approx(-shift, abs=0.3 * noise)
+    assert lift.off_mm < 0.1 * noise < off.std()
+    assert repr(lift).endswith(f", within {lift.off_mm:.2g} mm of the points)")
+
+
 @pytest.mark.parametrize(("motion", "base"), [(DIE, 330), (VALVE, 40)])
 @pytest.mark.parametrize("radius", [0, 3])
 @pytest.mark.parametrize("noise", [0, 1e-3])

@@ -36,8 +36,16 @@ class ProfileLift(Alike):
     `angle_deg` are even cam angles in deg from 0 up to 360, without it, and `position_mm` the
     positions in mm there, from the lowest: `CamTable(lift.angle_deg, lift.position_mm,
     is_cycle=True)` is their table. `prime_radius_mm` is the radius of the prime circle in mm, or
-    of the base circle of a flat face. `off_mm` is by how much, at most, a follower put there misses
-    the points or cuts into them, in mm: the noise of the points, mostly.
+    of the base circle of a flat face.
+
+    `off_mm` is by how much, at most, a follower put there misses the curve through the points or
+    cuts into it, in mm. It says how well that curve was followed, and not how far the lift is off
+    the cam: the curve has the noise of the points in it, and so has the lift, with an `off_mm` that
+    may be far less.
+
+    The lowest position is taken as 0, and noise lowers it, where a cam dwells at the bottom by some
+    two to three times its root mean square: the whole lift is too high, and `prime_radius_mm` too
+    small, by about so much. The median of `position_mm` over that dwell is how much it is.
     """
 
     angle_deg: Floats
@@ -48,7 +56,7 @@ class ProfileLift(Alike):
     def __repr__(self) -> str:
         lift = f"{self.angle_deg.size} angles, up to {self.position_mm.max():.4g} mm"
         circle = f"over a circle of {self.prime_radius_mm:.4g} mm"
-        return f"ProfileLift({lift} {circle}, off by {self.off_mm:.2g} mm)"
+        return f"ProfileLift({lift} {circle}, within {self.off_mm:.2g} mm of the points)"
 
 
 @checked
@@ -71,8 +79,8 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     angles are asked for.
 
     Exact but for what a curve through the points leaves open between them; noise is not smoothed
-    away. Raises InputError for points that are not once round the axis, and for a hollow into which
-    the probe or the follower does not reach.
+    away, and lowers what is taken as 0, as ProfileLift says. Raises InputError for points that are
+    not once round the axis, and for a hollow into which the probe or the follower does not reach.
 
     >>> import cammotion as cm
     >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=160)
