@@ -287,6 +287,29 @@ def test_a_unit_that_is_none_of_ours_is_asked(tmp_path: Path, unit: str) -> None
     assert read(tmp_path / "cam.csv", raw, position="mm").position_mm.max() == 20
 
 
+OPEN = put(HEADED, 38, "360;0.300")
+
+
+@pytest.mark.parametrize("heading", ["angle in deg;lift in mm", "Winkel;Hub"])
+def test_a_turn_of_an_angle_that_does_not_close_is_no_longer_one(
+    tmp_path: Path, heading: str
+) -> None:
+    """What is said mends it, and is no cycle of 370 deg."""
+    lines = put(OPEN, 1, heading)
+    with pytest.raises(InputError, match=r"does not close, .* take the last row out if") as refused:
+        read(tmp_path / "cam.csv", "\n".join(lines).encode())
+    assert "cycle=370" not in str(refused.value)
+    assert "or give is_cycle=False if it is not meant to close." in str(refused.value)
+    assert read(tmp_path / "cam.csv", "\n".join(lines[:-1]).encode()).angle_deg.size == 36
+
+
+def test_a_time_that_does_not_close_may_end_a_step_before(tmp_path: Path) -> None:
+    lines = put(OPEN, 1, "time in s;lift in mm")
+    with pytest.raises(InputError, match=r"or cycle=370 if the last row comes a step before"):
+        read(tmp_path / "cam.csv", "\n".join(lines).encode())
+    assert read(tmp_path / "cam.csv", "\n".join(lines).encode(), cycle=370).angle_deg.size == 37
+
+
 @pytest.mark.parametrize(
     "words", ["Hub2 mm", "y2 [mm]", "lift (at 2)", "cam;7\ndeg;mm", "position"]
 )

@@ -41,11 +41,12 @@ _MOST_MM = 1e6
 
 @dataclass(frozen=True)
 class Master:
-    """The first column: a turn of the cam in its units, how it is rounded, and its words.
+    """The first column: what it is, a turn of the cam in its units, its rounding, and its words.
 
     `closes` says that it ends a turn after it began, `is_open` that it ends one even step before.
     """
 
+    kind: str
     turn: float
     rounding: float
     closes: bool
@@ -112,7 +113,7 @@ def master_of(found: Columns, first: str | None, cycle: float | None) -> Master:
     said = f"{WORDS[kind]} ({why})"
     if cycle is not None or kind not in TURNS:
         said += f", {turn:.6g} of it a turn"
-    return Master(turn, rounding, closes, is_open, said)
+    return Master(kind, turn, rounding, closes, is_open, said)
 
 
 def _kind(
@@ -249,7 +250,7 @@ def shape_of(found: Columns, master: Master, is_cycle: bool | None, *, is_even: 
     else:
         is_wrong = is_cycle and master.closes and not closes
     if is_wrong:
-        _refuse_open(found, gap)
+        _refuse_open(found, master, gap)
     if is_cycle is None:
         is_cycle = whole and closes
     if not is_cycle:
@@ -271,13 +272,19 @@ def _gap(found: Columns, master: Master) -> tuple[float, bool]:
     return gap, gap <= near
 
 
-def _refuse_open(found: Columns, gap: float) -> NoReturn:
+def _refuse_open(found: Columns, master: Master, gap: float) -> NoReturn:
+    """Raise InputError for a turn that does not close, with the ways out that fit its angles."""
     cells, values = found.cells(1), found.numbers[:, 0]
+    ways = ["Correct it", "give is_cycle=False if it is not meant to close"]
+    if master.closes and master.kind in TURNS:
+        ways.insert(1, "take the last row out if it is the first one measured once more")
+    elif master.closes:
+        cycle = f"{values[-1] + values[1] - 2 * values[0]:.6g}"
+        ways.append(f"cycle={cycle} if the last row comes a step before the end")
+    where = "at its end" if master.closes else "a step before its end"
     raise InputError(
-        f"{found.where(-1)}: the turn does not close, since the position is {cells[-1]} at its end "
-        f"and {cells[0]} at its beginning, {gap:.4g} off. Correct it, or give is_cycle=False if it "
-        f"is not meant to close, or cycle={values[-1] + values[1] - 2 * values[0]:.6g} if the last "
-        "row comes a step before the end."
+        f"{found.where(-1)}: the turn does not close, since the position is {cells[-1]} {where} "
+        f"and {cells[0]} at its beginning, {gap:.4g} off. {', '.join(ways[:-1])}, or {ways[-1]}."
     )
 
 
