@@ -287,6 +287,91 @@ def test_a_unit_that_is_none_of_ours_is_asked(tmp_path: Path, unit: str) -> None
     assert read(tmp_path / "cam.csv", raw, position="mm").position_mm.max() == 20
 
 
+@pytest.mark.parametrize(
+    "unit",
+    [
+        *["0.001 in", "[1e-3 in]", "(0.001 in)", "0.001 in.", '0.001"', "in 0.001 in units"],
+        *["0.001 inches", "10 µm", "10 microns", "2.54e-2 mm", "10⁻³ mm", "0.01 m", "x1000 in"],
+        *["1000x in", "mm x 100", "(mm*100)", "mm/100", "in 1/1000"],
+        *["in thousandths of an inch", "Hundertstel mm", "milli-inch"],
+        *["(x0.001) in", "* 1000 [mm]", "x1000 (in)", "[mm] x 100", "(in) / 100"],
+        *["x 10^-3 in", "0,001 Zoll", "1/1000 in", "e-3 in", "micro inch", "µin"],
+        *["mil", "in mils", "(thou)", "ft", "/feet", "nm", "in µ", "in counts"],
+    ],
+)
+def test_a_factor_or_a_strange_unit_is_asked(tmp_path: Path, unit: str) -> None:
+    raw = "\n".join([f"deg;lift {unit}", *TURN]).encode()
+    with pytest.raises(
+        InputError, match=r"second column is in '.*': give the mm of one"
+    ) as refused:
+        read(tmp_path / "cam.csv", raw)
+    assert str(refused.value).split("'")[1] in unit
+    assert read(tmp_path / "cam.csv", raw, position=0.0254).position_mm.max() == 0.508
+
+
+@pytest.mark.parametrize("separator", [" ", ";"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        *["deg lift 0.001 in", "angle lift 0.001 in", "deg lift mil", "angle [deg] lift [thou]"],
+        "angle in deg lift in 1/100 mm v in mm/s",
+    ],
+)
+def test_a_factor_is_seen_in_a_line_that_is_not_cut(
+    tmp_path: Path, line: str, separator: str
+) -> None:
+    """As between spaces, where every word is a cell."""
+    rows = [row.replace(";", separator) for row in TURN]
+    with pytest.raises(InputError, match=r"second column is in '.*': give the mm of one"):
+        read(tmp_path / "cam.csv", "\n".join([line, *rows]).encode())
+
+
+RADII = [
+    *[(f"radius {unit}", 25.4) for unit in ("in inch", "(in)", "in Zoll", "[inches]", ', "')],
+    *[("cam radius, inches", 25.4), ("pitch radius inch", 25.4), ("radius_in", 25.4)],
+    *[("radius in µm", 0.001), ("Radius/µm", 0.001), ("radius in micrometers", 0.001)],
+    *[("radius cm", 10), ("radius m", 1000), ("Radius in meters", 1000), ("Radius (mm)", 1)],
+    *[("error in µm", 0.001), ("radius of curvature in cm", 10)],
+]
+
+
+@pytest.mark.parametrize(("words", "unit_mm"), RADII)
+def test_the_unit_of_a_radius_counts(tmp_path: Path, words: str, unit_mm: float) -> None:
+    rows = [f"{n};{1.5 - 0.5 * np.cos(np.radians(n)):.4f}" for n in range(0, 361, 10)]
+    table = read(tmp_path / "cam.csv", "\n".join([f"deg;{words}", *rows]).encode())
+    assert table.position_mm.min() == pytest.approx(unit_mm, rel=1e-12)
+    assert table.position_mm.max() == pytest.approx(2 * unit_mm, rel=1e-12)
+    assert "(from the heading), printed" in table.said
+    raw = "\n".join([f"deg {words}", *rows]).replace(";", " ").encode()
+    spaced = read(tmp_path / "cam.csv", raw)
+    assert np.array_equal(spaced.position_mm, table.position_mm)
+
+
+@pytest.mark.parametrize(
+    ("heading", "column"),
+    [
+        ("deg;radius in mm;lift in mm", 3),
+        ("deg;v in mm/s;radius in mm", 3),
+        ("deg;time in s;radius in mm", 3),
+        ("deg;lift in mm;roller radius in mm", 2),
+    ],
+)
+def test_a_radius_is_the_position_where_nothing_else_is(
+    tmp_path: Path, heading: str, column: int
+) -> None:
+    rows = [f"{row};{row.partition(';')[2]}" for row in TURN]
+    table = read(tmp_path / "cam.csv", "\n".join([heading, *rows]).encode())
+    assert f"column {column} is the position in mm (from the heading)" in table.said
+
+
+@pytest.mark.parametrize("words", ["velocity in mm/s", "v [mm/s]", "a in m/s²", "cm / Hub"])
+def test_what_is_no_length_is_no_position(tmp_path: Path, words: str) -> None:
+    raw = "\n".join([f"deg;{words}", *TURN]).encode()
+    with pytest.raises(InputError, match=f"is '{re.escape(words)}', which is no length: give"):
+        read(tmp_path / "cam.csv", raw)
+    assert read(tmp_path / "cam.csv", raw, position="mm").position_mm.max() == 20
+
+
 OPEN = put(HEADED, 38, "360;0.300")
 
 
@@ -311,7 +396,13 @@ def test_a_time_that_does_not_close_may_end_a_step_before(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
-    "words", ["Hub2 mm", "y2 [mm]", "lift (at 2)", "cam;7\ndeg;mm", "position"]
+    "words",
+    [
+        *["Hub2 mm", "y2 [mm]", "lift (at 2)", "cam;7\ndeg;mm", "position", "Hub 2 in mm"],
+        *["cam 2 in Werk 3", "lift 1 in mm", "foot lift mm", "lift (cold)"],
+        *["lift in x", "lift [mm] x", "lift of 10 (mm)", "lift 0.1 in mm", "lift in mm of 100"],
+        *["lift in millimeters", "lift, millimetre", "lift in Millimeter"],
+    ],
 )
 def test_a_number_beside_a_unit_is_no_scale(tmp_path: Path, words: str) -> None:
     heading = words if ";" in words else f"deg;{words}"

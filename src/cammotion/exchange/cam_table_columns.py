@@ -13,7 +13,13 @@ from itertools import product
 import numpy as np
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.cam_table_headings import Heading, heading_of, pick, two_headings
+from cammotion.exchange.cam_table_headings import (
+    Heading,
+    heading_of,
+    odd_unit,
+    pick,
+    two_headings,
+)
 from cammotion.exchange.cam_table_text import Line, Text
 from cammotion.exchange.table_numbers import is_grouped, number_of, proves_groups
 from cammotion.quantities import Floats, InputError, shorten
@@ -238,9 +244,16 @@ class _Attempt:
             n
             for n in range(self.good[0])
             if _said(self.lines[n])
-            and not any(number_of(cell, self.decimal) is not None for cell in self.cells[n])
+            and (
+                not any(number_of(cell, self.decimal) is not None for cell in self.cells[n])
+                or self._has_factor(n)
+            )
         ]
         return found[-_HEADINGS:]
+
+    def _has_factor(self, n: int) -> bool:
+        """Return whether spaces make a cell of the factor in a heading like lift in 0.001 in."""
+        return self.separator == " " and bool(odd_unit(two_headings(_said(self.lines[n]))[1]))
 
 
 def _said(line: Line) -> str:

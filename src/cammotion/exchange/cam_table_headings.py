@@ -9,7 +9,7 @@ from cammotion.measured.inch import MM_PER_INCH
 from cammotion.quantities import InputError
 
 ANGLE, TIME, DISTANCE, POSITION = "angle", "time", "distance", "position"
-INDEX, OTHER, UNKNOWN = "index", "other", ""
+INDEX, RADIUS, OTHER, UNKNOWN = "index", "radius", "other", ""
 
 _SURE = {  # tokens that are units wherever they stand
     "deg": ["deg", "degs", "degree", "degrees", "°", "º", "grad"],
@@ -19,8 +19,12 @@ _SURE = {  # tokens that are units wherever they stand
     "ms": ["ms", "msec"],
     "s": ["sec", "second", "seconds", "sekunden"],
     "mm": ["mm", "millimeter", "millimetre", "millimeters", "millimetres"],
-    "cm": ["cm"],
-    "um": ["um", "µm", "μm", "micron", "microns", "micrometer", "micrometre"],
+    "cm": ["cm", "centimeter", "centimetre", "centimeters", "centimetres", "zentimeter"],
+    "m": ["meter", "metre", "meters", "metres"],
+    "um": [
+        *["um", "µm", "μm", "micron", "microns", "micrometer", "micrometre", "micrometers"],
+        *["micrometres", "mikrometer"],
+    ],
     "in": ["inch", "inches", "zoll", '"', "″", "in."],
 }
 _AT_THE_END = {"s": "s", "m": "m", "in": "in", "%": "percent"}  # units in brackets, or last
@@ -29,8 +33,9 @@ _WORDS = {
     OTHER: [
         *["velocity", "speed", "vel", "v", "acceleration", "accel", "acc", "a", "jerk", "j"],
         *["geschwindigkeit", "beschleunigung", "ruck", "force", "kraft", "torque", "moment"],
-        *["pressure", "radius", "curvature", "pulse", "snap", "error", "comment", "type"],
+        *["pressure", "curvature", "pulse", "snap", "error", "comment", "type"],
     ],
+    RADIUS: ["radius", "radii"],  # of the pitch curve, where there is no lift
     TIME: ["time", "zeit", "t"],
     ANGLE: ["angle", "winkel", "theta", "θ", "phi", "φ", "drehwinkel", "nockenwinkel"],
     POSITION: [
@@ -41,13 +46,38 @@ _WORDS = {
 }
 _MEANT = {token: unit for unit, tokens in _SURE.items() for token in tokens}
 _KINDS = {token: kind for kind, tokens in _WORDS.items() for token in tokens}
-_RATE = re.compile(r"(?:mm|cm|\bm|in|inch|deg|rad|°)\W*(?:/|\bper\b|·|\bs\^?-)|[²³]|\^[23]")
-_SCALED = re.compile(
-    r"(?<![\w.])((?:[\d.,^*·×/x-]|1e)*\d\s*(?:mm|cm|[uµμ]m|inch|zoll))\b", re.IGNORECASE
-)
+_RATE = re.compile(r"(?:mm|cm|\bm|in|inch|deg|rad|°)\W*(?:/|\bper\b|·|\bs(?:\^?-|⁻))|[²³]|\^[23]")
 _BRACKET = re.compile(r"\[([^\]]*)\]")
 _KIND_OF = {"deg": ANGLE, "rad": ANGLE, "turn": ANGLE, "percent": ANGLE, "ms": TIME, "s": TIME}
 LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1e-3, "in": MM_PER_INCH}  # mm
+
+_HIGH = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+_TOKENS = [re.escape(word) for unit in LENGTHS for word in _SURE[unit] if word != "in."]
+_LENGTH = rf"(?:{'|'.join(sorted([*_TOKENS, 'm'], key=len, reverse=True))})(?!\w)"
+_FACTOR = rf"(?<![\w.,])(?:[\d.,^*·×/x{_HIGH}⁻+-]|\de){{0,30}}[\d{_HIGH}]\s*[x×*·]?\s*"
+_TENTHS = (  # what can be nothing but a factor
+    r"(?<![\w.,])(?:[x×*·]\s*)?(?:0?[.,]0*1|1\s*/\s*10+|1(?:[.,]0*)?e[+-]?\d+|10\s*(?:\^|\*\*)\s*[+-]?\d+"
+    rf"|10⁻?[{_HIGH}]+)\s*[x×*·]?\s*[)\]]?\s*"
+)
+_PARTS = r"\b(?:tenth|hundredth|thousandth|zehntel|hundertstel|tausendstel)\w*"
+_SURELY_SCALED = re.compile(
+    rf"{_TENTHS}(?:{_LENGTH}|in\b(?!\.?\s+{_LENGTH}))"
+    r"|\b(?:milli|micro)[\s-]*in(?:ch(?:es)?)?(?!\w)"
+    rf"|{_PARTS}[\s-]*(?:of\s+)?(?:an?\s+)?(?:{_LENGTH}|in\b|$)"
+    rf"|(?<=\bin ){_TENTHS}$"
+    r"|(?:[×*]\s*10+|(?<!\w)x\s?100+)(?!\w)|(?<!\w)10+\s*[×*]",
+    re.IGNORECASE,
+)
+_SCALED = re.compile(
+    rf"{_FACTOR}(?:{_LENGTH}|in\b(?:\.|(?!\s+\w)))"  # Hub 2 in mm is none
+    rf"|(?<!\w)(?:{_LENGTH}[\s)\]]*[x×*·/÷]|in\b[\s.)\]]*[×*·/÷])\s*[\d.,]*\d",
+    re.IGNORECASE,
+)
+_FOREIGN = re.compile(  # units of none of ours
+    r"(?<!\w)(?:mils?|thous?|ft|feet|foot|fuß|yd|yards?|dm|de[cz]imet\w+|nm|nanomet\w+|km"
+    r"|kilomet\w+|[µμ]|[µμu]in(?:ch\w*)?|counts|cts|increments?|inkremente?|pulses|ticks|units)(?!\w)",
+    re.IGNORECASE,
+)
 
 
 class Heading(NamedTuple):
@@ -65,14 +95,19 @@ def heading_of(words: str) -> Heading:
     (('angle', 'deg'), ('', 'mm'), ('position', 'in'))
     >>> heading_of("velocity in m/s")[:2], heading_of("t [s]")[:2], heading_of("Leitwert (mm)")[:2]
     (('other', ''), ('time', 's'), ('', 'mm'))
+    >>> heading_of("cam radius, inches")[:2], heading_of("error in µm")[:2]
+    (('radius', 'in'), ('other', 'um'))
     """
-    text = re.sub(r'"([^"]*)"', r" \1 ", words.lower())  # a pair of them quotes
+    text = _unquoted(words.lower())
     text = re.sub(r"([°º\"″%])", r" \1 ", text.replace("0..1", "turn").replace("_", " "))
     tokens = re.findall(r"[^\s\[\](){}<>,:;=/|]+", text)
     kinds = [_KINDS[token] for token in tokens if token in _KINDS]
-    if OTHER in kinds or _RATE.search(text):
+    if _RATE.search(text):
         return Heading(OTHER, "", words)
     unit = _unit(text, tokens)
+    for kind in (OTHER, RADIUS):
+        if kind in kinds:
+            return Heading(kind, unit, words)
     if INDEX in kinds and not unit and len(kinds) == len(tokens):
         return Heading(INDEX, "", words)
     kind = next((kind for kind in kinds if kind != INDEX), _KIND_OF.get(unit, UNKNOWN))
@@ -84,13 +119,29 @@ def odd_unit(heading: Heading) -> str:
 
     >>> odd_unit(heading_of("lift in 1/100 mm")), odd_unit(heading_of("lift [thou]"))
     ('1/100 mm', 'thou')
+    >>> odd_unit(heading_of("lift 1e-3 in")), odd_unit(heading_of("lift, mils"))
+    ('1e-3 in', 'mils')
     >>> odd_unit(heading_of("lift [mm]")) == odd_unit(heading_of("lift (at the roller)")) == ""
     True
     """
-    scaled = _SCALED.search(heading.words.replace("_", " "))
-    bracket = None if heading.unit else _BRACKET.search(heading.words)
-    found = scaled or bracket
-    return found[1].strip() if found else ""
+    words = _unquoted(heading.words.replace("_", " "))
+    if scaled := _SURELY_SCALED.search(words) or _SCALED.search(words):
+        return scaled[0].strip()
+    if heading.unit or is_rate(heading):
+        return ""
+    if bracket := _BRACKET.search(words):
+        return bracket[1].strip()
+    foreign = _FOREIGN.search(words)
+    return foreign[0] if foreign else ""
+
+
+def is_rate(heading: Heading) -> bool:
+    """Return whether the unit of a column is that of a velocity, or of anything but a length.
+
+    >>> is_rate(heading_of("velocity in mm/s")), is_rate(heading_of("velocity"))
+    (True, False)
+    """
+    return heading.kind == OTHER and bool(_RATE.search(heading.words.lower()))
 
 
 def two_headings(line: str) -> tuple[Heading, Heading]:
@@ -98,24 +149,38 @@ def two_headings(line: str) -> tuple[Heading, Heading]:
 
     >>> [heading.unit for heading in two_headings("cam angle in deg lift [inch] v [mm/s]")]
     ['deg', 'in']
+    >>> odd_unit(two_headings("angle in deg lift in 1/100 mm")[1])
+    '1/100 mm'
     """
-    units = [unit for unit in _units_in(line.lower()) if unit]
-    masters = [unit for unit in units[:1] if unit in _KIND_OF]
-    lengths = [unit for unit in units if unit in LENGTHS]
+    words = _words_in(line)
+    units = [(n, unit) for n, unit in enumerate(_units_of(words)) if unit]
+    masters = [each for each in units[:2] if each[1] in _KIND_OF]
+    lengths = [each for each in units if each[1] in LENGTHS]
     if not masters and len(lengths) > 1:  # of the way of the master, and of the position
         masters = [lengths.pop(0)]
-    master, length = (masters or [""])[0], (lengths or [""])[0]
-    return Heading(_KIND_OF.get(master, UNKNOWN), master), Heading(UNKNOWN, length)
+    at, master = (masters or [(-1, "")])[0]
+    end, length = (lengths or [(len(words), "")])[0]
+    scaled = _SURELY_SCALED.search(line)
+    said = scaled[0] if scaled else ""
+    if masters:  # what is said after the length is of something else
+        said = " ".join(words[at + 1 if at < end else 0 : end + 1]).replace("_", " ")
+    return Heading(_KIND_OF.get(master, UNKNOWN), master), Heading(UNKNOWN, length, said)
 
 
-def _units_in(line: str) -> Iterator[str]:
-    """Yield the units in a line in turn; '' where there is none, or a rate."""
-    words = re.sub(r"[\[(]\s*([^\])]*?)\s*[\])]", r" _\1", line).replace("0..1", "turn").split()
-    for before, word in pairwise(["", *words]):
+def _words_in(line: str) -> list[str]:
+    """Return the words of a line; what is in brackets has a _ in front."""
+    words = re.sub(r"[\[(]\s*([^\])]*?)\s*[\])]", r" _\1", line.lower())
+    return words.replace("0..1", "turn").split()
+
+
+def _units_of(words: list[str]) -> Iterator[str]:
+    """Yield the unit that each word is; '' where it is none, or a rate."""
+    for n, (before, word) in enumerate(pairwise(["", *words]), 1):
         mark, _, end = word.rpartition("_") if "_" in word else word.rpartition("/")
+        is_last = n == len(words) and word in {"in", "m"}
         if _RATE.search(word):
             yield ""
-        elif before == "in" or mark or word.startswith(("_", "/")):
+        elif before == "in" or mark or word.startswith(("_", "/")) or is_last:
             yield _MEANT.get(end) or _AT_THE_END.get(end, "")
         else:
             yield _MEANT.get(word, "")
@@ -126,15 +191,14 @@ def pick(headings: Sequence[Heading]) -> tuple[int, int]:
 
     Raises InputError where the headings name several positions.
     """
-    places = range(len(headings))
-    useful = [n for n in places if headings[n].kind not in {INDEX, OTHER}]
+    useful = [n for n, each in enumerate(headings) if each.kind not in {INDEX, OTHER}]
     if len(useful) < 2:  # noqa: PLR2004 - nothing helps: the first two
         return 0, 1
-    masters = [
-        n for kind in (ANGLE, TIME, DISTANCE) for n in useful if headings[n].kind == kind
-    ] or useful
-    first = masters[0]
+    masters = [n for kind in (ANGLE, TIME, DISTANCE) for n in useful if headings[n].kind == kind]
+    plain = [n for n in useful if headings[n].kind != RADIUS]
+    first = (masters or plain or useful)[0]
     others = [n for n in useful if n != first and headings[n].kind not in {ANGLE, TIME}]
+    others = [n for n in others if n in plain] or others
     named = [n for n in others if headings[n].kind == POSITION or headings[n].unit in LENGTHS]
     if len(named) > 1:
         listed = ", ".join(f"{n + 1} ({headings[n].words})" for n in named)
@@ -154,3 +218,8 @@ def _unit(text: str, tokens: list[str]) -> str:
     last = in_brackets or (tokens[-1:] if tokens != ["s"] else [])  # a symbol of the way, alone
     ends = {**_AT_THE_END, "in.": "in"}
     return next((ends[token] for token in last if token in ends), "")
+
+
+def _unquoted(words: str) -> str:
+    """Return words without pairs of quotation marks; one alone stands for inches."""
+    return re.sub(r'"([^"]*)"', r" \1 ", words)

@@ -11,7 +11,7 @@ from typing import NoReturn
 import numpy as np
 
 from cammotion.exchange.cam_table_columns import Columns
-from cammotion.exchange.cam_table_headings import DISTANCE, LENGTHS, TIME, odd_unit
+from cammotion.exchange.cam_table_headings import DISTANCE, LENGTHS, TIME, is_rate, odd_unit
 from cammotion.exchange.table_numbers import step_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
@@ -200,17 +200,24 @@ def evened(found: Columns, master: Master) -> Floats:
 
 def lift_of(found: Columns, position: str | float | None) -> Lift:
     """Return what the second column is; raise InputError if it is an angle."""
-    unit = found.headings[found.chosen[1]].unit
+    heading = found.headings[found.chosen[1]]
+    unit = heading.unit
     step, scale, why = step_of(found.cells(1), found.decimal), 1.0, "as set"
     if isinstance(position, str):
         unit = one_of("unit of a position", position, LENGTHS)
     elif position is not None:
         scale = SCALE.number(position)
         unit = f"units of {scale:g} mm"
-    elif odd := odd_unit(found.headings[found.chosen[1]]):
+    elif odd := odd_unit(heading):
         raise InputError(
             f"The heading of {found.name} says that the second column is in {shorten(odd)}: give "
             "the mm of one as position, for example position=0.01, or a unit, position='mm'."
+        )
+    elif is_rate(heading):
+        raise InputError(
+            f"The heading of {found.name} says that the second column is "
+            f"{shorten(heading.words)}, which is no length: give the column of the position, for "
+            "example columns=(1, 3), or its unit, position='mm', if it is one."
         )
     elif unit in LENGTHS:
         why = "from the heading"
