@@ -372,6 +372,34 @@ def test_what_is_no_length_is_no_position(tmp_path: Path, words: str) -> None:
     assert read(tmp_path / "cam.csv", raw, position="mm").position_mm.max() == 20
 
 
+SWAPPED = [";".join(row.split(";")[::-1]) for row in TURN]
+TITLES = ["Meßprotokoll 7", "Meßprotokoll 7;", "Prüfer;7", "12.3.2024", "37", "Hub 1;", "Tool 7"]
+
+
+@pytest.mark.parametrize("title", TITLES)
+@pytest.mark.parametrize("heading", [["Hub in µm;Winkel in Grad"], []])
+def test_titles_are_passed_over_with_columns_too(
+    tmp_path: Path, title: str, heading: list[str]
+) -> None:
+    raw = "\n".join([title, *heading, *SWAPPED]).encode()
+    table = read(tmp_path / "cam.csv", raw, columns=(2, 1))
+    assert table.angle_deg.size == 36
+    assert table.position_mm.max() == pytest.approx(0.02 if heading else 20)
+    if heading:
+        assert np.array_equal(table.position_mm, read(tmp_path / "cam.csv", raw).position_mm)
+    spaced = read(tmp_path / "cam.csv", raw.replace(b";", b" "), columns=(2, 1))
+    assert np.array_equal(spaced.position_mm, table.position_mm)
+
+
+@pytest.mark.parametrize(
+    "row", ["1.0O;-10", "O.OOO;-10", ";-10", "nan;-10", "OVER;-10", "1.2.3;-10", "-10;", "12;34 x"]
+)
+def test_a_broken_first_row_is_no_title(tmp_path: Path, row: str) -> None:
+    raw = "\n".join(["Hub in mm;Winkel in Grad", row, *SWAPPED]).encode()
+    with pytest.raises(InputError, match=r"Line 2 of cam\.csv is "):
+        read(tmp_path / "cam.csv", raw, columns=(2, 1))
+
+
 OPEN = put(HEADED, 38, "360;0.300")
 
 

@@ -8,6 +8,7 @@ import csv
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
 
 import numpy as np
@@ -26,11 +27,14 @@ from cammotion.quantities import Floats, InputError, shorten
 
 SEPARATORS = {"\t": "tabs", ";": "semicolons", "|": "bars", ",": "commas", " ": "spaces"}
 DECIMALS = {".": "decimal points", ",": "decimal commas"}
-_NO_NUMBER = re.compile(r"[-+−]?(nan|inf|infinity|n/?a|null|none|nil)|#.*", re.IGNORECASE)
+_NO_NUMBER = re.compile(
+    r"[-+−]?(nan|inf|infinity|n/?a|null|none|nil|err|over(flow|load|range)?)|#.*", re.IGNORECASE
+)
 _WORD_OF_DIGITS = re.compile(r"\b0\.\.1\b|\bm/s\^?2")
 _DAY, _YEAR = r"(0?[1-9]|[12]\d|3[01])", r"(19|20)\d\d"  # or a month
 _DATE = re.compile(rf"({_YEAR}-{_DAY}-{_DAY}|{_DAY}[./]{_DAY}[./]{_YEAR})(?!\d)")
 _LETTERS = 2  # a word has so many
+_LIKE_DIGITS = frozenset("OoIl")  # letters of which a number may be mistyped
 _HEADINGS = 2  # lines over the table that may be headings
 
 
@@ -182,10 +186,22 @@ class _Attempt:
 
     def _may_stand_outside(self, n: int, *, is_above: bool) -> bool:
         """Return whether a line above or below the table is no broken row of it."""
-        cells = self.cells[n]
-        if not any(cells):
+        if not any(self.cells[n]):
             return True
-        first, second = (cells[at] if at < len(cells) else "" for at in self.chosen)
+        ways: list[tuple[int, ...]] = [self.chosen]
+        if is_above and self._begins_with_numbers:  # where titles stand, chosen or not
+            ways.append((0, *self.chosen))
+        return any(self._is_no_row(n, way, is_above=is_above) for way in ways)
+
+    @cached_property
+    def _begins_with_numbers(self) -> bool:
+        """Whether the first column of the file is one of numbers."""
+        return all(number_of(self.cells[n][0], self.decimal) is not None for n in self.good)
+
+    def _is_no_row(self, n: int, places: Sequence[int], *, is_above: bool) -> bool:
+        """Return whether a line is no row, as its first cell of these says, and then the rest."""
+        cells = self.cells[n]
+        first, *others = (cells[at] if at < len(cells) else "" for at in places)
         number = number_of(first, self.decimal)
         if number is not None:  # alone it may say how many rows there are
             return is_above and sum(map(bool, cells)) == 1 and number == len(self.good)
@@ -193,10 +209,13 @@ class _Attempt:
             return is_above
         if _NO_NUMBER.fullmatch(first):
             return False
-        has_word = sum(map(str.isalpha, first)) >= _LETTERS
+        letters = [*filter(str.isalpha, first)]
+        has_word = len(letters) >= _LETTERS and not _LIKE_DIGITS.issuperset(letters)
         if not is_above:
             return has_word and not any(map(str.isdigit, self.lines[n].text))
-        return has_word or not any(map(str.isdigit, _WORD_OF_DIGITS.sub("", first + second)))
+        return has_word or not any(
+            map(str.isdigit, _WORD_OF_DIGITS.sub("", "".join([first, *others])))
+        )
 
     def _refuse(self, broken: Iterable[int]) -> None:
         """Raise one InputError for all these lines, unless there is none."""
@@ -235,8 +254,9 @@ class _Attempt:
                     word.append(cell)
         if any(words) or not self._above():
             return [heading_of(", ".join(word)) for word in words]
-        known = two_headings(_said(self.lines[self._above()[-1]]))
-        return [*known, *[Heading("", "")] * (count - len(known))]
+        headings, (first, second) = [Heading("", "")] * count, self.chosen
+        headings[first], headings[second] = two_headings(_said(self.lines[self._above()[-1]]))
+        return headings
 
     def _above(self) -> list[int]:
         """Return the lines over the table that may be its headings."""
