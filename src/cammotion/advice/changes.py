@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from cammotion.laws.catalogue import LAWS, as_law
@@ -124,39 +124,44 @@ def _is_worse(before: tuple[float, float], after: tuple[float, float]) -> bool:
 
 
 def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Improvement]:
-    found, arcs = _widest(machine, name, rules), machine.still.get(name, ())
-    changed, moves = found.diagram if found else None, machine.diagram[name].moves
-    held = f" (then: {found.tight.rule})" if found and found.tight else ""
-    if arcs and not (changed and _stands(changed[name], arcs)):
-        changed = _between(machine, name, rules)
-        used = changed and [r for r in rules if _is_used_up(changed, r)]
-        held = f" (then: {'; '.join(['its still arc', *map(str, used or ())])})"
+    changed, held = _asked_wider(machine, name, rules)
     if changed is None:
         return
     if _dwells(machine.diagram[name]) and not _dwells(changed[name]):
         held = f"{held}, so that it stands nowhere"
-    new = changed[name].moves
-    pairs = [
+    pairs = [*zip(machine.diagram[name].moves, changed[name].moves, strict=True)]
+    what = " and ".join(
         f"the {before.kind} from {before.angle_deg:.4g} to {after.angle_deg:.5g} deg"
-        for before, after in zip(moves, new, strict=True)
+        for before, after in pairs
         if abs(before.angle_deg - after.angle_deg) > _SAME_DEG
-    ]
-    wider = all(
-        after.angle_deg >= before.angle_deg - _SAME_DEG
-        for before, after in zip(moves, new, strict=True)
     )
-    what = " and ".join(pairs)
-    word = "widen" if wider else "change"
-    one = improvement(WIDEN, f"{word} {what} of the {name}{held}", machine, changed, [name])
+    said = f"{_verb(pairs)} {what} of the {name}{held}"
+    one = improvement(WIDEN, said, machine, changed, [name])
     if one.after < one.before * (1 - _WORTH):
         yield one
     elif one.mends:
-        narrower = all(
-            after.angle_deg <= before.angle_deg + _SAME_DEG
-            for before, after in zip(moves, new, strict=True)
-        )
-        said = one.said.replace(f"{word} ", "narrow " if narrower else "change ", 1)
-        yield improvement(NARROW, said, machine, changed, [name])
+        yield replace(one, kind=NARROW)
+
+
+def _verb(pairs: Iterable[tuple[Segment, Segment]]) -> str:
+    """Return whether moves before and after are all wider, all narrower, or neither."""
+    more = [after.angle_deg - before.angle_deg for before, after in pairs]
+    if min(more) >= -_SAME_DEG:
+        return "widen"
+    return "narrow" if max(more) <= _SAME_DEG else "change"
+
+
+def _asked_wider(
+    machine: Machine, name: str, rules: Sequence[Rule]
+) -> tuple[TimingDiagram | None, str]:
+    """Return the diagram with the widest moves of a motion, and in words what stops them."""
+    found, arcs = _widest(machine, name, rules), machine.still.get(name, ())
+    if not arcs or (found and _stands(found.diagram[name], arcs)):
+        held = f" (then: {found.tight.rule})" if found and found.tight else ""
+        return (found.diagram if found else None), held
+    changed = _between(machine, name, rules)
+    used = [str(rule) for rule in rules if changed and _is_used_up(changed, rule)]
+    return changed, f" (then: {'; '.join(['its still arc', *used])})"
 
 
 def _is_used_up(diagram: TimingDiagram, rule: Rule) -> bool:

@@ -82,7 +82,7 @@ class Improvements(Sequence[Improvement]):
         shown = [f"{number}. {one}" for number, one in enumerate(self.changes[:_SHOWN], 1)]
         left = len(self.changes) - len(shown)
         more = [f"and {left} more"] if left > 0 else []
-        worse = " and no broken rule worse" if self.machine.violations else ""
+        worse = " without making a broken rule worse" if self.machine.violations else ""
         none = [] if self.changes else [f"No single change makes a peak smaller{worse}."]
         return "\n".join([self.hardest, *self.notes, *shown, *more, *none])
 
