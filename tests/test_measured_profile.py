@@ -62,6 +62,7 @@ def test_noise_of_a_micrometre_stays_one(
     cam = RollerCam(DIE, follower, prime)
     x, y = noisy(probed(cam, np.arange(count) * 360 / count, radius), 1e-3).T
     lift = lift_from_profile(x, y, follower=follower, probe_radius_mm=radius)
+    assert lift.angle_deg.size == 360
     off = off_um(lift, DIE)
     assert 0.7 < off.std() < 1.3
     assert np.abs(off).max() < 6
