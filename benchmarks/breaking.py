@@ -89,7 +89,7 @@ def mutants_of(path: Path) -> Iterator[Mutant]:
         for old, new in _changes(node):
             start = starts[old.lineno - 1] + old.col_offset
             end = starts[old.end_lineno - 1] + old.end_col_offset
-            lines = range(first, old.end_lineno + 1)
+            lines = range(min(first, old.lineno), old.end_lineno + 1)  # a decorator is above
             yield Mutant(path, old.lineno, raw, start, end, new, lines)
 
 
