@@ -111,6 +111,18 @@ def test_a_cell_far_from_the_table_is_told_by_its_column(tmp_path: Path) -> None
     assert "has a cell in row 2, column 201; a table of a machine has at most 20000 rows" in said
 
 
+@pytest.mark.parametrize(("row", "is_read"), [(20_000, True), (20_001, False)])
+def test_the_last_row_that_is_read(tmp_path: Path, row: int, is_read: bool) -> None:
+    last = len(ROWS) + 1
+    content = changed(SHEET, f'<row r="{last}">', f'<row r="{row}">')
+    path = tmp_path / "press.xlsx"
+    if is_read:
+        path.write_bytes(content)
+        assert cm.read_machine(path).diagram == cm.EXAMPLE.diagram
+    else:
+        assert f"has a cell in row {row}" in refusal(path, content)
+
+
 def test_cells_and_rows_need_not_say_where_they_are(tmp_path: Path) -> None:
     """They follow one another, and an empty one is one too."""
     with ZipFile(BytesIO(sheets_as_xlsx({"press": [HEADING, *ROWS]}))) as book:
