@@ -76,6 +76,11 @@ def bounded(solve: Any) -> Callable[..., Any]:
     return promise
 
 
+def harsher(ask: Any) -> Callable[..., Any]:
+    """Break what to change first: each gain is told larger than it is."""
+    return lambda machine: [replace(one, after=0.99 * one.after) for one in ask(machine)]
+
+
 def unchanged(solve: Any) -> Callable[..., Any]:
     """Break the optimiser: it leaves the machine as it is."""
 
@@ -120,6 +125,7 @@ FAULTS: dict[str, Patch] = {
     "widest": (cm, "widest_move", narrower),
     "each_way": (cm, "widest_move", narrower),
     "reserves": (cm, "reserves", nearer),
+    "advised": (cm, "improvements", harsher),
     "distances": (cm, "reserves", nearer),
     "standings": (cm, "find_violations", lambda right: lambda *given: right(*given)[1:]),
     "reserved": (cm, "widest_move", narrower),

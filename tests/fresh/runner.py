@@ -20,6 +20,7 @@ from types import FrameType
 from typing import Any
 
 from fresh import (
+    check_advice,
     check_answers,
     check_cam_tables,
     check_cams,
@@ -56,6 +57,7 @@ CHECKS: Mapping[str, Check] = {
     "each_way": check_widest.each_way,
     "reserves": check_reserves.reserves,
     "reserved": check_reserves.reserved,
+    "advised": check_advice.advised,
     "distances": check_rules.distances,
     "standings": check_rules.standings,
     "tables": check_machines.tables,
@@ -92,6 +94,7 @@ CHECKS: Mapping[str, Check] = {
 SELDOM = {
     "positions": 3,
     "reserves": 7,
+    "advised": 7,
     "distances": 7,
     "whole": 7,
     "crowds": 15,
