@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cartons import packaging_machine, pusher_rule
+from cartons import all_dies, packaging_machine, pusher_rule
 from machines import RULE, make_diagram, make_die, make_mill
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -18,6 +18,7 @@ from matplotlib.transforms import Bbox
 import cammotion as cm
 from cammotion.views.chart import draw_chart
 from cammotion.views.chart_lanes import beside
+from cammotion.views.names import ELLIPSIS
 
 DAY = "2026-11-27"
 A4 = 297.0, 210.0
@@ -39,11 +40,45 @@ def boxes(figure: Figure) -> list[tuple[str, Bbox]]:
     return [(text.get_text(), text.get_window_extent(renderer)) for text in found]
 
 
+def grippers(count: int, called: str = "Übergabe-Greifer {} (Station {})") -> cm.TimingDiagram:
+    """Return a machine of parts whose names differ in a number."""
+    moves = cm.rise(30, over_deg=60), cm.dwell(40), cm.return_(30, over_deg=80), cm.dwell(180)
+    return cm.TimingDiagram(
+        [cm.motion(called.format(n, n + 2), *moves, start_deg=25 * n) for n in range(count)], 3000
+    )
+
+
+def names_beside(figure: Figure, count: int) -> list[str]:
+    """Return what is written in bold beside each lane, its lines joined, from the top down."""
+    bold = [text for text in figure.axes[0].texts if text.get_weight() == "bold"]
+    beside = [text for text in bold if text.get_horizontalalignment() == "right"]
+    curves = [line for line in figure.axes[0].lines if len(np.asarray(line.get_xdata())) > 10]
+    middles = [np.mean([np.min(y), np.max(y)]) for y in (line.get_ydata() for line in curves)]
+    assert len(middles) == count
+    lanes: list[list[str]] = [[] for _ in middles]
+    for text in beside:
+        nearest = int(np.argmin(np.abs(np.subtract(middles, text.get_position()[1]))))
+        lanes[nearest].append(text.get_text())
+    return [" ".join(lines) for lines in lanes]
+
+
 @pytest.mark.parametrize("count", [2, 8, 24])
 @pytest.mark.parametrize("scale", [1.0, 2**0.5])
 def test_no_text_covers_another_or_leaves_the_page(count: int, scale: float) -> None:
     diagram = packaging_machine(count)
-    figure = page(diagram, *((pusher_rule(diagram),) if count > 2 else ()), scale=scale)
+    expect_clear(page(diagram, *((pusher_rule(diagram),) if count > 2 else ()), scale=scale), scale)
+
+
+@pytest.mark.parametrize("count", [1, 8, 17, 24])
+def test_long_names_and_many_broken_rules_cover_nothing(count: int) -> None:
+    diagram = grippers(count, "Übergabe-Greifer {} an der Station {} des Auslaufbandes")
+    first = diagram.names[0]
+    rules = [cm.ClearanceRule(cm.beyond(n, 2), cm.within(first, 0.5)) for n in diagram.names[1:]]
+    expect_clear(page(diagram, *rules))
+
+
+def expect_clear(figure: Figure, scale: float = 1.0) -> None:
+    """Fail where a text covers another or leaves the frame of the page."""
     found = boxes(figure)
     touch = 0.3 / 25.4 * figure.dpi * scale
     covering = [
@@ -117,6 +152,74 @@ def test_more_rules_than_have_room_are_counted() -> None:
     ]
     said = texts(page(make_diagram(), *loose))
     assert "and 5 more, 0 of all are broken" in said
+
+
+@pytest.mark.parametrize("count", [4, 8])
+def test_a_name_that_is_long_has_two_lines(count: int) -> None:
+    diagram = grippers(count)
+    assert names_beside(page(diagram), count) == [*diagram.names]
+
+
+@pytest.mark.parametrize("count", [4, 16, 24])
+@pytest.mark.parametrize(
+    "called",
+    [
+        "Übergabe-Greifer {} (Station {})",
+        "Übergabegreiferschwenkeinheit {}",
+        "the gripper number {} of those that hand over the cartons to the belt",
+    ],
+)
+def test_long_names_stay_apart_and_are_shortened_once(count: int, called: str) -> None:
+    shown = names_beside(page(grippers(count, called)), count)
+    assert len({*shown}) == count
+    assert not any(name.endswith(ELLIPSIS) or 2 * ELLIPSIS in name for name in shown)
+
+
+def rules_of(figure: Figure) -> str:
+    """Return what the block below says of the rules, its lines joined."""
+    below = [text for text in figure.axes[0].texts if text.get_position()[0] < 40]
+    lines = [text for text in below if text.get_horizontalalignment() == "left"]
+    lines.sort(key=lambda text: -text.get_position()[1])
+    return " ".join(text.get_text() for text in lines)
+
+
+def broken_by_all(diagram: cm.TimingDiagram) -> list[cm.ClearanceRule]:
+    first = diagram.names[0]
+    return [
+        cm.ClearanceRule(cm.beyond(first, 12), cm.within(name, 3.5 + n / 10))
+        for n, name in enumerate(diagram.names[1:])
+    ]
+
+
+def test_a_long_rule_is_wrapped_and_keeps_its_limit() -> None:
+    long = "Vorderschlitten mit Greiferzange {}"
+    diagram = grippers(2, long)
+    said = rules_of(page(diagram, *broken_by_all(diagram)))
+    assert said.startswith("BROKEN by ")
+    assert said.endswith(
+        f"the {long.format(0)} may be beyond 12 mm only while the {long.format(1)} is within 3.5 mm"
+    )
+
+
+def test_all_broken_rules_are_listed_where_the_page_has_room() -> None:
+    diagram = grippers(6, "Vorderschlitten mit Greiferzange {}")
+    rules = broken_by_all(diagram)
+    assert len({found.rule for found in cm.find_violations(diagram, rules)}) == 5
+    kept = cm.ClearanceRule(cm.beyond(diagram.names[1], 39), cm.within(diagram.names[2], 3))
+    said = rules_of(page(diagram, kept, *rules))
+    for rule in rules:
+        assert f"mm: {rule}" in said
+    assert said.count("BROKEN") == 5
+
+
+def test_broken_rules_without_room_are_counted() -> None:
+    diagram = packaging_machine(24)
+    rules = all_dies(diagram)
+    broken = len({found.rule for found in cm.find_violations(diagram, rules)})
+    said = rules_of(page(diagram, *rules))
+    shown = said.count("BROKEN")
+    assert 5 <= shown < broken
+    assert said.endswith(f"and {len(rules) - shown} more, {broken - shown} of them broken")
 
 
 @pytest.mark.parametrize(("paper", "points"), [("A4", (842, 595)), ("A3", (1191, 842))])

@@ -19,27 +19,30 @@ from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import arc_mm
 from cammotion.quantities import InputError, one_of, shorten
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
-from cammotion.rules.rule import Clearance, Rule, Violation
+from cammotion.rules.rule import Rule
 from cammotion.views.chart_lanes import (
+    FULL_MM,
     MM_PER_POINT,
     Paper,
     beside,
     draw_grid,
     draw_lane,
     draw_violation,
+    lane_names,
 )
+from cammotion.views.chart_rules import BLOCK_MM, FIRST_MM, INDENT_MM, Block, lay_out
 from cammotion.views.named import readable
-from cammotion.views.names import cut, labels, printable
+from cammotion.views.names import TITLE, cut, labels, printable
 
 PAPERS = {"A4": 297.0, "A3": 420.0}  # their widths in mm, lying
 _WIDTH, _HEIGHT = 297.0, 210.0
 _KINDS = {".pdf": "pdf", ".svg": "svg", ".png": "png"}
 _DPI = 200  # of a PNG
 _MM_PER_INCH = 25.4
-_MARGIN, _BLOCK = 10.0, 26.0  # of the page, and how high the block below is, in mm
+_MARGIN = 10.0  # of the page, in mm
 _TOP, _UNDER = 9.0, 6.0  # over and under the lanes
 _NAMES, _PEAKS, _TITLE = 40.0, 33.0, 119.0  # wide is what stands beside and below the lanes
-_LINE, _MOST_RULES = 4.2, 5  # mm from line to line of the rules, and how many have one
+_BESIDE_RULES = 3.0  # of room at both sides of their lines
 
 
 @checked
@@ -104,61 +107,61 @@ def draw_chart(
     ax.set_axis_off()
     ax.set(xlim=(0, _WIDTH), ylim=(0, _HEIGHT))
     names = readable(diagram).names
+    violations = find_violations(diagram, rules)
+    split = _WIDTH - _MARGIN - _TITLE
+    block = lay_out(
+        find_clearances(diagram, rules),
+        violations,
+        dict(zip(names, labels(names, TITLE), strict=True)),
+        (split - _MARGIN - 2 * _BESIDE_RULES, _most_block(len(names))),
+    )
     paper = Paper(
         ax,
         left=_MARGIN + _NAMES,
         right=_WIDTH - _MARGIN - _PEAKS,
         top=_HEIGHT - _MARGIN - _TOP,
-        bottom=_MARGIN + _BLOCK + _UNDER,
+        bottom=_MARGIN + block.high_mm + _UNDER,
         lanes=len(names),
         scale=scale,
     )
     _frame(paper, (_MARGIN, _MARGIN), (_WIDTH - _MARGIN, _HEIGHT - _MARGIN))
     draw_grid(paper, _MARGIN, _WIDTH - _MARGIN)
-    called = labels(names)
+    called = lane_names(paper, names)
     for number, motion in enumerate(diagram.motions):
         peak = diagram.peak_acceleration(motion.name)
         said = beside(motion, peak, radii_mm.get(motion.name))
         draw_lane(paper, number, motion, called[number], said)
-    violations = find_violations(diagram, rules)
     for found in violations:
         rows = [names.index(name) for name in found.rule.motions]
         draw_violation(paper, rows, (found.start_deg, found.end_deg))
-    split = _WIDTH - _MARGIN - _TITLE
-    _write_rules(paper, find_clearances(diagram, rules), violations, (_MARGIN, split))
+    _write_rules(paper, block, (_MARGIN, split))
     _write_title(paper, diagram, heading, (split, _WIDTH - _MARGIN))
     return ax.get_figure(root=True) or Figure()
 
 
-def _write_rules(
-    paper: Paper,
-    left: Iterable[Clearance],
-    violations: Iterable[Violation],
-    ends: tuple[float, float],
-) -> None:
+def _most_block(lanes: int) -> float:
+    """Return how high the block below may become, which leaves lanes what their texts need."""
+    return max(_HEIGHT - 2 * _MARGIN - _TOP - _UNDER - lanes * FULL_MM, BLOCK_MM)
+
+
+def _write_rules(paper: Paper, block: Block, ends: tuple[float, float]) -> None:
     """Write what each rule has left, those that are broken first."""
     start, end = ends
-    _frame(paper, (start, _MARGIN), (end, _MARGIN + _BLOCK))
-    broken = {found.rule for found in violations}
-    lines = [
-        f"{f'BROKEN by {-mm:.3g} mm' if found.rule in broken else f'kept, {mm:.3g} mm left'}: "
-        f"{found.rule}"
-        for found in sorted(left, key=lambda one: (one.rule not in broken, one.clearance_mm))
-        for mm in [round(found.clearance_mm, 9) + 0.0]
-    ]
-    if len(lines) > _MOST_RULES:
-        more = len(lines) - _MOST_RULES + 1
-        lines[_MOST_RULES - 1 :] = [f"and {more} more, {len(broken)} of all are broken"]
-    for number, line in enumerate(lines or ["no rules given"]):
-        at = start + 3, _MARGIN + _BLOCK - 4 - number * _LINE
-        _write(paper, at, line, end - start - 6, 7, bold=line.startswith("BROKEN"))
+    top = _MARGIN + block.high_mm
+    _frame(paper, (start, _MARGIN), (end, top))
+    y = top - FIRST_MM
+    for lines, is_broken in block.said:
+        for number, line in enumerate(lines):
+            x = start + _BESIDE_RULES + (INDENT_MM if number else 0)
+            _write(paper, (x, y), line, end - _BESIDE_RULES - x, block.size, bold=is_broken)
+            y -= block.line_mm
 
 
 def _write_title(
     paper: Paper, diagram: TimingDiagram, heading: tuple[str, str], ends: tuple[float, float]
 ) -> None:
     (title, date), (start, end) = heading, ends
-    top, third = _MARGIN + _BLOCK, (end - start) / 3
+    top, third = _MARGIN + BLOCK_MM, (end - start) / 3
     _frame(paper, (start, _MARGIN), (end, top))
     _write(paper, (start + 4, top - 8), title, end - start - 8, 15, bold=True)
     cells = {

@@ -17,17 +17,28 @@ from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.views.displacement import curve_angles, displacement
-from cammotion.views.names import as_label, cut, plain, text_px
+from cammotion.views.names import (
+    TITLE,
+    as_label,
+    cut,
+    labels,
+    plain,
+    printable,
+    text_px,
+    wrap,
+)
 from cammotion.views.scales import as_text, short_number
 
 _GRID_DEG, _NUMBERED_DEG = 10, 30
-_FULL_MM = 14.0  # of a lane whose texts have their full size
+FULL_MM = 14.0  # of a lane whose texts have their full size
 _LEAST_CURVE, _MOST_CURVE = 0.25, 0.5  # of a lane that a curve fills
 _NAME, _SMALL, _ANGLE = 9.0, 7.0, 7.0  # sizes of texts in points, in a lane that is high enough
 _LEAST = 0.6  # of these sizes, in a low one
 MM_PER_POINT = 25.4 / 72
 _APART_MM = 0.6  # between two angles
 _LEFT_MM, _RIGHT_MM = 37.0, 30.0  # of room for texts beside the lanes
+_BESIDE = 0.88  # of a lane is filled by them, if it is not too high
+_LEAST_NAME = 8  # columns of a name, which always have room
 
 
 class _Box(NamedTuple):
@@ -95,12 +106,18 @@ class Paper:
     @cached_property
     def lane_mm(self) -> float:
         """How high a lane is."""
-        return min((self.top - self.bottom) / self.lanes, 5 * _FULL_MM)
+        return min((self.top - self.bottom) / self.lanes, 5 * FULL_MM)
 
     @property
     def share(self) -> float:
         """By how much texts are smaller than in a lane that is high enough."""
-        return min(1.0, max(_LEAST, self.lane_mm / _FULL_MM))
+        return min(1.0, max(_LEAST, self.lane_mm / FULL_MM))
+
+    @property
+    def name_lines(self) -> int:
+        """How many lines a name may have over the stroke."""
+        row = 1.15 * _NAME * self.share * MM_PER_POINT
+        return 2 if 3 * row <= _BESIDE * min(self.lane_mm, FULL_MM) else 1
 
     @property
     def curve_mm(self) -> float:
@@ -162,20 +179,35 @@ def draw_grid(paper: Paper, left: float, right: float) -> None:
     paper.write(paper.right + 9, y, "peak, laws", _SMALL, va="bottom")
 
 
-def draw_lane(paper: Paper, number: int, motion: Motion, name: str, said: Beside) -> None:
-    """Draw a motion in its lane, with what is said beside it."""
+def lane_names(paper: Paper, names: Sequence[str]) -> list[list[str]]:
+    """Return each name in the lines that it has beside its lane, no two alike.
+
+    A long one is shortened once, to what has room, so that what tells it apart is not cut off.
+    """
+    size = _NAME * paper.share
+    called: list[list[str]] = []
+    for most in range(TITLE, _LEAST_NAME - 1, -1):
+        short = labels(names, most)
+        called = [wrap(name, _LEFT_MM / MM_PER_POINT, size, bold=True) for name in short]
+        if max(map(len, called)) <= paper.name_lines:
+            break
+    return called
+
+
+def draw_lane(paper: Paper, number: int, motion: Motion, name: Sequence[str], said: Beside) -> None:
+    """Draw a motion in its lane, with its name, in lines, and what else is said beside it."""
     angles = curve_angles(motion)
     values = displacement(motion, angles)
     low, high = float(values.min()), float(values.max())
     base, scale = paper.base(number), paper.curve_mm / ((high - low) or 1.0)
     x = [paper.across(angle) for angle in angles]
     curve = paper.line(x, base + (values - low) * scale, 1.6 * paper.share, zorder=3)
-    curve.set_label(as_label(name))
+    curve.set_label(as_label(printable(motion.name)))
     joints = _joints(motion)
     heights = base + (displacement(motion, joints) - low) * scale
     corners = [(paper.across(at), y, at) for at, y in zip(joints, heights.tolist(), strict=True)]
     _write_angles(paper, corners, base + paper.curve_mm / 2)
-    _write_beside(paper, number, (name, said.stroke), (paper.left - 2, "right", _LEFT_MM))
+    _write_beside(paper, number, (*name, said.stroke), (paper.left - 2, "right", _LEFT_MM))
     _write_beside(paper, number, (said.peak, *said.laws), (paper.right + 2, "left", _RIGHT_MM))
 
 
@@ -231,9 +263,10 @@ def _write_beside(
     middle = paper.floor(number) + paper.lane_mm / 2
     x, side, room = place
     for row, line in enumerate(lines):
-        is_name = side == "right" and not row
+        is_name = side == "right" and row < len(lines) - 1
         size = (_NAME if is_name else _SMALL) * paper.share
         shown = cut(line, room / MM_PER_POINT, size, bold=is_name)
-        y = middle + (0.44 - 0.88 * (row + 0.5) / len(lines)) * min(paper.lane_mm, _FULL_MM)
+        share = 0.5 - (row + 0.5) / len(lines)
+        y = middle + _BESIDE * share * min(paper.lane_mm, FULL_MM)
         weight = "bold" if is_name else "normal"
         paper.write(x, y, shown, size, ha=side, weight=weight)

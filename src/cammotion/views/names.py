@@ -4,6 +4,7 @@ A name is shortened here and nowhere else, before any text is laid out: what a l
 then what a short one costs. In full it stands in the words of a picture.
 """
 
+import re
 import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -28,6 +29,7 @@ _OTHER_FONTS = (
     *("Noto Sans Arabic", "Noto Sans Devanagari", "Nirmala UI", "Segoe UI Symbol"),
 )
 """Where letters are looked for that Matplotlib's own font lacks, if the machine has them."""
+_BREAKS = re.compile(r"(?<= )(?!(?:mm|deg)\b)|(?<=\w-)(?=\w)")  # not before the unit of a number
 
 
 def printable(text: str) -> str:
@@ -121,6 +123,25 @@ def cut(text: str, width: float, size: float, *, bold: bool = False) -> str:
         if whole <= room:
             shown += c
     return text
+
+
+def wrap(text: str, width: float, size: float, *, bold: bool = False) -> list[str]:
+    """Return a text in lines that are not wider than `width`, broken in a word only if need be.
+
+    >>> wrap("the upper-left jaw, 12 mm", 110, 10)
+    ['the upper-left', 'jaw, 12 mm']
+    """
+
+    def fits(line: str) -> bool:
+        return text_px(line.rstrip(), size, bold=bold) <= width
+
+    lines = [""]
+    for piece in _BREAKS.split(text):
+        for part in [piece] if fits(piece) else piece:
+            if lines[-1] and not fits(lines[-1] + part):
+                lines.append("")
+            lines[-1] += part
+    return [line.rstrip() for line in lines]
 
 
 def _letters(text: str) -> list[str]:
