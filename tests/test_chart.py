@@ -50,7 +50,7 @@ def grippers(count: int, called: str = "Übergabe-Greifer {} (Station {})") -> c
 
 def names_beside(figure: Figure, count: int) -> list[str]:
     """Return what is written in bold beside each lane, its lines joined, from the top down."""
-    bold = [text for text in figure.axes[0].texts if text.get_weight() == "bold"]
+    bold = [text for text in figure.axes[0].texts if text.get_fontweight() == "bold"]
     beside = [text for text in bold if text.get_horizontalalignment() == "right"]
     curves = [line for line in figure.axes[0].lines if len(np.asarray(line.get_xdata())) > 10]
     middles = [np.mean([np.min(y), np.max(y)]) for y in (line.get_ydata() for line in curves)]

@@ -2,13 +2,17 @@
 
 import re
 from collections.abc import Iterator
+from itertools import combinations
 from typing import Any
 
 import matplotlib as mpl
 import measured_picture
 import numpy as np
 import pytest
+from machines import Array
 from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from measured_cam import CAM, HALF, INCH_M, RATE, turn
 
 import cammotion as cm
@@ -69,6 +73,65 @@ def test_bars_have_their_rank_and_the_critical_one_too() -> None:
     ax = cm.plot_harmonics({"cam": found}, unit="in", critical=18)
     assert [bar.get_height() for bar in ax.containers[0]] == pytest.approx(found / INCH_M)
     assert [text.get_text() for text in ax.texts] == ["1: 4.84", "3: 5.14", "4: 6.03", "18: 1.30"]
+
+
+def covered(ax: Axes) -> list[tuple[str, str]]:
+    """Return which values lie over one another, and what lies under the legend."""
+    assert isinstance(ax.figure, Figure)
+    ax.figure.canvas.draw()
+    found = [(text.get_text(), text.get_window_extent()) for text in ax.texts]
+    bars = [("a bar", bar.get_window_extent()) for bars in ax.containers for bar in bars]
+    legend = ax.get_legend()
+    assert legend is not None
+    key = ("legend", legend.get_window_extent())
+    pairs = [*combinations(found, 2), *((key, other) for other in (*found, *bars))]
+    return [(one, other) for (one, a), (other, b) in pairs if a.overlaps(b)]
+
+
+def noisy(number: int) -> Array:
+    """Return accelerations of a table with reading errors, which are large in high harmonics."""
+    readings = wave(number).position_mm * 25 + np.random.default_rng(1).normal(0, 0.004, number)
+    table = cm.CamTable(turn(number), readings, is_cycle=True)
+    return cm.harmonics(table).acceleration(3600)
+
+
+@pytest.mark.parametrize("number", [72, 360])
+@pytest.mark.parametrize("unit", ["m", "in"])
+def test_many_harmonics_can_be_read(number: int, unit: str) -> None:
+    found = noisy(number)
+    drawn = {"Nocken": found, "zweiter": 0.9 * found, "dritter": found[:-9]}
+    for few in ({"Nocken": found}, drawn):
+        ax = cm.plot_harmonics(few, unit=unit, critical=found.size // 4)
+        ticks = ax.get_xticks()
+        assert 4 <= ticks.size <= 12
+        assert ticks == pytest.approx(np.arange(1, ticks.size + 1) * round(ticks[0]))
+        assert ticks[-1] <= found.size
+        assert covered(ax) == []
+
+
+def test_a_value_is_not_hidden_by_bars_beside_it() -> None:
+    """Where a bar is narrower than its value, this stands over the neighbours too."""
+    heights = np.where(np.arange(180) == 89, 0.1, 1.0)
+    ax = cm.plot_harmonics({"cam": heights}, critical=90)
+    (critical,) = [text for text in ax.texts if text.get_text() == "90: 0.10"]
+    assert covered(ax) == []
+    ax.figure.draw_without_rendering()  # type: ignore[union-attr]
+    foot = critical.get_window_extent().y0
+    assert foot >= max(bar.get_window_extent().y1 for bar in ax.containers[0])
+
+
+def test_few_harmonics_have_a_tick_at_every_second() -> None:
+    """And the legend in the corner, as long as no bar is there."""
+    rising = np.arange(1.0, 19.0)
+    inside, outside = (cm.plot_harmonics({"cam": each}) for each in (rising[::-1], rising))
+    for drawn in (inside, outside):
+        assert drawn.get_xticks() == pytest.approx(np.arange(2, 19, 2))
+        assert covered(drawn) == []
+    tops = [
+        drawn.get_legend().get_window_extent().y1 - drawn.bbox.y1  # type: ignore[union-attr]
+        for drawn in (inside, outside)
+    ]
+    assert tops[0] < 0 < tops[1]
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ def label_ends(
     """Write the name of each line at its right end, moved apart where they would meet."""
     ends = ax.transData.transform([(0, height) for height in heights])
     gap = LINE_INCHES * ax.figure.dpi / ax.bbox.height
-    shares = _apart(ax.transAxes.inverted().transform(ends)[:, 1], gap)
+    shares = apart(ax.transAxes.inverted().transform(ends)[:, 1], gap)
     for line, name, share in zip(lines, names, shares, strict=True):
         sample = ax.plot([1.01, 1.09], [share, share], transform=ax.transAxes, clip_on=False)[0]
         sample.update_from(line)  # its dashes, since two may have one colour
@@ -65,10 +65,10 @@ def inches(ax: Axes) -> tuple[float, float]:
     return box.width * page.width / ax.figure.dpi, box.height * page.height / ax.figure.dpi
 
 
-def _apart(shares: Floats, gap: float) -> Floats:
+def apart(shares: Floats, gap: float) -> Floats:
     """Return heights in the same order, at least a gap apart and from 0 on, up to 1 if it holds.
 
-    >>> _apart(np.array([0.5, 0.5, 0.2]), 0.052).round(3)
+    >>> apart(np.array([0.5, 0.5, 0.2]), 0.052).round(3)
     array([0.474, 0.526, 0.2  ])
     """
     order = np.argsort(shares, kind="stable")

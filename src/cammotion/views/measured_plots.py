@@ -1,7 +1,7 @@
 """Pictures of a measured cam: its acceleration with what readings leave open, its harmonics."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,6 +15,8 @@ from cammotion.measured.differences import ERROR, differences
 from cammotion.measured.inch import MM_PER_INCH
 from cammotion.measured.smoothing import SmoothedTable
 from cammotion.quantities import Floats, InputError, Quantity, one_of
+from cammotion.views.ends import apart
+from cammotion.views.names import text_px
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import colour, style_axes, style_line
 
@@ -24,6 +26,13 @@ _DOTS = 100  # more points are a line
 _EIGHTH = DEG_PER_TURN / 8
 _WIDE = 0.8  # of the way between two ranks, for all bars of a rank
 _TOLD = 3  # of the bars have their value above them
+_TICKS = 12  # at most, of ranks
+_STEPS = (2, 5, 10, 20, 50, 100, 200, 500, 1000)  # of ranks from tick to tick
+_VALUE, _OVER, _APART = 9, 3, 11  # of a value in points: its size, how far it is over its bar and
+# from the middle of another one, where there are many bars
+_POINTS = 72  # of an inch
+_NAME = 10  # of a legend, in points
+_HEADROOM = 0.2  # over the highest bar, of it
 
 
 @checked
@@ -104,25 +113,39 @@ def plot_harmonics(
     if critical is not None:
         critical = Quantity("rank", "", example=18, high=most).whole(critical)
     wide = _WIDE / len(amplitudes)
-    last = 1
+    bars: list[_Bar] = []
+    told: list[_Bar] = []
     for number, (name, given) in enumerate(amplitudes.items()):
         heights = np.ravel(_AMPLITUDE.array(given)) / METRES[unit]
-        ranks = np.arange(1, heights.size + 1)
-        last = max(last, heights.size)
-        left = ranks - _WIDE / 2 + wide * (number + 0.5)
+        left = np.arange(1, heights.size + 1) - _WIDE / 2 + wide * (number + 0.5)
         ax.bar(left, heights, wide, color=colour(number), label=name, hatch="//" if number else "")
-        told = {*(np.argsort(-heights)[:_TOLD] + 1)}
-        if critical and critical <= heights.size:
-            told.add(critical)
-        for rank in sorted(told):
-            text = f"{rank}: {heights[rank - 1]:.2f}"
-            ax.annotate(text, (left[rank - 1], heights[rank - 1]), (0, 3), **_ABOVE)
+        these = [
+            _Bar(rank, *bar) for rank, bar in enumerate(zip(left, heights, strict=True), start=1)
+        ]
+        largest = {*(np.argsort(-heights)[:_TOLD] + 1)}
+        told += [bar for bar in these if bar.rank in {*largest, critical}]
+        bars += these
     if critical:
         ax.axvspan(critical - 0.5, critical + 0.5, color="#000000", alpha=0.08, linewidth=0)
-    ax.set_xticks(np.arange(2, last + 1, 2))
-    ax.margins(x=0.01, y=0.2)
-    ax.legend(fontsize=10, loc="upper right")
+    last = max((bar.rank for bar in bars), default=1)
+    step = next((each for each in _STEPS if last <= each * _TICKS), last // _TICKS + 1)
+    ax.set_xticks(np.arange(step, last + 1, step))
+    ax.margins(x=0.01, y=_HEADROOM)
+    _tell(ax, bars, told, is_dense=step > _STEPS[0])
     return ax
+
+
+class _Bar(NamedTuple):
+    """A bar of a rank: where its middle is, and how high it is."""
+
+    rank: int
+    x: float
+    height: float
+
+    @property
+    def value(self) -> str:
+        """What is said above it."""
+        return f"{self.rank}: {self.height:.2f}"
 
 
 _ABOVE: dict[str, Any] = {
@@ -132,6 +155,44 @@ _ABOVE: dict[str, Any] = {
     "fontsize": 9,
     "rotation": 90,
 }
+
+
+def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: bool) -> None:
+    """Write values above their bars, and the legend where neither bars nor values are.
+
+    Dense bars are narrower than a value: those of neighbours are moved apart, and stand above all
+    bars that they would hide.
+    """
+    legend = ax.legend(fontsize=_NAME, loc="upper right")
+    wide, high = _laid_out(ax)
+    long = max((text_px(bar.value, _VALUE) + _OVER for bar in told), default=0.0)
+    if is_dense:
+        ax.margins(y=max(_HEADROOM, long / max(high - long, long)))
+    (left, right), top = ax.get_xlim(), ax.get_ylim()[1]
+    half = _VALUE / 2 * (right - left) / wide
+    places = np.array([bar.x for bar in told])
+    if is_dense:
+        near, room = left + half, right - left - 2 * half
+        gap = min(_APART / wide, 1 / len(told))
+        places = near + apart((places - near) / room, gap) * room
+    ends = [(bar.x + _WIDE / 2, bar.height) for bar in bars]
+    for bar, x in zip(told, places, strict=True):
+        hidden = [each.height for each in bars if is_dense and abs(each.x - x) < half]
+        y = max([bar.height, *hidden])
+        ax.annotate(bar.value, (x, y), (0, _OVER), **_ABOVE)
+        ends.append((x + half, y + long / high * top))
+    corner = legend.get_window_extent().transformed(ax.transAxes.inverted())
+    is_over = any((x - left) / (right - left) > corner.x0 and y / top > corner.y0 for x, y in ends)
+    if is_over:
+        ax.legend(fontsize=_NAME, loc="lower right", bbox_to_anchor=(1, 1), ncols=3, frameon=False)
+
+
+def _laid_out(ax: Axes) -> tuple[float, float]:
+    """Return how wide and how high axes are in points, once the picture is laid out."""
+    figure = ax.get_figure(root=True)
+    assert figure is not None  # noqa: S101 - axes that are drawn in have one
+    figure.draw_without_rendering()
+    return ax.bbox.width * _POINTS / figure.dpi, ax.bbox.height * _POINTS / figure.dpi
 
 
 def _axes(ax: Axes | None, across: str, up: str, unit: str) -> Axes:
