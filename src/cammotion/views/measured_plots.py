@@ -31,7 +31,7 @@ _STEPS = (2, 5, 10, 20, 50, 100, 200, 500, 1000)  # of ranks from tick to tick
 _VALUE, _OVER, _APART = 9, 3, 11  # of a value in points: its size, how far it is over its bar and
 # from the middle of another one, where there are many bars
 _POINTS = 72  # of an inch
-_NAME = 10  # of a legend, in points
+_NAME, _ROW, _COLUMNS = 10, 20, 3  # of a legend: its names and a row of them in points
 _HEADROOM = 0.2  # over the highest bar, of it
 
 
@@ -167,7 +167,7 @@ def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: boo
     wide, high = _laid_out(ax)
     long = max((text_px(bar.value, _VALUE) + _OVER for bar in told), default=0.0)
     if is_dense:
-        ax.margins(y=max(_HEADROOM, long / max(high - long, long)))
+        ax.margins(y=_headroom(long, high))
     (left, right), top = ax.get_xlim(), ax.get_ylim()[1]
     half = _VALUE / 2 * (right - left) / wide
     places = np.array([bar.x for bar in told])
@@ -184,7 +184,15 @@ def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: boo
     corner = legend.get_window_extent().transformed(ax.transAxes.inverted())
     is_over = any((x - left) / (right - left) > corner.x0 and y / top > corner.y0 for x, y in ends)
     if is_over:
-        ax.legend(fontsize=_NAME, loc="lower right", bbox_to_anchor=(1, 1), ncols=3, frameon=False)
+        rows = -(-len(legend.get_texts()) // _COLUMNS)
+        ax.margins(y=_headroom(long, high - rows * _ROW))
+        place: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1, 1)}
+        ax.legend(fontsize=_NAME, **place, ncols=_COLUMNS, frameon=False)
+
+
+def _headroom(long: float, high: float) -> float:
+    """Return what is left over the highest bar, of it, where values are so long in points."""
+    return max(_HEADROOM, long / max(high - long, long))
 
 
 def _laid_out(ax: Axes) -> tuple[float, float]:
