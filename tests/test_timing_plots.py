@@ -10,8 +10,9 @@ import pytest
 from machines import RULE, make_diagram, make_die, make_mill
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
+from matplotlib.transforms import Bbox
 
 import cammotion as cm
 from cammotion.views.displacement import displacement
@@ -106,6 +107,36 @@ def test_the_bars_show_each_segment_with_its_angle() -> None:
     ]
     assert texts(ax.figure.axes[1]) == ["150°", "210°", "55°", "100°", "55°", "150°"]
     assert [label.get_text() for label in ax.figure.axes[1].get_yticklabels()] == ["mill", "die"]
+
+
+def test_an_angle_leaves_hatching_to_be_seen_at_both_sides() -> None:
+    """Or rise and return look alike; where it has no room it is left out."""
+    fourteen = [
+        cm.motion(
+            f"gripper {n}",
+            cm.rise(30, over_deg=12 + 3 * n),
+            cm.dwell(40),
+            cm.return_(30, over_deg=12.5 + 3 * n),
+            cm.dwell(295.5 - 6 * n),
+        )
+        for n in range(14)
+    ]
+    ax = cm.plot_timing(cm.TimingDiagram(fourteen, 3000)).figure.axes[1]
+    ax.figure.canvas.draw()  # type: ignore[union-attr]
+    hatched = [
+        box.get_window_extent()
+        for box in ax.patches
+        if isinstance(box, Rectangle) and box.get_hatch()
+    ]
+    point = ax.figure.dpi / 72
+    papers = [mark for mark in ax.collections if isinstance(mark, PolyCollection)]
+    corners = [path.vertices for mark in papers for path in mark.get_paths()]
+    whites = [Bbox([*ax.transData.transform(each)[[0, 2]]]) for each in corners]
+    inside = [(a, b) for a in whites for b in hatched if a.overlaps(b)]
+    assert len(inside) > len(hatched) / 2
+    for white, box in inside:
+        assert white.x0 - box.x0 >= 3.9 * point
+        assert box.x1 - white.x1 >= 3.9 * point
 
 
 def test_a_bar_that_crosses_360_is_drawn_in_two_and_named_once() -> None:

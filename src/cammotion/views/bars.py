@@ -18,6 +18,7 @@ from cammotion.views.plots import colour, mixed, style_axes
 HATCHES = {"rise": "///", "return": "\\\\\\", "dwell": ""}
 _NORMAL, _SMALL = 10, 8  # sizes of the angles on the bars, in points
 _DIGIT, _SIGN = 6.4, 5.0  # how wide a digit and the sign of a degree are at the normal size
+_HATCHED = 5.0  # of a bar that moves, in points: what an angle leaves free at either side of it
 
 
 def draw_bars(ax: Axes, motions: Sequence[Motion], names: Sequence[str]) -> None:
@@ -36,7 +37,8 @@ def draw_bars(ax: Axes, motions: Sequence[Motion], names: Sequence[str]) -> None
             start, end = max(parts, key=lambda part: part[1] - part[0])
             label = f"{segment.angle_deg:.5g}°"
             wide = _DIGIT * (len(label) - 1) + _SIGN
-            room = (end - start) * points / wide
+            free = (end - start) * points - (0 if segment.is_dwell else 2 * _HATCHED)
+            room = free / wide
             if room >= _SMALL / _NORMAL:
                 size = _NORMAL if room >= 1 else _SMALL
                 at = (start + end) / 2, number
