@@ -122,7 +122,7 @@ def test_an_angle_leaves_hatching_to_be_seen_at_both_sides() -> None:
         for n in range(14)
     ]
     ax = cm.plot_timing(cm.TimingDiagram(fourteen, 3000)).figure.axes[1]
-    ax.figure.canvas.draw()  # type: ignore[union-attr]
+    ax.figure.canvas.draw()
     hatched = [
         box.get_window_extent()
         for box in ax.patches
