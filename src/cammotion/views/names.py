@@ -128,7 +128,7 @@ def cut(text: str, width: float, size: float, *, bold: bool = False) -> str:
 def wrap(text: str, width: float, size: float, *, bold: bool = False) -> list[str]:
     """Return a text in lines that are not wider than `width`, broken in a word only if need be.
 
-    >>> wrap("the upper-left jaw, 12 mm", 110, 10)
+    >>> wrap("the upper-left jaw, 12 mm", 90, 10)
     ['the upper-left', 'jaw, 12 mm']
     """
 
