@@ -64,7 +64,7 @@ def test_what_is_not_met_is_told_all_at_once_with_what_is_measured() -> None:
 def test_the_law_that_is_asked_for_is_looked_at(law: str) -> None:
     other = balanced(EXAMPLE, law)
     said = OPEN.judge(other, EXAMPLE).text
-    assert said.startswith("The law of each move has to be the cycloid. The rise of the mill has ")
+    assert said.startswith("Each move has to have the law 'cycloidal'. The rise of the mill has ")
     own = cm.MotionLaw("mine", cm.LAWS["cycloidal"].s)
     mine = balanced(EXAMPLE)
     for name in mine.names:

@@ -105,8 +105,7 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     long (`optimise`; the parts with still arcs are free). Each change is checked before it is
     returned: it breaks no rule that was kept and makes none worse that is broken, and its peak is
     that of the changed diagram. A motion that hands a velocity from move to move keeps its laws.
-    Raises
-    InputError for what is no Machine, and WrongAnswerError if a check fails.
+    Raises InputError for what is no Machine, and WrongAnswerError if a check fails.
 
     >>> import cammotion as cm
     >>> both = {"mill": [(205, 305)], "die": [(205, 305)]}

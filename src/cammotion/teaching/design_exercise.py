@@ -26,8 +26,7 @@ from cammotion.whole.optimise import optimise
 _GAP, _SECONDS = 0.1, 5.0  # of the bound, which need not be close to tell how far a design is
 _SAME = 1e-6  # mm, and a share of a peak
 _DECIMALS = 1000  # of a limit in mm that a question tells
-_PLACES = np.linspace(0, 1, 101)
-_NAMED = {"cycloidal": "cycloid"}
+_PLACES = np.linspace(0, 1, 101)  # of a move, at which laws are compared
 _FAR = 1e12  # m/s3: a jerk beyond it is a jump
 
 
@@ -47,9 +46,8 @@ class DesignExercise(Exercise):
     """A design of mill and die with a largest peak of at most `limit` in m/s2.
 
     With a `law` all moves have that law; with a `jerk_limit`, in m/s3, the jerk is at most that.
-    The answer is a timing diagram, or a
-    Machine; `answer` makes one that is right. In a contest the class page shows who came nearest
-    to the bound.
+    The answer is a timing diagram, or a Machine; `answer` makes one that is right. In a contest the
+    class page shows who came nearest to the bound.
     """
 
     answer: Callable[[MillAndDie], TimingDiagram]
@@ -234,7 +232,7 @@ def _of_law(name: str) -> Requirement:
     def is_it(move: Segment) -> bool:
         return bool(np.allclose(as_law(move.law)(_PLACES, 2), LAWS[name](_PLACES, 2), atol=_SAME))
 
-    return Requirement(f"The law of each move has to be the {_NAMED[name]}.", other)
+    return Requirement(f"Each move has to have the law '{name}'.", other)
 
 
 def _smooth(design: TimingDiagram, _: MillAndDie) -> str:
