@@ -49,7 +49,8 @@ def test_a_file_that_is_none_is_left_out_and_said(folder: Path, kind: str) -> No
 
 
 def test_a_folder_without_any(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"^There is no progress\.json in the folder .* work\.$"):
+    said = rf"^There is no progress\.json in the folder {tmp_path.name}, nor .* work\.$"
+    with pytest.raises(InputError, match=said):
         read_class(tmp_path)
     for content, lack in (("{", "broken"), (" \n", "empty")):
         (tmp_path / "x.json").write_text(content)
