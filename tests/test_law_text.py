@@ -1,5 +1,6 @@
 """Laws as text: what is written is the law, and what is read is nothing but a law."""
 
+import ast
 import csv
 import time
 import warnings
@@ -15,6 +16,7 @@ from odd_machines import NAMES, draw, pool, worst
 
 import cammotion as cm
 from cammotion import InputError, MotionLaw, x
+from cammotion.exchange import expression_text
 from cammotion.exchange.expression_text import expression_as_text, expression_from_text
 from cammotion.exchange.law_text import is_same_law, law_as_text, law_from_text
 
@@ -362,3 +364,28 @@ def test_every_law_of_the_pool_has_a_text() -> None:
         back = law_from_text(law.name, law_as_text(law))
         for mine, theirs in ((law.Cv, back.Cv), (law.Ca, back.Ca), (law.Cj, back.Cj)):
             assert mine == pytest.approx(theirs, rel=1e-9)
+
+
+def _nested(levels: int) -> ast.expr:
+    node = ast.JoinedStr([])
+    for _ in range(levels):
+        node = ast.JoinedStr([node])
+    return node
+
+
+@pytest.mark.parametrize(
+    ("tree", "is_read"),
+    [
+        (ast.JoinedStr([ast.JoinedStr([])] * 49_999), True),
+        (ast.JoinedStr([ast.JoinedStr([])] * 50_000), False),
+        (_nested(150), True),
+        (_nested(151), False),
+    ],
+    ids=["most parts", "a part more", "deepest", "deeper"],
+)
+def test_how_large_an_expression_may_be(tree: ast.expr, *, is_read: bool) -> None:
+    if is_read:
+        expression_text._check_size(tree)
+    else:
+        with pytest.raises(cm.InputError, match=r"more than 150 levels or 50000 parts"):
+            expression_text._check_size(tree)
