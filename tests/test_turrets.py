@@ -135,6 +135,18 @@ def test_two_arcs_close_to_each_other() -> None:
     assert found.bound <= found.reached < 25
 
 
+def test_two_dies_that_hold_a_turret_at_two_stops_at_once() -> None:
+    """Of the one it is seen over 0.2 deg alone, before it may leave its first still arc."""
+    duties = Duty(-250.163, -155.283, 25.584, False), Duty(-218.82, -73.549, 38.376, False)
+    still = (-286.049, -249.955, 179.47), (-111.539, -73.634, 264.75)
+    turret = Turret(85.28, still, duties)
+    assert least_by_trying(turret) == math.inf
+    with pytest.raises(cm.InputError, match="No motion keeps all of this"):
+        solve_turret(turret, cells=90)
+    later = Duty(-249.9, -155.283, 25.584, False), duties[1]
+    assert math.isfinite(least_by_trying(Turret(85.28, still, later)))
+
+
 def test_a_turret_of_one_stop_and_a_travel_within_the_turn_in_which_it_begins() -> None:
     """From 0 to 100 mm while it goes from 37 to 397 deg, and so at 0 mm at 37 deg."""
     parts = cm.rise(50, over_deg=75), cm.rise(50, over_deg=75), cm.dwell(210)

@@ -6,8 +6,9 @@ is less than is asked of a motion, so that the result lies below the least peak 
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import groupby, pairwise, permutations, product
+from itertools import combinations, groupby, pairwise, permutations, product
 
 import numpy as np
 from machines import Array
@@ -16,6 +17,7 @@ from scipy.optimize import linprog
 import cammotion as cm
 from cammotion.rules.clearance import ClearanceRule
 
+Arc = tuple[float, float]
 ANGLES = np.linspace(0, 360, 1441)[:-1]
 """From the beginning of the first still arc."""
 
@@ -116,7 +118,7 @@ def least_by_trying(turret: Turret, nodes: int = 200) -> float:
     for (start, end, place), turn in product(turret.still, (0, 1)):
         here = (angles >= start + 360 * turn) & (angles <= end + 360 * turn)
         stands[here] = place + turn * turret.pitch_mm
-    arcs, choices = [], []
+    arcs, choices, spans = [], [], []
     for duty in turret.duties:
         low = duty.limit_mm if duty.is_beyond else -duty.limit_mm
         high = pitch - duty.limit_mm if duty.is_beyond else duty.limit_mm
@@ -128,14 +130,17 @@ def least_by_trying(turret: Turret, nodes: int = 200) -> float:
         for run in runs(inside):
             here = np.array(run)
             arcs.append(here)
+            since = float(np.mod(angles[run[0]] - duty.start_deg, 360))
+            span = angles[run[0]] - since, angles[run[0]] - since + duty.end_deg - duty.start_deg
+            spans.append(span)
             bands = [
                 (turret.still[0][2] + k * pitch + low, turret.still[0][2] + k * pitch + high)
                 for k in range(-3, 5)
             ]
-            known = stands[here][~np.isnan(stands[here])]
+            known = _places_over(span, turret)
             choices.append([(a, b) for a, b in bands if np.all((known >= a) & (known <= b))])
     best = math.inf
-    for chosen in product(*choices):
+    for chosen in _agreeing(spans, choices):
         low_mm, high_mm = np.full(nodes, -math.inf), np.full(nodes, math.inf)
         for here, (a, b) in zip(arcs, chosen, strict=True):
             low_mm[here] = np.maximum(low_mm[here], a)
@@ -145,6 +150,31 @@ def least_by_trying(turret: Turret, nodes: int = 200) -> float:
             low_mm[fixed] = high_mm[fixed] = stands[fixed]
             best = min(best, _least_difference(low_mm, high_mm, turret.pitch_mm, best))
     return best
+
+
+def _agreeing(spans: list[Arc], choices: list[list[Arc]]) -> Iterator[tuple[Arc, ...]]:
+    """Yield a band for each arc, so that arcs with a piece in common have bands with one."""
+    for chosen in product(*choices):
+        each = [*zip(spans, chosen, strict=True)]
+        pairs = combinations(each, 2)
+        if all(_overlap(one, other) or not _overlap(a, b) for (a, one), (b, other) in pairs):
+            yield chosen
+
+
+def _places_over(span: Arc, turret: Turret) -> Array:
+    """Return where the turret stands over a part of an arc, however small, and no node lies in."""
+    every = product(turret.still, (-1, 0, 1, 2))
+    found = [
+        place + turn * turret.pitch_mm
+        for (start, end, place), turn in every
+        if _overlap(span, (start + 360 * turn, end + 360 * turn))
+    ]
+    return np.array(found)
+
+
+def _overlap(one: Arc, other: Arc) -> bool:
+    """Tell whether two arcs, or two bands, have a piece in common."""
+    return min(one[1], other[1]) - max(one[0], other[0]) > 1e-9
 
 
 def runs(inside: Array) -> list[list[int]]:
