@@ -196,6 +196,7 @@ PICTURES: dict[str, Drawing] = {
     "chart of many": lambda: chart(PADS),
     "leaving": lambda: cm.animate_follower(flights()).svg,
     "die magnified": lambda: cm.animate(wide(), rules=RULE, magnify=10).still(135).svg,
+    "broken die magnified": lambda: cm.animate(BROKEN, rules=RULE, magnify=10).still(135).svg,
     "cam machine": lambda: cam_machine(make_diagram(), RULE),
     "table machine": lambda: table_machine(INDEXER, 150),
     "explore cam": lambda: pressed(cm.explore_cam(wide()["die"])),

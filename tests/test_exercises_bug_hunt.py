@@ -138,3 +138,10 @@ def test_the_options_name_the_laws_that_the_docstrings_name() -> None:
         letter: f"law_{letter}, a {named(letter)}" for letter in bug_hunt.SUSPECTS
     }
     assert {named(letter) for letter in bug_hunt.SUSPECTS} == PEAKS.keys()
+
+
+def test_the_modified_trapezoid_is_right_up_to_where_it_is_made_to_fail() -> None:
+    x = np.linspace(0, 3 / 8, 50)
+    right = (cm.LAWS["modified trapezoid"](x, order) for order in range(3))
+    for curve, known in zip(bug_hunt.law_c(x), right, strict=True):
+        np.testing.assert_allclose(curve, known, atol=1e-12)

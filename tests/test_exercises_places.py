@@ -254,3 +254,16 @@ def test_who_may_read_the_file_stays_as_it_is(work: Path) -> None:
     (work / FILE).chmod(0o640)
     cm.check("01.2", 0.3846)
     assert stat.S_IMODE((work / FILE).stat().st_mode) == 0o640
+
+
+@pytest.mark.parametrize(
+    ("content", "is_ours"),
+    [("{", True), ("", True), ("{}", True), ("[]", False), ('{"other": 1}', False)],
+)
+def test_a_damaged_file_is_ours_and_another_ones_is_not(
+    tmp_path: Path, content: str, *, is_ours: bool
+) -> None:
+    folder = tmp_path / "some"
+    folder.mkdir()
+    (folder / FILE).write_text(content)
+    assert places._may_keep(folder) is is_ours

@@ -739,6 +739,19 @@ def test_rise_and_return_of_two_angles_keep_two() -> None:
         assert cm.find_violations(cm.TimingDiagram([mill, die], 2000), rule)
 
 
+def test_without_rules_each_way_gets_the_angle_that_makes_both_as_hard() -> None:
+    slide = cm.motion(
+        "slide",
+        *(cm.rise(50, over_deg=60, law="cycloidal"), cm.dwell(100)),
+        *(cm.return_(50, over_deg=70, law="modified trapezoid"), cm.dwell(130)),
+    )
+    found = cm.widest_move(cm.TimingDiagram([slide], 2000), "slide", [], each_way=True)
+    rise, back = found.diagram["slide"].moves
+    assert rise.angle_deg + back.angle_deg == pytest.approx(260)
+    ratio = cm.LAWS["cycloidal"].Ca / cm.LAWS["modified trapezoid"].Ca
+    assert rise.angle_deg / back.angle_deg == pytest.approx(math.sqrt(ratio), rel=1e-6)
+
+
 def test_each_way_is_never_worse_than_one_angle_for_both() -> None:
     rng = np.random.default_rng(11)
     better = 0

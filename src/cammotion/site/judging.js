@@ -3,7 +3,8 @@
 
 const NUMBER =
   /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?))?(?![.,]?\d|\s*\/\s*\d)(?:\s*%)?/giu;
-const UNSURE = /[*^√×·=<>≤≥]|\b(?:sqrt|root|less|more|below|above|least|most|than)\b/iu;
+const UNSURE =
+  /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥]|\b(?:sqrt|root|less|more|below|above|least|most|than)\b/iu;
 const OTHER = ["mm", "cm", "µm", "rad", "min", "sec"],
   SHARES = ["percent", "fraction"];
 const LARGEST = 1e12,
@@ -24,7 +25,7 @@ export function numbersIn({ asked, low, high }, text, readings) {
   const isOne =
     !(isShare && !SHARES.some((share) => asked.includes(share))) &&
     !UNSURE.test(text) &&
-    !OTHER.some((unit) => text.includes(unit) && !asked.includes(unit));
+    !OTHER.some((unit) => asked && text.includes(unit) && !asked.includes(unit));
   if (found.length !== 1 || !isOne) return [];
   const [{ value, over }] = found;
   const inPercent = asked.includes("percent");

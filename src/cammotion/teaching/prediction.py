@@ -13,8 +13,10 @@ _NUMBER = re.compile(
     rf"(?:\s*/\s*(?P<over>{_DIGITS}))?(?![.,]?\d|\s*/\s*\d)(?:\s*%)?",
     re.IGNORECASE,
 )
-_UNSURE = re.compile(
-    r"[*^√×·=<>≤≥]|\b(?:sqrt|root|less|more|below|above|least|most|than)\b", re.IGNORECASE
+_UNSURE = re.compile(  # but for the square of a second
+    r"(?<!/s)\^|(?<!/s)(?<!/s\*)\*|[√×·=<>≤≥]"
+    r"|\b(?:sqrt|root|less|more|below|above|least|most|than)\b",
+    re.IGNORECASE,
 )
 _OTHER = ("mm", "cm", "µm", "rad", "min", "sec")  # units, unless they are asked for
 _SHARES = ("percent", "fraction")
@@ -130,7 +132,8 @@ def _is_one_number(text: str, asked: str) -> bool:
     """Tell whether all that is typed is a number in the unit that is asked for."""
     if _is_share(text) and not any(share in asked for share in _SHARES):
         return False
-    return not _UNSURE.search(text) and not any(u in text and u not in asked for u in _OTHER)
+    others = [unit for unit in _OTHER if asked and unit in text and unit not in asked]
+    return not others and not _UNSURE.search(text)
 
 
 def _is_share(text: str) -> bool:
