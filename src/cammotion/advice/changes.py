@@ -169,7 +169,7 @@ def _is_used_up(diagram: TimingDiagram, rule: Rule) -> bool:
 
 
 def _dwells(motion: Motion) -> bool:
-    return any(segment.kind == "dwell" for segment in motion.segments)
+    return any(segment.is_dwell for segment in motion.segments)
 
 
 def _widest(machine: Machine, name: str, rules: Sequence[Rule]) -> WidestMove | None:

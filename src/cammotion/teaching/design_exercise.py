@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from cammotion.exchange.law_text import is_same_law
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.segments import Segment
 from cammotion.own import Machine
 from cammotion.rules.checks import find_violations
 from cammotion.rules.clearance import ClearanceRule
@@ -26,7 +26,6 @@ from cammotion.whole.optimise import optimise
 _GAP, _SECONDS = 0.1, 5.0  # of the bound, which need not be close to tell how far a design is
 _SAME = 1e-6  # mm, and a share of a peak
 _DECIMALS = 1000  # of a limit in mm that a question tells
-_PLACES = np.linspace(0, 1, 101)  # of a move, at which laws are compared
 _FAR = 1e12  # m/s3: a jerk beyond it is a jump
 
 
@@ -226,11 +225,8 @@ def _rule(design: TimingDiagram, machine: MillAndDie) -> str:
 def _of_law(name: str) -> Requirement:
     def other(design: TimingDiagram, _: MillAndDie) -> str:
         moves = ((each.name, move) for each in design.motions for move in each.moves)
-        wrong = [f"The {move.kind} of the {whose}" for whose, move in moves if not is_it(move)]
-        return f"{wrong[0]} has another." if wrong else ""
-
-    def is_it(move: Segment) -> bool:
-        return bool(np.allclose(as_law(move.law)(_PLACES, 2), LAWS[name](_PLACES, 2), atol=_SAME))
+        others = (one for one in moves if not is_same_law(as_law(one[1].law), LAWS[name]))
+        return next((f"The {move.kind} of the {whose} has another." for whose, move in others), "")
 
     return Requirement(f"Each move has to have the law '{name}'.", other)
 
