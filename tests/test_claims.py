@@ -49,7 +49,7 @@ def test_the_jerks_at_which_play_is_crossed() -> None:
         assert found == pytest.approx([middles[name], starts[name]])
     assert min(middles, key=lambda name: middles[name]) == "modified sine"
     assert max(starts, key=lambda name: starts[name]) == "modified sine"
-    assert says("08", "is the largest, 69.5 to the cycloid's 39.5")
+    assert says("08", "is the largest of the four, 69.5 to the cycloid's 39.5")
 
 
 def test_the_collision_of_notebook_04() -> None:
