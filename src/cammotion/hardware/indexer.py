@@ -143,7 +143,7 @@ class Indexer:
 
     @cached_property
     def peak_power_W(self) -> float:  # noqa: N802
-        """The largest power in either direction, in W; without friction I h^2/tm^3 Cq.
+        """The largest power in either direction, in W; without friction I hm^2/tm^3 Cq.
 
         >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).peak_power_W:.0f} W")
         307 W

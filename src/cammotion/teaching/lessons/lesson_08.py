@@ -370,7 +370,7 @@ EXERCISES = (
         ),
         hints=(
             "What the shaft gives, the table takes: the power is the same at each moment.",
-            "The power of the table is I h²/tm³ times V A. The largest V A of a law is its Cq.",
+            "The power of the table is I hm²/tm³ times V A. The largest V A of a law is its Cq.",
             "The shaft turns with its angle, in radians, over tm. Divide the power by it.",
         ),
     ),
