@@ -158,6 +158,9 @@ SLIPS = [
         "10.1", "subtracted", lambda m: m.follower.rod.lever_N_per_mm - both(m), "side by side"
     ),
     KnownSlip(
+        "10.1", "subtracted", lambda m: both(m) - m.follower.rod.lever_N_per_mm, "side by side"
+    ),
+    KnownSlip(
         "10.1",
         "gives added",
         lambda m: 1 / (1 / both(m) + 1 / m.follower.rod.lever_N_per_mm),
@@ -215,6 +218,7 @@ SLIPS = [
     KnownSlip("10.2", "one push", lambda m: arrows(m, (2, -4, 2)), "half of the stroke"),
     KnownSlip("10.2", "end to end", lambda m: 2 * pushed(m), "each side"),
     KnownSlip("10.2", "a share", lambda m: pushed(m) / m.follower.jump_mm, "part of the stroke"),
+    KnownSlip("10.2", "in percent", lambda m: 100 * pushed(m) / m.follower.jump_mm, "percent"),
     KnownSlip("10.2", "in m", lambda m: pushed(m) / 1000, "metres"),
     # Where the follower leaves.
     KnownSlip(
@@ -238,6 +242,13 @@ SLIPS = [
         lambda m: turns(m, time_s(m, m.follower.pressed_mm + m.follower.lift_mm / 2)),
         "half-way",
     ),
+    KnownSlip(
+        "10.3",
+        "3/4 h",
+        lambda m: turns(m, time_s(m, m.follower.pressed_mm + 0.75 * m.follower.lift_mm)),
+        "Three quarters",
+    ),
+    KnownSlip("10.3", "less weight", lambda m: leaves(m, None, -G * m.follower.lifted_kg), "level"),
     KnownSlip("10.3", "not pressed", lambda m: leaves(m, 0), "already"),
     KnownSlip(
         "10.3",
@@ -312,6 +323,12 @@ SLIPS = [
         "2 pi",
     ),
     KnownSlip("10.5", "no square", lambda m: wanted(m) + wanted(m, 2) / w_of(m), "square"),
+    KnownSlip(
+        "10.5",
+        "velocity over the square",
+        lambda m: wanted(m) + wanted(m, 1) / w_of(m) ** 2,
+        "velocity",
+    ),
     KnownSlip("10.5", "velocity", lambda m: wanted(m) + wanted(m, 1) / w_of(m), "velocity"),
     KnownSlip(
         "10.5",

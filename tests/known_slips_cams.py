@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from known_slips import KnownSlip, die, law, peak, stroke
 
 from cammotion.teaching.example import MillAndDie
@@ -66,6 +67,26 @@ def needed(m: MillAndDie) -> float:
     return 2 * mean(m) / TAN_30 - stroke(m) / 2
 
 
+X = np.linspace(0, 1, 20_001)
+RISEN = X - np.sin(2 * np.pi * X) / (2 * np.pi)
+
+
+def needed_all_over(m: MillAndDie) -> float:
+    """Return the prime circle for 30 deg at the worst of many places of the rise."""
+    slope = mean(m) * (1 - np.cos(2 * np.pi * X))
+    return float(np.max(slope / TAN_30 - stroke(m) * RISEN))
+
+
+def preload_all_over(m: MillAndDie) -> float:
+    """Return the preload for the worst of many places of the rise."""
+    return float(np.max(-push(m) * np.sin(2 * np.pi * X) - spring(m) * stroke(m) * RISEN))
+
+
+def early(m: MillAndDie) -> float:
+    """Return the displacement at x = 3/4 with a lost sign."""
+    return stroke(m) * (0.75 - 1 / (2 * math.pi))
+
+
 RIGHT: dict[str, Callable[[MillAndDie], Any]] = {
     "07.1": lambda m: degrees(2 * mean(m), high(m)),
     "07.2": needed,
@@ -102,6 +123,7 @@ SLIPS = [
         lambda m: 2 * stroke(m) / die(m) / TAN_30 - stroke(m) / 2,
         "per degree",
     ),
+    KnownSlip("07.2", "all over", needed_all_over, "all over"),
     KnownSlip("07.2", "diameter", lambda m: 2 * needed(m), "diameter"),
     KnownSlip(
         "07.2",
@@ -131,11 +153,14 @@ SLIPS = [
     KnownSlip(
         "07.4", "no pi", lambda m: base(m) + late(m) - 2 * stroke(m) / rad(m) ** 2, "2 in place"
     ),
+    KnownSlip("07.4", "lost sign", lambda m: base(m) + early(m) - bend(m), "sign of the sine"),
     KnownSlip("07.4", "x = 1/4", lambda m: base(m) + stroke(m) * law(0.25) - bend(m), "1/4"),
     KnownSlip("07.5", "no spring", push, "whole force"),
     KnownSlip("07.5", "added", lambda m: push(m) + spring(m) * late(m), "added"),
     KnownSlip("07.5", "whole", lambda m: push(m) - spring(m) * stroke(m), "whole stroke"),
     KnownSlip("07.5", "3/4 h", lambda m: push(m) - spring(m) * 0.75 * stroke(m), "Three quarters"),
+    KnownSlip("07.5", "lost sign", lambda m: push(m) - spring(m) * early(m), "sign of the sine"),
+    KnownSlip("07.5", "all over", preload_all_over, "all over"),
     KnownSlip("07.5", "x = 1/4", lambda m: push(m) - spring(m) * stroke(m) * law(0.25), "1/4"),
     KnownSlip("07.5", "in mm", lambda m: 1000 * push(m) - spring(m) * late(m), "mm/s²"),
     KnownSlip("07.5", "spring in m", lambda m: push(m) - spring(m) * late(m) / 1000, "metres"),

@@ -152,6 +152,7 @@ SLIPS = [
     KnownSlip("11.2", "by the formulas", most_by_formulas, "formulas|finite"),
     KnownSlip("11.3", "by the table", by_table, "table says|finite"),
     KnownSlip("11.3", "D itself", with_diameter, "whole step|finite|Not far"),
+    KnownSlip("11.3", "arithmetic", lambda m: grade(m, sum(step(m)) / 2), "arithmetic|Close"),
     KnownSlip("11.3", "lower end", lambda m: grade(m, step(m)[0]), "lower end"),
     KnownSlip("11.3", "upper end", lambda m: grade(m, step(m)[1]), "upper end"),
     KnownSlip("11.3", "one unit", lambda m: grade(m, units=1), "tolerance unit"),
@@ -173,6 +174,7 @@ SLIPS = [
     KnownSlip("11.3", "in mm", lambda m: grade(m) / 1000, "in mm"),
     KnownSlip("11.3", "a third", lambda m: UNITS[m.fits.grade] * 0.15 * geometric(m), "cube root"),
     KnownSlip("11.4", "one tolerance", lambda m: turned(m, play(m) / 2), "half"),
+    KnownSlip("11.4", "both halves", lambda m: turned(m, play(m) / 4), "a quarter of it: the"),
     KnownSlip("11.4", "to and fro", lambda m: turned(m, 2 * play(m)), "twice"),
     KnownSlip("11.4", "by the formula", key_by_formula, "formula|finite"),
     KnownSlip("11.4", "radians", lambda m: play(m) / 500 / m.fits.shaft[0], "radian"),
@@ -201,5 +203,5 @@ SLIPS = [
     KnownSlip("11.4", "a part of a turn", lambda m: turned(m, play(m)) / 360, "part of a turn"),
     KnownSlip("11.5", "a: always", lambda _: "a", "40 mm"),
     KnownSlip("11.5", "c: never", lambda _: "c", "above zero"),
-    KnownSlip("11.5", "d: alike", lambda _: "d", "tolerance"),
+    KnownSlip("11.5", "d: alike", lambda _: "d", "zone"),
 ]

@@ -126,7 +126,13 @@ def test_a_choice_has_a_reason_for_each_letter() -> None:
 def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
     made = [each for each in PREDICTIONS.values() if not isinstance(each.true, str)]
     typed = [
-        [*TYPED, *(f"{float(each.true) * times:.4g}" for times in (0.2, 0.7, 0.985, 1.01, 1.4, 3))]
+        [
+            *TYPED,
+            *(
+                f"{float(each.true) * times:.4g}"
+                for times in (0.01, 0.2, 0.7, 0.985, 1.01, 1.4, 3, 100, 1234)
+            ),
+        ]
         for each in made
     ]
     said = run(

@@ -21,7 +21,7 @@ export function verdict({ off, edges, places, said }, given, format) {
 /** The numbers that a typed prediction may be: one, none, or two that make sense. */
 export function numbersIn({ asked, low, high }, text, readings) {
   const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
-  const isShare = text.includes("%") || text.includes("percent");
+  const isShare = saysShare(text);
   const isOne =
     !(isShare && !SHARES.some((share) => asked.includes(share))) &&
     !UNSURE.test(text) &&
@@ -35,6 +35,10 @@ export function numbersIn({ asked, low, high }, text, readings) {
     .filter((number) => Math.abs(number) <= LARGEST);
   const sensible = numbers.filter((number) => low <= Math.abs(number) && Math.abs(number) <= high);
   return sensible.length ? sensible : numbers;
+}
+
+function saysShare(text) {
+  return text.includes("%") || text.includes("percent");
 }
 
 /** What a typed prediction may be, "" unless that is more than one number. */
@@ -59,7 +63,9 @@ export function howFar(made, text, { format, readings }) {
   const ratio = number / right[0],
     too = ratio > 1 ? "too much" : "too little",
     times = Math.max(ratio, 1 / ratio);
-  return times < IN_TIMES
-    ? `${format(100 * Math.abs(ratio - 1), ".0f")} % ${too}`
-    : `${format(times, ".2g")} times ${too}`;
+  if (times < IN_TIMES) return `${format(100 * Math.abs(ratio - 1), ".0f")} % ${too}`;
+  const mayBeShare = made.asked.includes("percent") && !saysShare(text);
+  if (mayBeShare && Math.abs(100 * ratio - 1) <= CLOSE)
+    return "right, if it is a share (in percent it is a hundred times that)";
+  return `${Number(format(times, ".2g"))} times ${too}`;
 }

@@ -88,14 +88,21 @@ class Prediction:
             return f"{off:g} place{'s' * (off != 1)} off" if off else "as good as right"
         if number <= 0:
             return "too little"
-        ratio = number / self.true
         if any(abs(number / right - 1) <= _CLOSE for right in (self.true, *self.also)):
             return "as good as right"
-        too = "too much" if ratio > 1 else "too little"
-        times = max(ratio, 1 / ratio)
-        if times < _IN_TIMES:
-            return f"{100 * abs(ratio - 1):.0f} % {too}"
-        return f"{times:.2g} times {too}"
+        may_be_share = "percent" in self.asked and not _is_share(text)
+        return _off(number / self.true, may_be_share=may_be_share)
+
+
+def _off(ratio: float, *, may_be_share: bool) -> str:
+    """Say how far off a number is that is so many times what is true."""
+    too = "too much" if ratio > 1 else "too little"
+    times = max(ratio, 1 / ratio)
+    if times < _IN_TIMES:
+        return f"{100 * abs(ratio - 1):.0f} % {too}"
+    if may_be_share and abs(100 * ratio - 1) <= _CLOSE:
+        return "right, if it is a share (in percent it is a hundred times that)"
+    return f"{float(f'{times:.2g}'):.15g} times {too}"
 
 
 def numbers_in(text: str, asked: str) -> tuple[float, ...]:

@@ -13,8 +13,15 @@ STEEPEST_DEG = 30
 HARDEST = 3 / 4  # x at which the cycloid brakes hardest
 
 PER_DEG = (
-    "The slope was taken per degree. A pressure angle compares lengths, so the cam angle has to "
-    "count in radians: divide the angle in deg by 57.3 first."
+    "The slope was taken per degree. It is a length if the cam angle counts in radians: divide the "
+    "angle in deg by 57.3 first."
+)
+_THREE_QUARTERS = (
+    "Three quarters of the time are more than three quarters of the stroke: put x into the law."
+)
+_SINE = (
+    "The sign of the sine is lost: at x = 3/4 it is -1, so the displacement is more than three "
+    "quarters of the stroke."
 )
 _LAW = LAWS["cycloidal"]
 
@@ -62,6 +69,16 @@ def _needed(m: MillAndDie, ratio: float = math.tan(math.radians(STEEPEST_DEG))) 
     return _slope(m) / ratio - m.stroke_mm / 2
 
 
+def _needed_all_over(m: MillAndDie) -> float:
+    """Return the prime circle in mm that keeps the angle all over the rise.
+
+    The place that needs most is where tan(pi x) is 2 pi / (Bm tan(angle)).
+    """
+    ratio = 1 / (_angle(m) * math.tan(math.radians(STEEPEST_DEG)))
+    x = math.atan(2 * math.pi * ratio) / math.pi
+    return m.stroke_mm * (ratio * float(_LAW(x, 1)) - float(_LAW(x)))
+
+
 def _push(m: MillAndDie) -> float:
     """Return the largest inertia force in N."""
     peak = peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour)
@@ -76,6 +93,21 @@ def stiffness(m: MillAndDie) -> float:
 def _preload(m: MillAndDie, stretched_mm: float | None = None) -> float:
     way = _hardest_mm(m) if stretched_mm is None else stretched_mm
     return _push(m) - stiffness(m) * way
+
+
+def _preload_all_over(m: MillAndDie) -> float:
+    """Return the preload in N that keeps the die on its cam all over the rise.
+
+    The place that needs most is where the derivative of the brake less the spring's force is 0.
+    """
+    gain = stiffness(m) * m.stroke_mm
+    angle = 2 * math.pi - math.acos(gain / (gain - 2 * math.pi * _push(m)))
+    return -_push(m) * math.sin(angle) - gain * float(_LAW(angle / (2 * math.pi)))
+
+
+def _sine_added(m: MillAndDie) -> float:
+    """Return where the die would be at x = 3/4 if the sine had another sign, in mm."""
+    return 2 * HARDEST * m.stroke_mm - _hardest_mm(m)
 
 
 def _radius(m: MillAndDie) -> float:
@@ -195,6 +227,11 @@ EXERCISES = (
                 "that it is in degrees.",
             ),
             Slip(
+                _needed_all_over,
+                "This keeps the angle all over the rise: the worst place is a little before "
+                "mid-stroke, where the roller is nearer to the axis. Asked for is mid-stroke.",
+            ),
+            Slip(
                 lambda m: 2 * _needed(m),
                 "This is the diameter. The radius is asked for.",
             ),
@@ -281,9 +318,9 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: base_mm(m) + 0.75 * m.stroke_mm - _bend(m),
-                "Three quarters of the time are more than three quarters of the stroke: put x "
-                "into the law.",
+                _THREE_QUARTERS,
             ),
+            Slip(lambda m: base_mm(m) + _sine_added(m) - _bend(m), _SINE),
             Slip(
                 lambda m: base_mm(m) + m.stroke_mm - _bend(m),
                 "The whole stroke was added. At x = 3/4 the die has not quite done it.",
@@ -319,7 +356,8 @@ EXERCISES = (
         ),
         unit="N",
         answer=_preload,
-        right="The spring brakes an open follower: four times as hard at twice the rate.",
+        right="The spring brakes an open follower: four times as hard at twice the rate. A little "
+        "before x = 3/4 it is pressed less, so all over the rise it needs a little more.",
         slips=(
             Slip(
                 _push,
@@ -335,10 +373,12 @@ EXERCISES = (
                 "The spring is not yet pressed together by the whole stroke: put x = 3/4 into the "
                 "law.",
             ),
+            Slip(lambda m: _preload(m, 0.75 * m.stroke_mm), _THREE_QUARTERS),
+            Slip(lambda m: _preload(m, _sine_added(m)), _SINE),
             Slip(
-                lambda m: _preload(m, 0.75 * m.stroke_mm),
-                "Three quarters of the time are more than three quarters of the stroke: put x "
-                "into the law.",
+                _preload_all_over,
+                "This keeps the die on its cam all over the rise: a little before x = 3/4 the "
+                "spring gives less, and the brake is nearly as hard. Asked for is x = 3/4.",
             ),
             Slip(
                 lambda m: _preload(m, m.stroke_mm - _hardest_mm(m)),
@@ -393,7 +433,8 @@ EXERCISES = (
             "d": "The place bulges outwards. In a hollow the roller's radius is added, not taken "
             "away.",
         },
-        right="The cutter has taken the point away, so the roller comes down before its time.",
+        right="The cutter has taken the point away. The roller turns about the corner that is "
+        "left, and its acceleration jumps where that begins and where it ends.",
         hints=(
             "How large would the profile's radius of curvature be?",
             "A cutter as large as the roller goes along the pitch curve. What does it take away "

@@ -21,6 +21,11 @@ from cammotion.teaching.shown.bars import swings_of_rod
 _SECONDS_PER_MINUTE = 60
 _MINUTES_PER_HOUR = 60
 _CYCLOID, _SMOOTH = LAWS["cycloidal"], LAWS["4-5-6-7 polynomial"]
+_SIDE_BY_SIDE = (
+    "The stiffnesses were subtracted, as of parts side by side. One behind the other, which of "
+    "stiffness and give adds up?"
+)
+_WITH_VELOCITY = "This is with the velocity. A force on a mass makes an acceleration."
 _JUMPS = (4, -8, 4)  # of the constant acceleration, in hm/tm2: where it sets in, turns and ends
 
 
@@ -155,11 +160,8 @@ EXERCISES = (
                 "This is what lever and rod need together. The lever gives way too, so that the "
                 "rod has to be stiffer.",
             ),
-            Slip(
-                lambda m: m.follower.rod.lever_N_per_mm - _together(m),
-                "The stiffnesses were subtracted, as of parts side by side. One behind the other, "
-                "which of stiffness and give adds up?",
-            ),
+            Slip(lambda m: m.follower.rod.lever_N_per_mm - _together(m), _SIDE_BY_SIDE),
+            Slip(lambda m: _together(m) - m.follower.rod.lever_N_per_mm, _SIDE_BY_SIDE),
             Slip(
                 lambda m: springs_in_series([_together(m), m.follower.rod.lever_N_per_mm]),
                 "The give of the lever was added to that of both. It is a part of it: what is left "
@@ -285,6 +287,10 @@ EXERCISES = (
                 "This is a part of the stroke. It is asked for in mm.",
             ),
             Slip(
+                lambda m: 100 * _ringing(m) / m.follower.jump_mm,
+                "This is in percent of the stroke. It is asked for in mm.",
+            ),
+            Slip(
                 lambda m: (
                     m.follower.jump_mm
                     * (math.sin(math.radians(math.pi * _ratio(m) / 2)) / (math.pi * _ratio(m) / 2))
@@ -334,6 +340,11 @@ EXERCISES = (
                 "The spring is taken as half-way up. There the cam just goes from push to brake.",
             ),
             Slip(
+                lambda m: _speed(m, m.follower.pressed_mm + 3 / 4 * m.follower.lift_mm),
+                "Three quarters of the time are more than three quarters of the stroke: put x "
+                "into the law. And is x = 3/4 the worst place?",
+            ),
+            Slip(
                 lambda m: _leaves(m, 0),
                 "The spring is pressed together at the lowest position already. That is missing.",
             ),
@@ -350,6 +361,11 @@ EXERCISES = (
                 lambda m: _leaves(m, m.follower.pressed_mm + _weight(m)),
                 "The weight was added to the spring's force. The follower is level: its weight "
                 "does not press it on the cam.",
+            ),
+            Slip(
+                lambda m: _leaves(m, m.follower.pressed_mm - _weight(m)),
+                "The weight was taken away from the spring's force. The follower is level: its "
+                "weight does not pull it off the cam.",
             ),
             Slip(
                 lambda m: _leaves(m) * DEG_PER_TURN / m.follower.lift_deg,
@@ -508,10 +524,8 @@ EXERCISES = (
                 lambda m: _law(m) + _law(m, 2) / _turns(m),
                 "The second derivative is divided by the square of the angular frequency.",
             ),
-            Slip(
-                lambda m: _law(m) + _law(m, 1) / _turns(m),
-                "This is with the velocity. A force on a mass makes an acceleration.",
-            ),
+            Slip(lambda m: _law(m) + _law(m, 1) / _turns(m), _WITH_VELOCITY),
+            Slip(lambda m: _law(m) + _law(m, 1) / _turns(m) ** 2, _WITH_VELOCITY),
             Slip(
                 lambda m: _cam(m, "cycloidal"),
                 "This is with the cycloid. Its third derivative jumps at the ends, and the cam "

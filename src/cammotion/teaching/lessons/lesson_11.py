@@ -19,7 +19,8 @@ from cammotion.teaching.shown.bars import turn_by_play
 UM_PER_MM = 1000
 _KEY_GRADE = 9
 _NO_MORE = 0.004  # than what an answer may be off
-_NO_SLIP = 0.02  # a diameter that changes less than this leads to the right number
+_A_MICROMETRE_IS_WRONG = 0.001  # what an answer of some hundred of them may be off
+_NO_SLIP = 0.005  # a diameter that changes less than this leads to the right number
 _DEG_PER_TURN = 360
 _BY_THE_FORMULA = (
     "This is by the formulas. What is asked for is by the table: in it the parts are rounded."
@@ -174,6 +175,7 @@ EXERCISES = (
         ),
         unit="µm",
         answer=lambda m: _fit(m).largest_clearance_um,
+        tolerance=_A_MICROMETRE_IS_WRONG,
         right="Two parts that are both good can be so far apart.",
         slips=(
             Slip(
@@ -250,6 +252,11 @@ EXERCISES = (
                 "Here the diameter itself was put in. D is one number for the whole step.",
             ),
             Slip(
+                lambda m: _formula_at(m, sum(size_step_mm(m.fits.turned_mm)) / 2),
+                "This is with the arithmetic mean of the step. D is the geometric one, the root of "
+                "the product.",
+            ),
+            Slip(
                 lambda m: _formula_at(m, size_step_mm(m.fits.turned_mm)[0]),
                 "This is with the lower end of the step.",
             ),
@@ -318,6 +325,11 @@ EXERCISES = (
                 lambda m: _turned(m, _key_um(m)) / 2,
                 "This is half of it: was the diameter taken for the radius, or only one of the two "
                 "tolerances?",
+            ),
+            Slip(
+                lambda m: _turned(m, _key_um(m)) / 4,
+                "This is a quarter of it: the diameter was taken for the radius, and only one of "
+                "the two tolerances.",
             ),
             Slip(
                 lambda m: 2 * _turned(m, _key_um(m)),
@@ -393,7 +405,8 @@ EXERCISES = (
             "begin?",
             "c": "The upper deviation of p6 is above zero, and a hole of H7 may be as small as its "
             "nominal size. What then?",
-            "d": "Both parts have a tolerance, so no two pairs are alike.",
+            "d": "Each part may lie anywhere in its zone, and hole and pin have different ones. "
+            "Where are they at 3 mm?",
         },
         right="A letter is a promise only together with its step: look before you press.",
         hints=(

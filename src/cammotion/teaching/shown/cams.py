@@ -81,7 +81,7 @@ def _judged(angle: float, most: float) -> str:
         return f"leans over by just {most:g} deg at mid-stroke, as the question asks."
     if angle > most:
         return f"leans over by more than {most:g} deg at mid-stroke: the slide could jam."
-    return f"leans over by less than {most:g} deg: a smaller cam would do."
+    return f"leans over by less than {most:g} deg at mid-stroke: there a smaller cam would do."
 
 
 def _draw_cam(
