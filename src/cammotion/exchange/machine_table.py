@@ -191,9 +191,7 @@ def _filled(segments: list[Segment]) -> list[Segment]:
             )
     if any(segment.is_dwell for segment in segments):
         return segments
-    first = segments[0]
-    ends = [*(after.from_deg for _, after in pairwise(segments)), first.from_deg + DEG_PER_TURN]
-    return [*with_dwells(segments, ends)]
+    return [*with_dwells(segments)]
 
 
 def _rules(

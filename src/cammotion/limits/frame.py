@@ -62,8 +62,7 @@ class Frame:
             replace(move, from_deg=anchor - share * bm, to_deg=anchor + (1 - share) * bm)
             for (move, anchor, share), bm in zip(self.anchors, angles, strict=True)
         ]
-        ends = [*(move.from_deg for move in moves[1:]), moves[0].from_deg + DEG_PER_TURN]
-        return replace(self.motion, segments=tuple(with_dwells(moves, ends)))
+        return replace(self.motion, segments=tuple(with_dwells(moves)))
 
     def angles_at(self, limit_mm: float, angle_deg: float) -> Iterator[tuple[int, float]]:
         """Yield every Bm with which a move meets a limit at a cam angle, and the move's number."""

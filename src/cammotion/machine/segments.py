@@ -1,7 +1,7 @@
 """Segments: the rises, returns and dwells of which a motion is made."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -115,8 +115,9 @@ class Segment:
         return law.curve.placed(self.from_deg, self.angle_deg, self.from_mm, self.change_mm)
 
 
-def with_dwells(moves: Iterable[Segment], ends: Iterable[float]) -> Iterator[Segment]:
-    """Yield the moves, each with the dwell that follows it until the next one begins."""
+def with_dwells(moves: Sequence[Segment]) -> Iterator[Segment]:
+    """Yield the moves of a turn, each with the dwell that follows it until the next one begins."""
+    ends = [*(move.from_deg for move in moves[1:]), moves[0].from_deg + DEG_PER_TURN]
     for move, end in zip(moves, ends, strict=True):
         yield move
         if end - move.to_deg > ROUNDING_DEG:

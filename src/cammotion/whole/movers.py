@@ -139,7 +139,7 @@ def _built(part: Part, placed: Sequence[Placed]) -> Motion:
             part.motion.moves, placed, ends, following, strict=True
         )
     ]
-    return Motion(part.motion.name, tuple(with_dwells(moves, following)), part.motion.stops)
+    return Motion(part.motion.name, tuple(with_dwells(moves)), part.motion.stops)
 
 
 def _snap(angle_deg: float, known: Sequence[float]) -> float:
