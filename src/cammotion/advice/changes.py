@@ -13,7 +13,7 @@ from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
+from cammotion.machine.segments import Segment, arcs_of
 from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.rules.checks import find_violations, smallest_clearance
@@ -220,8 +220,7 @@ def _fits(motion: Motion, arcs: Sequence[Arc], angle_deg: float) -> bool:
 
 def _stands(motion: Motion, still: Iterable[Arc]) -> bool:
     """Tell whether a motion stands over its still arcs."""
-    moves = arcs((move.from_deg, move.to_deg) for move in motion.moves)
-    return not intersect(moves, arcs(still))
+    return not intersect(arcs_of(motion.moves), arcs(still))
 
 
 def _other_law(

@@ -13,6 +13,7 @@ from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
+from cammotion.machine.segments import arcs_of
 from cammotion.quantities import Floats
 from cammotion.rules.checks import find_violations
 from cammotion.rules.clearance import ClearanceRule
@@ -75,8 +76,7 @@ def _stands(old: Motion, new: Motion, arc: Arc) -> bool:
     if old.stops is not None:
         turret = old.pitch_mm * old.stops  # after which it is where it was
         off -= turret * np.round(off / turret)
-    moving = arcs((move.from_deg, move.to_deg) for move in new.moves)
-    moves = intersect(arcs([arc]), moving)
+    moves = intersect(arcs([arc]), arcs_of(new.moves))
     return bool(np.all(np.abs(off) < _MM)) and all(end - start < _DEG for start, end in moves)
 
 

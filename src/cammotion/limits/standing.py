@@ -9,7 +9,7 @@ from cammotion.machine.arcs import arcs as as_set
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import CAM_ANGLE
+from cammotion.machine.segments import CAM_ANGLE, arcs_of
 from cammotion.quantities import InputError, listed, shorten
 
 _ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
@@ -55,7 +55,7 @@ def still_arcs(motion: Motion, still: Any) -> list[Arc]:
 
 def check_stands(motion: Motion, still: Sequence[Arc]) -> None:
     """Raise InputError for a still arc over which the motion moves."""
-    moves = as_set((move.from_deg, move.to_deg) for move in motion.moves)
+    moves = arcs_of(motion.moves)
     for start, end in still:
         for first, last in unwrap(intersect(as_set([(start, end)]), moves)):
             raise InputError(

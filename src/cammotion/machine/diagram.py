@@ -21,7 +21,7 @@ from cammotion.machine.kinematics import (
     over_time,
 )
 from cammotion.machine.motions import HEADING, Motion
-from cammotion.machine.segments import CAM_ANGLE
+from cammotion.machine.segments import CAM_ANGLE, arcs_of
 from cammotion.quantities import InputError, Numbers, Quantity, keep_numbers, one_of, plain, shorten
 from cammotion.shown import as_table
 
@@ -197,10 +197,8 @@ first, with_motion(...), or give the name.
 
         Without names it looks at all motions. An arc that crosses 360 deg ends above 360.
         """
-        moving = [
-            arcs((segment.from_deg, segment.to_deg) for segment in self[motion].moves)
-            for motion in {name_of(self[motion]) for motion in motions or self.names}
-        ]
+        names = {name_of(self[motion]) for motion in motions or self.names}
+        moving = [arcs_of(self[name].moves) for name in names]
         return unwrap(
             arcs(arc for these, those in combinations(moving, 2) for arc in intersect(these, those))
         )

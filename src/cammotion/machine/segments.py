@@ -9,7 +9,7 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series
-from cammotion.machine.arcs import ROUNDING_DEG
+from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN, FULL_TURN_DEG
 from cammotion.quantities import InputError, Quantity, keep_numbers
 
@@ -123,6 +123,11 @@ def with_dwells(moves: Sequence[Segment]) -> Iterator[Segment]:
         if end - move.to_deg > ROUNDING_DEG:
             height = move.to_mm
             yield Segment(from_deg=move.to_deg, to_deg=end, from_mm=height, to_mm=height)
+
+
+def arcs_of(segments: Sequence[Segment]) -> list[Arc]:
+    """Return the arcs of the turn that segments take, like the moves of a motion."""
+    return arcs((segment.from_deg, segment.to_deg) for segment in segments)
 
 
 def told(difference: float) -> str:

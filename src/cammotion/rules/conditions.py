@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cammotion.arguments import checked
-from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement
+from cammotion.machine.arcs import ROUNDING_DEG, Arc, complement
 from cammotion.machine.diagram import TimingDiagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import LIMIT, Segment
+from cammotion.machine.segments import LIMIT, Segment, arcs_of
 from cammotion.quantities import keep_numbers
 
 
@@ -76,7 +76,7 @@ class Moving(Condition):
 
     def arcs(self, diagram: TimingDiagram) -> list[Arc]:
         """Return the arcs of the turn over which it holds."""
-        moves = arcs((move.from_deg, move.to_deg) for move in diagram[self.motion].moves)
+        moves = arcs_of(diagram[self.motion].moves)
         return moves if self.is_beyond else complement(moves)
 
     def room_mm(self, diagram: TimingDiagram, angle_deg: float) -> float:
