@@ -81,10 +81,8 @@ class Frame:
         One angle for all moves: the widest first. Each its own: the smallest peak first, and of
         two that share the whole room with each other also what one leaves to the other.
         """
-        count, bms = (
-            len(self.anchors),
-            [{event.bm for event in events if event.move == n} for n in (0, 1)],
-        )
+        count = len(self.anchors)
+        bms = [{event.bm for event in events if event.move == n} for n in (0, 1)]
         if not each_way or count == 1:
             most = self.room / count
             one_angle = {most, *(bm for bm in bms[0] | bms[1] if bm < most)}
@@ -92,9 +90,7 @@ class Frame:
             return
         now = [move.angle_deg for move, _, _ in self.anchors]
         even = self._even_share()
-        rises, returns = (
-            {*found, *more} for found, more in zip(bms, ([now[0]], [now[1]]), strict=True)
-        )
+        rises, returns = ({*found, bm} for found, bm in zip(bms, now, strict=True))
         pairs = {
             (rise, back)
             for rise, back in (

@@ -75,7 +75,7 @@ class Task:
         """Return what is asked of some parts by themselves."""
         parts = tuple(part for part in self.parts if part.motion.name in names)
         others = {part.motion.name for part in self.parts} - set(names)
-        rules = [r for r in self.rules if not {r.when.motion, r.only_while.motion} & others]
+        rules = [r for r in self.rules if not {*r.motions} & others]
         return Task(self.diagram, parts, _of_interest(rules, names))
 
     def beside(self, others: "Task", design: TimingDiagram) -> "Task":
@@ -203,4 +203,4 @@ def _check_begins_at_a_stop(motion: Motion, still: Sequence[Arc]) -> None:
 def _of_interest(rules: Iterable[ClearanceRule], names: Iterable[str]) -> tuple[ClearanceRule, ...]:
     """Return the rules in which some of these parts have a share."""
     own = set(names)
-    return tuple(rule for rule in rules if {rule.when.motion, rule.only_while.motion} & own)
+    return tuple(rule for rule in rules if {*rule.motions} & own)

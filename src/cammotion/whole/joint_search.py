@@ -93,11 +93,11 @@ class Search:
             if hardest.rules:
                 yield hardest
             near = {
-                half.motion
+                name
                 for rule in self.task.rules
-                if {rule.when.motion, rule.only_while.motion} & set(names)
-                for half in (rule.when, rule.only_while)
-                if half.motion in hardness
+                if {*rule.motions} & set(names)
+                for name in rule.motions
+                if name in hardness
             }
             left = (near or set(hardness)) - set(names) or set(hardness) - set(names)
             names.append(max(sorted(left), key=lambda name: hardness[name]))
