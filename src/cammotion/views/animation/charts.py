@@ -12,7 +12,7 @@ from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.views.animation import svg
-from cammotion.views.animation.keyframes import Trace
+from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.lanes import SHARED_AXIS
 from cammotion.views.names import text_px
 from cammotion.views.plots import colour
@@ -159,6 +159,24 @@ class Chart:
         right = LEFT_PX + self.width
         yield svg.alarm_area(right - 96, 1, 18, 11)
         yield svg.label(self.alarm, right - 74, 11, size=svg.SMALL, fill=svg.ALARM)
+
+
+def draw_cursor(charts: Sequence[tuple[Chart, float]], turn_s: float) -> Any:
+    """Draw the cursor through charts, each with its top, and the dots on their curves."""
+    way = CAMSHAFT.scaled(charts[0][0].width / DEG_PER_TURN)
+    cursor = svg.moving(way, turn_s, "x", data={"part": "cursor"})
+    line = draw.Path(stroke=svg.INK, stroke_width=1.4, fill="none")
+    for chart, top in charts:
+        line.M(0, svg.px(top + HEADING_PX)).v(svg.px(chart.height))
+        cursor.append(svg.placed(0, top, chart.draw_dots(turn_s)))
+    cursor.insert(0, line)
+    return svg.placed(LEFT_PX, 0, cursor)
+
+
+def name_angle(lowest: Chart, top: float) -> Any:
+    """Write under the lowest chart what all of them are over."""
+    middle, below = LEFT_PX + lowest.width / 2, top + lowest.whole_height + 12
+    return svg.label("cam angle", middle, below, size=svg.SMALL, text_anchor="middle")
 
 
 def timing_lanes(curves: Sequence[LabelledCurve], height: float) -> list[Lane]:

@@ -15,17 +15,18 @@ from cammotion.rules.rule import Rule, Violation
 from cammotion.views.animation import svg
 from cammotion.views.animation.charts import (
     GAP_PX,
-    HEADING_PX,
     LEFT_PX,
     WIDEST_LABEL_PX,
     Chart,
     LabelledCurve,
     acceleration_lane,
+    draw_cursor,
+    name_angle,
     timing_lanes,
 )
 from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import find_dies
-from cammotion.views.animation.keyframes import CAMSHAFT, trace_acceleration, trace_position
+from cammotion.views.animation.keyframes import trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
 from cammotion.views.names import text_px
 from cammotion.views.scales import as_text, drawn_peak
@@ -160,10 +161,9 @@ class Layout:
         timing_top = HEADER_PX + self.scene + self.alarm + 4
         column.append(svg.placed(0, timing_top, timing.draw(every)))
         column.append(svg.placed(0, self.acceleration_top, acceleration.draw()))
-        below = self.acceleration_top + acceleration.whole_height + 12
-        middle = LEFT_PX + self.chart / 2
-        column.append(svg.label("cam angle", middle, below, size=svg.SMALL, text_anchor="middle"))
-        column.append(self._cursor(timing, timing_top, acceleration))
+        column.append(name_angle(acceleration, self.acceleration_top))
+        both = [(timing, timing_top), (acceleration, self.acceleration_top)]
+        column.append(draw_cursor(both, self.turn_s))
         return column
 
     def _header(self, design: Design) -> Any:
@@ -205,17 +205,6 @@ class Layout:
             for line, y in zip(lines, (top + 13, top + 28), strict=False):
                 alarm.append(svg.label(line, 4, y, width=INNER_PX - 8, **small))
         return alarm
-
-    def _cursor(self, timing: Chart, timing_top: float, acceleration: Chart) -> Any:
-        """Draw the cursor through both charts, with the dots on their curves."""
-        way = CAMSHAFT.scaled(self.chart / DEG_PER_TURN)
-        cursor = svg.moving(way, self.turn_s, "x", data={"part": "cursor"})
-        line = draw.Path(stroke=svg.INK, stroke_width=1.4, fill="none")
-        for chart, top in ((timing, timing_top), (acceleration, self.acceleration_top)):
-            line.M(0, svg.px(top + HEADING_PX)).v(svg.px(chart.height))
-            cursor.append(svg.placed(0, top, chart.draw_dots(self.turn_s)))
-        cursor.insert(0, line)
-        return svg.placed(LEFT_PX, 0, cursor)
 
     def _displacements(self, design: Design) -> list[LabelledCurve]:
         return [

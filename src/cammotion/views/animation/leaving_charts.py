@@ -3,15 +3,19 @@
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-import drawsvg as draw
 from matplotlib.ticker import MaxNLocator
 
 from cammotion.machine.arcs import Arc
-from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.views.animation import svg
-from cammotion.views.animation.charts import HEADING_PX, LEFT_PX, Chart, LabelledCurve, Lane
-from cammotion.views.animation.keyframes import CAMSHAFT, Trace
+from cammotion.views.animation.charts import (
+    Chart,
+    LabelledCurve,
+    Lane,
+    draw_cursor,
+    name_angle,
+)
+from cammotion.views.animation.keyframes import Trace
 
 CAM, FOLLOWER = 1, 0  # the numbers of their colours
 _CHART_PX, _LANE_PX = 372.0, 112.0
@@ -40,17 +44,8 @@ def draw_charts(curves: Curves, turn_s: float) -> Iterable[Any]:
     top = lift.whole_height + 8
     yield lift.draw(curves.air)
     yield svg.placed(0, top, force.draw())
-    way = CAMSHAFT.scaled(_CHART_PX / DEG_PER_TURN)
-    cursor = svg.moving(way, turn_s, "x", data={"part": "cursor"})
-    line = draw.Path(stroke=svg.INK, stroke_width=1.4, fill="none")
-    for chart, at in ((lift, 0.0), (force, top)):
-        line.M(0, svg.px(at + HEADING_PX)).v(svg.px(chart.height))
-        cursor.append(svg.placed(0, at, chart.draw_dots(turn_s)))
-    cursor.insert(0, line)
-    yield svg.placed(LEFT_PX, 0, cursor)
-    below = top + force.whole_height + 12
-    middle = LEFT_PX + _CHART_PX / 2
-    yield svg.label("cam angle", middle, below, size=svg.SMALL, text_anchor="middle")
+    yield draw_cursor([(lift, 0.0), (force, top)], turn_s)
+    yield name_angle(force, top)
 
 
 def _lifts(curves: Curves) -> Lane:
