@@ -6,6 +6,7 @@ from html import escape
 from typing import NamedTuple
 
 from cammotion.views.scales import as_text
+from cammotion.views.whole_page import wide_table
 
 
 class Opened(NamedTuple):
@@ -31,12 +32,7 @@ def table(caption: str, heading: Sequence[str], rows: Iterable[tuple[bool, Seque
         "</tr>\n"
         for broken, row in rows
     )
-    name = escape(caption, quote=True)
-    return (
-        f'<div class="wide" role="region" tabindex="0" aria-label="{name}">\n<table>\n'
-        f"<caption>{escape(caption)}</caption>\n<thead><tr>{head}</tr></thead>\n"
-        f"<tbody>\n{body}</tbody>\n</table>\n</div>\n"
-    )
+    return wide_table(caption, head, body)
 
 
 def opened(one: Opened) -> str:

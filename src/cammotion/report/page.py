@@ -17,6 +17,7 @@ from cammotion.report.pictures import moving, timing
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import Moving
 from cammotion.rules.rule import Clearance, Rule
+from cammotion.views.whole_page import whole_page
 
 _STYLE = Path(__file__).with_name("page.css")
 _NOTHING = 1e-5  # mm: a rule that is just kept
@@ -25,7 +26,6 @@ _NOTHING = 1e-5  # mm: a rule that is just kept
 def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
     """Return the page as HTML; `made` is the day that stands on it, `files` are beside it."""
     machine = found.machine
-    title = f"The report of {machine.name}"
     sections = (
         ("The machine in motion", moving(found)),
         ("The timing diagram", timing(found)),
@@ -40,15 +40,8 @@ def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
     body = "".join(
         f"<section>\n<h2>{escape(head)}</h2>\n{text}</section>\n" for head, text in sections if text
     )
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n"
-        f"<style>\n{_STYLE.read_text(encoding='utf-8')}</style>\n</head>\n<body>\n<main>\n"
-        f"<h1>{escape(title)}</h1>\n"
-        f"<p>{made.day} {made:%B %Y}. Every number in blue opens to where it comes from.</p>\n"
-        f"{_summary(found)}{body}</main>\n</body>\n</html>\n"
-    )
+    day = f"<p>{made.day} {made:%B %Y}. Every number in blue opens to where it comes from.</p>\n"
+    return whole_page(f"The report of {machine.name}", _STYLE, f"{day}{_summary(found)}{body}")
 
 
 def _summary(found: Findings) -> str:

@@ -14,6 +14,7 @@ from cammotion.teaching.messages import Outcome
 from cammotion.teaching.places import FILE
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.variants import machine_for
+from cammotion.views.whole_page import whole_page, wide_table
 
 _SIGNS = {"right": "✓", "wrong": "✗", "open": "–"}
 _MOST_SLIPS = 5
@@ -26,14 +27,11 @@ def write(school: SchoolClass, made: date) -> str:
     begun = [lesson for lesson in _lessons() if _has_begun(lesson, school.students)]
     sections = "".join(_lesson(lesson, school.students) for lesson in begun)
     number = plural(len(school.students), "student")
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        "<title>The class at a glance</title>\n"
-        f"<style>\n{_STYLE.read_text(encoding='utf-8')}</style>\n</head>\n<body>\n<main>\n"
-        f"<h1>The class at a glance</h1>\n<p>{number}, {made.day} {made:%B %Y}.</p>\n"
-        f"{_overview(begun, school.students)}{sections}{_others(school.students)}"
-        "</main>\n</body>\n</html>\n"
+    return whole_page(
+        "The class at a glance",
+        _STYLE,
+        f"<p>{number}, {made.day} {made:%B %Y}.</p>\n"
+        f"{_overview(begun, school.students)}{sections}{_others(school.students)}",
     )
 
 
@@ -68,7 +66,7 @@ def _overview(lessons: Sequence[str], students: Sequence[Student]) -> str:
         for student in students
     )
     places = '<th scope="col">File</th>' if any(student.place for student in students) else ""
-    return _table(
+    return wide_table(
         "Exercises that are right, by notebooks: ✓ all, ◐ some, – open",
         f'<th scope="col">Student</th>{head}{places}',
         rows,
@@ -115,7 +113,7 @@ def _exercises(lesson: str, students: Sequence[Student]) -> str:
     states = [[outcome.state for outcome in _outcomes(student, lesson)] for student in students]
     right = [column.count("right") for column in zip(*states, strict=True)]
     foot = "".join(f"<td>{count} of {len(students)}</td>" for count in right)
-    return f"<h3>Who has done what in {lesson}</h3>\n" + _table(
+    return f"<h3>Who has done what in {lesson}</h3>\n" + wide_table(
         f"Exercises of notebook {lesson}: ✓ right, ✗ not yet, – open",
         f'<th scope="col">Student</th>{head}',
         rows,
@@ -131,7 +129,7 @@ def _contest(lesson: str, students: Sequence[Student]) -> str:
     names = ("Place", "Student", "Exercise", "Times the bound", "Above it, at most")
     head = "".join(f'<th scope="col">{name}</th>' for name in names)
     caption = "The largest peak of each design by what no motions of its parts can be below"
-    return f"<h3>The best design of the class</h3>\n{_table(caption, head, rows)}"
+    return f"<h3>The best design of the class</h3>\n{wide_table(caption, head, rows)}"
 
 
 def _state(outcome: Outcome) -> str:
@@ -187,13 +185,3 @@ def _others(students: Sequence[Student]) -> str:
 
 def _row_head(student: Student) -> str:
     return f'<th scope="row"><bdi>{escape(student.name)}</bdi></th>'
-
-
-def _table(caption: str, head: str, rows: str, foot: str = "") -> str:
-    """Return a table that is moved sideways, also by keyboard, where it is too wide."""
-    return (
-        f'<div class="wide" role="region" tabindex="0" aria-label="{caption}">\n<table>\n'
-        f"<caption>{caption}</caption>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n"
-        + (f"<tfoot>{foot}</tfoot>\n" if foot else "")
-        + "</table>\n</div>\n"
-    )
