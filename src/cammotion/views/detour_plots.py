@@ -16,8 +16,7 @@ from cammotion.quantities import InputError, shorten
 from cammotion.views.broken import BROKEN
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, labels, name_line
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, write
+from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, styled, write
 
 Pair = tuple[float, float]
 
@@ -60,9 +59,8 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
             "whole turn: give where it stands, for example still=(205, 305)."
         )
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
-    if ax is None:
-        ax = blank_axes(7.5, 5.4 if with_acceleration else 3.4)
-    style_axes(ax, "", f"height y of the {labels_of(first)[name]} in mm")
+    size = 7.5, 5.4 if with_acceleration else 3.4
+    ax = styled(ax, "", f"height y of the {labels_of(first)[name]} in mm", size)
     lower = _add_below(ax) if with_acceleration else ax
     for number, (label, (title, design)) in enumerate(
         zip(labels([*designs], TITLE), designs.items(), strict=True)
@@ -105,9 +103,7 @@ def plot_weight(
             f"The weight is {shorten(weight)}: give a real expression in {symbol} alone."
         )
     heights = np.broadcast_to(sp.lambdify(symbol, weight)(places), places.shape)
-    if ax is None:
-        ax = blank_axes(7.5, 2.4, layout="constrained")
-    style_axes(ax, f"{symbol} in deg", "weight in deg")
+    ax = styled(ax, f"{symbol} in deg", "weight in deg", (7.5, 2.4), layout="constrained")
     style_line(ax.plot(places, heights)[0], 0)
     ax.fill_between(places, heights, color=COLOURS[0], alpha=0.25, linewidth=0)
     ax.axhline(0, color="#000000", linewidth=0.8)

@@ -9,8 +9,7 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.hardware.fits import Fit, Limits
 from cammotion.quantities import InputError
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import COLOURS, style_axes
+from cammotion.views.plots import COLOURS, styled
 
 HOLE, SHAFT = COLOURS[:2]
 _APART, _WIDTH = 4.0, 0.9  # from fit to fit, and how wide a zone is
@@ -34,9 +33,8 @@ def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
     fits = [fits] if isinstance(fits, Fit) else [*fits]
     if not fits:
         raise InputError("There is no fit to draw: give for example cm.Fit('40 H7/g6').")
-    if ax is None:
-        ax = blank_axes(1.6 + 2.9 * len(fits), 4.2, layout="constrained")
-    style_axes(ax, "", "deviation in µm")
+    size = 1.6 + 2.9 * len(fits), 4.2
+    ax = styled(ax, "", "deviation in µm", size, layout="constrained")
     ax.grid(visible=False, axis="x")
     ax.axhline(0, color=_INK, linewidth=1.5)
     lowest, highest = _span(fits)

@@ -24,8 +24,7 @@ from cammotion.quantities import Floats, InputError, Quantity, one_of
 from cammotion.views.ends import label_ends
 from cammotion.views.law_plots import as_laws
 from cammotion.views.names import as_label, labels
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import style_axes, style_line
+from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {
     "residual": "swing after the move / stroke",
@@ -70,9 +69,8 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
             "The quantity 'worst' is that of a single move; in a running machine it would be that "
             "of a resonance: leave the motion out, or ask for the 'residual'."
         )
-    if ax is None:
-        ax = blank_axes(8.6, 5.2, layout="constrained")
-    style_axes(ax, "tm/Tn, swings of the mass during the move", QUANTITIES[quantity])
+    across = "tm/Tn, swings of the mass during the move"
+    ax = styled(ax, across, QUANTITIES[quantity], (8.6, 5.2), layout="constrained")
     ends, lines = [], []
     for number, law in enumerate(drawn):
         values = _values(law, at, quantity, damping_ratio, motion)
@@ -127,10 +125,8 @@ def plot_response(
     low, high = response.span if over is None else over
     if is_move and over is None:
         high *= 1 + _AFTER
-    if ax is None:
-        ax = blank_axes(8.6, 4.4, layout="constrained")
     across = "time t in s" if is_move else "cam angle in deg"
-    style_axes(ax, across, "acceleration in m/s²")
+    ax = styled(ax, across, "acceleration in m/s²", (8.6, 4.4), layout="constrained")
     at = np.linspace(low, high, _PLACES)
     count = len(response.chain.masses_kg)
     asked = range(1, count + 1) if masses is None else masses

@@ -11,8 +11,7 @@ from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import InputError, one_of, shorten
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import COLOURS, style_axes, style_line
+from cammotion.views.plots import COLOURS, style_line, styled
 
 CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
 _PLACES = 1001
@@ -34,9 +33,7 @@ def plot_laws(
     drawn = as_laws(laws)
     curve = one_of("curve", curve, CURVES)
     derivative = [*CURVES].index(curve)
-    if ax is None:
-        ax = blank_axes(7.5, 4.6, layout="constrained")
-    style_axes(ax, "x = t/tm", CURVES[curve])
+    ax = styled(ax, "x = t/tm", CURVES[curve], (7.5, 4.6), layout="constrained")
     x = np.linspace(0, 1, _PLACES)
     at_rest = [(-_REST, 0), (0, 0)], [(1, int(curve == "S")), (1 + _REST, int(curve == "S"))]
     for number, law in enumerate(drawn):
@@ -68,9 +65,8 @@ def plot_ranking(
     ['cycloidal', 'constant acceleration']
     """
     as_laws(peaks)
-    if ax is None:
-        ax = blank_axes(7.5, 4.4, layout="constrained")
-    style_axes(ax, f"{quantity} (hatched: the acceleration jumps)", "")
+    said = f"{quantity} (hatched: the acceleration jumps)"
+    ax = styled(ax, said, "", (7.5, 4.4), layout="constrained")
     names = sorted(peaks, key=lambda name: peaks[name], reverse=True)
     bars = ax.barh(names, [peaks[name] for name in names], color=COLOURS[0])
     for bar, name in zip(bars, names, strict=True):

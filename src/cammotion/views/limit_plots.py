@@ -17,8 +17,7 @@ from cammotion.limits.least import LeastAcceleration
 from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import COLOURS, style_axes
+from cammotion.views.plots import COLOURS, styled
 from cammotion.whole.least_peak import LeastPeak
 
 BEST, NAMED = COLOURS[:2]
@@ -66,7 +65,8 @@ def plot_jerk_price(
             "least_acceleration with at least two different jerk limits, for example 8 and 12 m/s³."
         )
     name = labels_of(best[0].design)[best[0].motion.name]
-    ax = _square(ax, (7.5, 4.6), f"peak jerk of the {name} in m/s³", name)
+    across, up = f"peak jerk of the {name} in m/s³", f"peak acceleration of the {name} in m/s²"
+    ax = styled(ax, across, up, (7.5, 4.6), layout="constrained")
     reached = np.array([each.reached for each in best])
     _shade(ax, limits, np.array([each.bound for each in best]))
     ax.plot(limits, reached, color=BEST, linewidth=2, label="least peak that was reached")
@@ -125,8 +125,9 @@ def plot_front(
             f"The ends of the axes are {low:g} and {high:g} m/s2: give the lower one first, for "
             "example (0.3, 1.5)."
         )
-    one, other = (labels_of(results[0].diagram)[name] for name in results[0].parts)
-    ax = _square(ax, (6, 5.6), f"peak acceleration of the {one} in m/s²", other)
+    called = labels_of(results[0].diagram)
+    across, up = (f"peak acceleration of the {called[name]} in m/s²" for name in results[0].parts)
+    ax = styled(ax, across, up, (6, 5.6), layout="constrained")
     sides, heights = _columns(sorted(tuple(_corner(each)) for each in results))
     heights = np.maximum.accumulate(heights[::-1])[::-1]  # of all corners to the right
     _shade(ax, np.append(0.0, sides), np.append(heights[0], heights))
@@ -149,13 +150,6 @@ def plot_front(
 
 
 _OFFSET: dict[str, Any] = {"textcoords": "offset points", "color": "#333333", "fontsize": 10}
-
-
-def _square(ax: Axes | None, size: Pair, xlabel: str, name: str) -> Axes:
-    if ax is None:
-        ax = blank_axes(*size, layout="constrained")
-    style_axes(ax, xlabel, f"peak acceleration of the {name} in m/s²")
-    return ax
 
 
 def _shade(ax: Axes, x: Floats, bound: Floats) -> None:

@@ -17,8 +17,7 @@ from cammotion.measured.smoothing import SmoothedTable
 from cammotion.quantities import Floats, InputError, Quantity, one_of
 from cammotion.views.ends import apart
 from cammotion.views.names import text_px
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import colour, style_axes, style_line
+from cammotion.views.plots import colour, style_line, styled
 
 METRES = {"m": 1.0, "in": MM_PER_INCH / MM_PER_M}
 _PLACES = 1441
@@ -206,9 +205,7 @@ def _laid_out(ax: Axes) -> tuple[float, float]:
 def _axes(ax: Axes | None, across: str, up: str, unit: str) -> Axes:
     """Return styled axes in a unit, with metres on the right where it is the inch."""
     metres = METRES[unit]
-    if ax is None:
-        ax = blank_axes(7.5, 4.2, layout="constrained")
-    style_axes(ax, across, f"{up} in {unit}/s²")
+    ax = styled(ax, across, f"{up} in {unit}/s²", (7.5, 4.2), layout="constrained")
     if unit != "m":
         ways = (lambda y: np.asarray(y) * metres, lambda y: np.asarray(y) / metres)
         right = ax.secondary_yaxis("right", functions=ways)

@@ -87,7 +87,8 @@ def plot_curves(
     moves, labels = _labelled(moves, labels)
     curve = one_of("curve", curve, CURVES)
     height = _HEIGHT_INCHES if len(moves) <= len(COLOURS) else LINE_INCHES * len(moves) / 0.77
-    ax = _styled(ax, "time t in s", CURVES[curve], max(height, _HEIGHT_INCHES))
+    size = _WIDTH_INCHES, max(height, _HEIGHT_INCHES)
+    ax = styled(ax, "time t in s", CURVES[curve], size)
     ax.margins(x=0.08, y=0.12)
     lines, said, places, offsets = [], [], [], []
     for number, (move, name) in enumerate(zip(moves, short_labels(labels), strict=True)):
@@ -127,7 +128,7 @@ def plot_peaks(
     names = short_labels(labels)
     is_flat = overfull(names, 0.775 * _WIDTH_INCHES if ax is None else inches(ax)[0])
     height = max(_HEIGHT_INCHES, _BAR_INCHES * len(names) / 0.77) if is_flat else _HEIGHT_INCHES
-    ax = _styled(ax, *((up, across) if is_flat else (across, up)), height)
+    ax = styled(ax, *((up, across) if is_flat else (across, up)), (_WIDTH_INCHES, height))
     peaks = np.array([move.peak_acceleration for move in moves])
     highest = max(peaks[np.isfinite(peaks)], default=1.0)
     heights = np.where(np.isfinite(peaks), peaks, _HIGHER * highest)
@@ -172,7 +173,8 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
             "The peak acceleration of these moves is infinite at any angle, because the velocity "
             "of their law jumps: give moves by a law with a finite Ca, for example 'cycloidal'."
         )
-    ax = _styled(ax, "indexing angle Bm in deg", "peak acceleration a_max in m/s²")
+    size = _WIDTH_INCHES, _HEIGHT_INCHES
+    ax = styled(ax, "indexing angle Bm in deg", "peak acceleration a_max in m/s²", size)
     angles = np.array([move.angle_deg for move in moves])
     line = np.geomspace(angles.min() / 1.3, angles.max() * 1.3, 2)
     law = first.peak_acceleration * (first.angle_deg / line) ** 2
@@ -186,6 +188,15 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     write(ax, "slope $-2$:\ntwice the angle,\na quarter", on_line, COLOURS[1], offset=(-8, -54))
     ax.set_xlim(line[0], line[1] * 1.25)
     _plain_ticks(ax)
+    return ax
+
+
+def styled(
+    ax: Axes | None, xlabel: str, ylabel: str, size: tuple[float, float], *, layout: Any = None
+) -> Axes:
+    """Return the axes with the workbook's look; without any those of a new picture, in inches."""
+    ax = blank_axes(*size, layout=layout) if ax is None else ax
+    style_axes(ax, xlabel, ylabel)
     return ax
 
 
@@ -255,13 +266,6 @@ def write(
         ha="left" if offset[0] > 0 else "right" if offset[0] else "center",
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
     )
-
-
-def _styled(ax: Axes | None, xlabel: str, ylabel: str, height: float = _HEIGHT_INCHES) -> Axes:
-    if ax is None:
-        ax = blank_axes(_WIDTH_INCHES, height)
-    style_axes(ax, xlabel, ylabel)
-    return ax
 
 
 def _free_place(values: Floats) -> tuple[int, tuple[float, float]]:

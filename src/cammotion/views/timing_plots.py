@@ -34,7 +34,7 @@ from cammotion.views.lanes import (
 from cammotion.views.named import labels_of, readable
 from cammotion.views.names import TITLE, add_legend, labels, name_line
 from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import CURVES, colour, style_axes, style_line, write
+from cammotion.views.plots import CURVES, colour, style_axes, style_line, styled, write
 
 TICK_DEG = 30
 BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4
@@ -128,14 +128,10 @@ def plot_clearance(
     first = next(iter(named.values()))
     spelled = [as_rules(diagram, rule)[0] for diagram in named.values()]
     rule = spelled[0]
-    if ax is None:
-        ax = blank_axes(7.5, 4.6)
     across, up = rule.only_while, rule.when
     called = labels_of(first)
-    style_axes(
-        ax,
-        *(describe_offset(first[half.motion], called[half.motion]) for half in (across, up)),
-    )
+    x, y = (describe_offset(first[half.motion], called[half.motion]) for half in (across, up))
+    ax = styled(ax, x, y, (7.5, 4.6))
     lowest, highest = _ends(named, up.motion)
     leftmost, rightmost = _across(named, rule, span_mm)
     wide, high = (rightmost - leftmost) or 1.0, (highest - lowest) or 1.0

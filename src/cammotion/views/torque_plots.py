@@ -9,8 +9,7 @@ from cammotion.arguments import checked
 from cammotion.hardware.indexer import Indexer
 from cammotion.quantities import InputError, one_of
 from cammotion.views.names import MOST, TITLE, add_legend, labels, name_line
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import style_axes, style_line
+from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
 _PLACES = 1001
@@ -40,11 +39,9 @@ def plot_torque(
     quantity = one_of("quantity", quantity, QUANTITIES)
     called = labels([*indexers], TITLE)
     columns = 1 if max(map(len, called)) > MOST else 2
-    if ax is None:
-        rows = -(-len(called) // columns)
-        height = 4.2 + _ROW_INCHES * max(rows - _FEW_ROWS, 0)
-        ax = blank_axes(7.5, height, layout="constrained")
-    style_axes(ax, "x = t/tm", QUANTITIES[quantity])
+    rows = -(-len(called) // columns)
+    height = 4.2 + _ROW_INCHES * max(rows - _FEW_ROWS, 0)
+    ax = styled(ax, "x = t/tm", QUANTITIES[quantity], (7.5, height), layout="constrained")
     x = np.linspace(0, 1, _PLACES)
     for number, (name, indexer) in enumerate(indexers.items()):
         values = indexer.torque_N_m(x) if quantity == "torque" else indexer.power_W(x)
