@@ -38,12 +38,12 @@ def die_over(die: Motion, angles: tuple[Any, Any], work: Any, start: Any = None)
     return Moving(down.from_deg if start is None else start, parts, start_mm=die.start_mm)
 
 
-def mill_over(mill: Motion, angle: Any) -> Moving:
-    """Return the mill with its move over an angle; the middle of its move stays."""
+def mill_over(mill: Motion, angle: Any, start: Any = None) -> Moving:
+    """Return the mill with its move over an angle, from a start; else the middle of it stays."""
     (index,) = mill.moves
-    middle = (index.from_deg + index.to_deg) / 2
+    begin = (index.from_deg + index.to_deg) / 2 - angle / 2 if start is None else start
     parts = (Part(angle, index.change_mm, as_law(index.law)), Part(DEG_PER_TURN - angle))
-    return Moving(middle - angle / 2, parts, is_indexing=True)
+    return Moving(begin, parts, is_indexing=True)
 
 
 def window(mill: Motion, limit_mm: float, angle: Any) -> dict[sp.Symbol, sp.Expr]:

@@ -3,14 +3,12 @@
 import sympy as sp
 
 from cammotion.arguments import checked
-from cammotion.laws.catalogue import as_law
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError
+from cammotion.views.explorers.clearance import die_over, mill_over
 from cammotion.views.explorers.moving import (
     ALPHA,
-    Moving,
-    Part,
     check_rests,
     control,
     full_names,
@@ -44,25 +42,12 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     """
     _check(diagram)
     mill, die = short_diagram(diagram).motions
-    (index,), (down, up) = mill.moves, die.moves
+    (index,) = mill.moves
     work = work_deg(die)
     most = min(max(_SHARED_DEG / 2, index.angle_deg), _SHARED_DEG - work)
     way = (DEG_PER_TURN - B_MILL - WORK) / 2
-    first = Moving(
-        index.from_deg,
-        (Part(B_MILL, index.change_mm, as_law(index.law)), Part(DEG_PER_TURN - B_MILL)),
-        is_indexing=True,
-    )
-    second = Moving(
-        index.from_deg + B_MILL,
-        (
-            Part(way, down.change_mm, as_law(down.law)),
-            Part(WORK),
-            Part(way, up.change_mm, as_law(up.law)),
-            Part(B_MILL),
-        ),
-        start_mm=die.start_mm,
-    )
+    first = mill_over(mill, B_MILL, index.from_deg)
+    second = die_over(die, (way, way), WORK, index.from_deg + B_MILL)
     rate = diagram.rate_per_hour
     names = (mill.name, die.name)
     both = list(zip(names, (first, second), strict=True))
