@@ -8,6 +8,7 @@ the sign changes is bracketed. A peak narrower than two samples could be missed.
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
@@ -118,13 +119,10 @@ def cuts(piece: Stretch) -> list[float]:
 
 def _positive(function: Callable[[S, Floats], Floats], piece: S, places: Floats) -> Iterator[Arc]:
     """Yield arcs in order over which a function is above 0 at all of the places in them."""
-    from scipy.optimize import brentq  # it takes a second to load
-
     is_above = function(piece, places) > 0
     start = piece.low
     for number in np.flatnonzero(is_above[1:] != is_above[:-1]):
-        low, high = float(places[number]), float(places[number + 1])
-        root = brentq(lambda place: float(function(piece, np.array([place]))[0]), low, high)
+        root = root_of(partial(function, piece), *places[number : number + 2])
         if is_above[number]:
             yield start, root
         start = root
@@ -147,18 +145,24 @@ def _summits(
     for number in np.flatnonzero(is_summit):
         sampled = Extreme(float(values[number]), float(places[number]))
         low, high = places[max(int(number) - 1, 0)], places[min(int(number) + 1, len(places) - 1)]
-        found = _searched(function, piece, (low, high))
+        found = searched(partial(function, piece), low, high)
         yield found if found.value > sampled.value else sampled
 
 
-def _searched(
-    function: Callable[[S, Floats], Floats], piece: S, bounds: tuple[float, float]
-) -> Extreme:
+def root_of(function: Callable[[Floats], Floats], low: float, high: float) -> float:
+    """Return where a function is 0 between two places at which its signs differ."""
+    from scipy.optimize import brentq  # it takes a second to load
+
+    return float(brentq(lambda place: float(function(np.array([place]))[0]), low, high))
+
+
+def searched(function: Callable[[Floats], Floats], low: float, high: float) -> Extreme:
+    """Return what is largest between two places, where there is one summit between them."""
     from scipy.optimize import minimize_scalar
 
     found = minimize_scalar(
-        lambda place: -float(function(piece, np.array([place]))[0]),
-        bounds=bounds,
+        lambda place: -float(function(np.array([place]))[0]),
+        bounds=(low, high),
         method="bounded",
         options={"xatol": _CLOSE_DEG},
     )

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from cammotion.bracketed import cuts, samples
+from cammotion.bracketed import cuts, root_of, samples
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.kinematics import DEG_PER_TURN, over_time
@@ -107,13 +108,10 @@ def running_extremes(function: SpanFunction, over: Iterable[Span]) -> tuple[floa
 
 
 def _roots(function: SpanFunction, span: Span) -> Iterator[float]:
-    from scipy.optimize import brentq  # it takes a second to load
-
     places = samples(span)
     values = function(span, places)
     for number in np.flatnonzero(values[1:] * values[:-1] < 0):
-        low, high = places[number], places[number + 1]
-        yield brentq(lambda place: float(function(span, np.array([place]))[0]), low, high)
+        yield root_of(partial(function, span), *places[number : number + 2])
 
 
 def _integrals(function: SpanFunction, span: Span, places: Floats) -> Floats:

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cammotion.bracketed import searched
 from cammotion.dynamics.loads import FollowerLoad
 from cammotion.laws.piece import Piece
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, cycle_time
@@ -109,18 +110,12 @@ class Cam:
 
     def widest(self, fall: Fall, since: float, end: float) -> float:
         """Return the largest gap in mm of a flight."""
-        from scipy.optimize import minimize_scalar
-
         places = np.linspace(since, end, max(_FEWEST, math.ceil((end - since) / _FINE_DEG) + 1))
         gaps = self.gap(fall, since, places)
         top = int(np.argmax(gaps))
-        found = minimize_scalar(
-            lambda place: -float(self.gap(fall, since, np.array([place]))[0]),
-            bounds=(places[max(top - 1, 0)], places[min(top + 1, len(places) - 1)]),
-            method="bounded",
-            options={"xatol": _CLOSE_DEG},
-        )
-        return float(max(-found.fun, gaps[top]))
+        beside = places[max(top - 1, 0)], places[min(top + 1, len(places) - 1)]
+        found = searched(lambda at: self.gap(fall, since, at), *beside)
+        return max(found.value, float(gaps[top]))
 
     def gap(self, fall: Fall, since: float, places: Floats) -> Floats:
         """Return the gaps in mm at places of a flight."""
