@@ -113,26 +113,15 @@ def _timing(
 ) -> Panel:
     """Return the panel of the timing diagram: as it was, as it is, and where the rule is broken."""
     lines = [
-        Line(
-            y=moving.displacement(),
-            joints=moving.joints,
-            name="" if number else "as it was",
-            role=REFERENCE,
-        )
+        moving.line(name="" if number else "as it was", role=REFERENCE)
         for number, moving in enumerate(before)
     ]
     lines += [
-        Line(y=moving.displacement(), joints=moving.joints, name=name, colour=number)
+        moving.line(name=name, colour=number)
         for number, (name, moving) in enumerate(motions.items())
     ]
     lines += [
-        Line(
-            y=moving.displacement(),
-            joints=moving.joints,
-            name="" if number else "rule broken",
-            only_where=broken,
-            role=ALARM,
-        )
+        moving.line(name="" if number else "rule broken", only_where=broken, role=ALARM)
         for number, moving in enumerate(motions.values())
     ]
     return Panel(

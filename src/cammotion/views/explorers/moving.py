@@ -15,7 +15,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError
 from cammotion.views.live.expressions import as_expression
-from cammotion.views.live.parts import Control, Say
+from cammotion.views.live.parts import Control, Line, Say
 from cammotion.views.named import names_in_full
 
 ALPHA = sp.Symbol("alpha", real=True)  # the cam angle, in deg, over which a figure draws a turn
@@ -69,6 +69,10 @@ class Moving:
         return way - pitch * sp.floor(
             way.xreplace({ALPHA: sp.Integer(0)}) / pitch + 1 / sp.Integer(2)
         )
+
+    def line(self, **how: Any) -> Line:
+        """Return the curve of the displacement."""
+        return Line(y=self.displacement(), joints=self.joints, **how)
 
     def offset(self) -> sp.Expr:
         """Return what a clearance is judged by, in mm: of an indexing motion, from a stop."""

@@ -54,7 +54,7 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     peaks = [moving.peak(rate) for _, moving in both]
     panels = [
         Panel(
-            lines=[Line(y=m.displacement(), joints=m.joints, name=name) for name, m in both],
+            lines=[moving.line(name=name) for name, moving in both],
             y="displacement in mm",
             y_limits=heights(diagram.motions, (first, second)),
             x_ticks=TICK_DEG,
