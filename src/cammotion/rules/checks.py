@@ -4,7 +4,7 @@ All kinds of rules are asked alike.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from cammotion.machine.diagram import TimingDiagram, as_diagram
@@ -85,15 +85,12 @@ def as_rules(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Clea
 
     Raises InputError for another one, and unless they are rules for this diagram.
     """
-    return limits_in_mm(every_rule(diagram, rules))
-
-
-def limits_in_mm(rules: Sequence[Rule]) -> tuple[ClearanceRule, ...]:
-    """Return rules that all are clearance rules with limits in mm; raise InputError for others."""
-    for rule in rules:
-        if not isinstance(rule, ClearanceRule) or not in_mm([rule]):
+    found = []
+    for rule in every_rule(diagram, rules):
+        if not isinstance(rule, ClearanceRule) or not in_mm(rule):
             raise InputError(
                 f"The rule '{rule}' is one of those that are not covered here: give ClearanceRules "
                 "of beyond and within, and look for violations of the others."
             )
-    return tuple(rule for rule in rules if isinstance(rule, ClearanceRule))
+        found.append(rule)
+    return tuple(found)

@@ -6,7 +6,7 @@ with those over which the other does not hold is a violation.
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
@@ -125,7 +125,6 @@ class ClearanceRule(Rule):
         return self if self.when.is_beyond and not is_limit else self.reverse
 
 
-def in_mm(rules: Iterable[ClearanceRule]) -> bool:
-    """Return whether both halves of all rules are limits in mm."""
-    halves = (half for rule in rules for half in (rule.when, rule.only_while))
-    return not any(isinstance(half, Moving) for half in halves)
+def in_mm(rule: ClearanceRule) -> bool:
+    """Return whether both halves of a rule are limits in mm."""
+    return not any(isinstance(half, Moving) for half in (rule.when, rule.only_while))

@@ -75,7 +75,7 @@ def find_dies(diagram: TimingDiagram, rules: Iterable[Rule]) -> dict[str, list[D
     """Return for each turret the motions that a rule links with it, no more than it has stops."""
     found: dict[str, list[Die]] = {m.name: [] for m in diagram.motions if m.is_indexing}
     for rule in rules:
-        if not isinstance(rule, ClearanceRule) or not in_mm([rule]):
+        if not isinstance(rule, ClearanceRule) or not in_mm(rule):
             continue
         for own, other in ((rule.when, rule.only_while), (rule.only_while, rule.when)):
             used = {die.motion.name for dies in found.values() for die in dies}
