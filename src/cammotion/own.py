@@ -9,7 +9,7 @@ from cammotion.arguments import checked
 from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, plural, shorten
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
 from cammotion.rules.rule import Clearance, Rule, Violation
 from cammotion.shown import as_table
@@ -95,9 +95,9 @@ class Machine:
         kept = f"{broken} broken" if broken else "kept" if rules == 1 else "all kept"
         kept += f" ({len(self.idle)} cannot be broken)" if self.idle else ""
         peak = f"{self.peaks[self.hardest]:.4g}".replace("inf", "∞")
-        ruled = f", {rules} rule{'s' * (rules != 1)}, {kept}" if rules else ", no rules"
+        ruled = f", {plural(rules, 'rule')}, {kept}" if rules else ", no rules"
         return (
-            f"{shorten(self.name, of=str)}: {count} mechanism{'s' * (count != 1)} at "
+            f"{shorten(self.name, of=str)}: {plural(count, 'mechanism')} at "
             f"{self.diagram.rate_per_hour:g} pieces/h{ruled}; the {shorten(self.hardest, of=str)} "
             f"is driven hardest, {peak} m/s²"
         )

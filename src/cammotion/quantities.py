@@ -280,6 +280,15 @@ def shorten(value: object, length: int = 60, *, of: Callable[[object], str] = re
     return text if len(text) <= length else text[: length - 3] + "..."
 
 
+def plural(number: int | str, what: str) -> str:
+    """Return a number of things; "no" is a number, too.
+
+    >>> plural(1, "rule"), plural(2, "rule"), plural("no", "rule")
+    ('1 rule', '2 rules', 'no rules')
+    """
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
 def _is_usual(number: float) -> bool:
     return not math.isfinite(number) or number == 0 or _TINY <= abs(number) <= 1 / _TINY
 

@@ -15,7 +15,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, arcs_of
 from cammotion.own import Machine
-from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.quantities import InputError, WrongAnswerError, plural
 from cammotion.rules.checks import find_violations, smallest_clearance
 from cammotion.rules.rule import Rule, Violation
 from cammotion.whole.optimise import optimise
@@ -66,7 +66,7 @@ class Improvement:
 
     def __repr__(self) -> str:
         """Say it in a line."""
-        mends = f", mends {self.mends} rule{'s' * (self.mends != 1)}" if self.mends else ""
+        mends = f", mends {plural(self.mends, 'rule')}" if self.mends else ""
         return f"{self.said}: {self.before:.3f} to {self.after:.3f} m/s²{mends}"
 
 

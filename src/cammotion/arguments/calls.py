@@ -12,7 +12,7 @@ from traceback import walk_stack
 from typing import Any, TypeVar
 
 from cammotion.arguments.signatures import readable
-from cammotion.quantities import InputError, UnknownNameError, one_of
+from cammotion.quantities import InputError, UnknownNameError, one_of, plural
 
 T = TypeVar("T", bound=Callable[..., Any])
 
@@ -126,7 +126,7 @@ def _wrong(
     if unknown := [name for name in kwargs if name not in named]:
         return _unknown(title, unknown[0], [*named])
     if len(given) > len(placed):
-        few = f"{len(placed) or 'no'} value{'s' * (len(placed) != 1)}"
+        few = plural(len(placed) or "no", "value")
         bare = " without a name" if len(named) > len(placed) else ""
         return f"{title} takes {few}{bare}, and is given {len(given)}."
     if twice := [name for name in placed[: len(given)] if name in kwargs]:

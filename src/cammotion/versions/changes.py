@@ -10,6 +10,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
+from cammotion.quantities import plural
 
 SAME = 1e-9  # by such a share two numbers may differ and be one
 NONE = "–"
@@ -100,8 +101,7 @@ def _whole(motion: Motion | None) -> str:
     """Return in words a motion that one of the versions lacks."""
     if motion is None:
         return NONE
-    count = len(motion.moves)
-    return f"{count or 'no'} move{'' if count == 1 else 's'}"
+    return plural(len(motion.moves) or "no", "move")
 
 
 def pairs(

@@ -8,7 +8,7 @@ from cammotion.arguments import checked
 from cammotion.drive.camshaft import Camshaft
 from cammotion.limits.reserves import reserves
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import InputError
+from cammotion.quantities import InputError, plural
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
 from cammotion.rules.rule import Rule
 from cammotion.shown import as_table
@@ -68,8 +68,7 @@ class Comparison:
     effects: tuple[Effect, ...]
 
     def __repr__(self) -> str:
-        count = len(self.changes)
-        said = [f"{count or 'no'} change{'' if count == 1 else 's'}", self._hardest]
+        said = [plural(len(self.changes) or "no", "change"), self._hardest]
         if self.rules:
             broken = len({found.rule for found in find_violations(self.after, self.rules)})
             said.append(f"{broken or 'no'} rule{'s' if broken > 1 else ''} broken")

@@ -15,7 +15,7 @@ from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.quantities import Floats, InputError, Quantity, plural
 from cammotion.rules.checks import as_rules, find_violations
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.rule import Rule
@@ -59,7 +59,7 @@ class Task:
             cap = self.in_metres(part.cap)
             capped = f", its peak at most {cap:g} m/s²" if np.isfinite(cap) else ""
             said.append(f"the {name} stands {arcs} deg{within}{capped}")
-        rules = f"{len(self.rules)} rule{'s' * (len(self.rules) != 1)} kept"
+        rules = f"{plural(len(self.rules), 'rule')} kept"
         rate = f"{self.diagram.rate_per_hour:g} pieces/h, rigid parts"
         return f"Conditions: {'; '.join([*said, rules, rate])}."
 

@@ -17,12 +17,3 @@ def clean(text: Any, length: int = 40) -> str:
     line = " ".join("".join(c for c in part if c.isprintable()) for part in text.split())
     line = " ".join(line.split())
     return line if len(line) <= length else line[: length - 1] + "…"
-
-
-def plural(number: int, what: str) -> str:
-    """Return a number of things.
-
-    >>> plural(1, "student"), plural(2, "student")
-    ('1 student', '2 students')
-    """
-    return f"{number} {what}{'' if number == 1 else 's'}"

@@ -6,8 +6,8 @@ from datetime import date
 from html import escape
 from pathlib import Path
 
+from cammotion.quantities import plural
 from cammotion.teaching.classroom import contest, predicted, tally
-from cammotion.teaching.classroom.clean import plural
 from cammotion.teaching.classroom.collect import SchoolClass, Student
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS
 from cammotion.teaching.messages import Outcome

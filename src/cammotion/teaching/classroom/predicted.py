@@ -4,8 +4,9 @@ from collections import Counter
 from collections.abc import Sequence
 from html import escape
 
+from cammotion.quantities import plural
 from cammotion.teaching.classroom import histogram, tally
-from cammotion.teaching.classroom.clean import clean, plural
+from cammotion.teaching.classroom.clean import clean
 from cammotion.teaching.classroom.collect import Student
 from cammotion.teaching.prediction import Prediction
 

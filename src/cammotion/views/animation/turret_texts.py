@@ -7,6 +7,7 @@ from typing import Any, Protocol
 import drawsvg as draw
 
 from cammotion.machine.motions import Motion
+from cammotion.quantities import plural
 from cammotion.views.animation import svg
 from cammotion.views.animation.aside import Named, names_aside
 from cammotion.views.animation.dies import Die
@@ -44,7 +45,7 @@ class Placed(Protocol):
 def turret_texts(turret: Placed) -> Iterable[Any]:
     """Yield all texts, and the bar of the scale, from the panel's corner on."""
     note = "" if turret.is_to_scale else ", pitch not to scale"
-    stops = f"{turret.stops} stop{'s' if turret.stops > 1 else ''}"
+    stops = plural(turret.stops, "stop")
     bar = round_down(0.25 * turret.width / turret.scale)
     right, low = turret.width - 10, turret.panel - 10
     room = turret.width - bar * turret.scale - 40
