@@ -10,7 +10,7 @@ from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.views.ends import inches
+from cammotion.views.ends import POINTS_PER_INCH, inches
 from cammotion.views.lanes import name_rows
 from cammotion.views.names import as_label, short
 from cammotion.views.plots import colour, mixed, style_axes
@@ -24,7 +24,7 @@ _HATCHED = 5.0  # of a bar that moves, in points: what an angle leaves free at e
 def draw_bars(ax: Axes, motions: Sequence[Motion], names: Sequence[str]) -> None:
     """Draw a row of bars for each motion, from the top down, with its name beside it."""
     style_axes(ax, "", "")
-    width, height = (72 * length for length in inches(ax))
+    width, height = (POINTS_PER_INCH * length for length in inches(ax))
     points, row = width / DEG_PER_TURN, height / len(motions)  # of a degree, of a row
     papers = []
     for number, motion in enumerate(motions):

@@ -17,6 +17,7 @@ from cammotion.arguments import checked
 from cammotion.files import as_path, write_new
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import arc_mm
+from cammotion.measured.inch import MM_PER_INCH
 from cammotion.quantities import InputError, one_of, shorten
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
 from cammotion.rules.rule import Rule
@@ -38,7 +39,6 @@ PAPERS = {"A4": 297.0, "A3": 420.0}  # their widths in mm, lying
 _WIDTH, _HEIGHT = 297.0, 210.0
 _KINDS = {".pdf": "pdf", ".svg": "svg", ".png": "png"}
 _DPI = 200  # of a PNG
-_MM_PER_INCH = 25.4
 _MARGIN = 10.0  # of the page, in mm
 _TOP, _UNDER = 9.0, 6.0  # over and under the lanes
 _NAMES, _PEAKS, _TITLE = 40.0, 33.0, 119.0  # wide is what stands beside and below the lanes
@@ -103,7 +103,7 @@ def draw_chart(
     radii_mm: Mapping[str, float],
 ) -> Figure:
     """Return the page, so many times as large as A4; `heading` is its title and its date."""
-    size = scale * _WIDTH / _MM_PER_INCH, scale * _HEIGHT / _MM_PER_INCH
+    size = scale * _WIDTH / MM_PER_INCH, scale * _HEIGHT / MM_PER_INCH
     ax = Figure(figsize=size, facecolor="white").add_axes((0, 0, 1, 1))
     ax.set_axis_off()
     ax.set(xlim=(0, _WIDTH), ylim=(0, _HEIGHT))

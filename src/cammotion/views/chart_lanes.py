@@ -16,7 +16,9 @@ from cammotion.laws.catalogue import as_law
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
+from cammotion.measured.inch import MM_PER_INCH
 from cammotion.views.displacement import curve_angles, displacement
+from cammotion.views.ends import POINTS_PER_INCH
 from cammotion.views.names import (
     TITLE,
     as_label,
@@ -27,14 +29,14 @@ from cammotion.views.names import (
     text_px,
     wrap,
 )
-from cammotion.views.scales import as_text, short_number
+from cammotion.views.scales import as_text, short_number, trimmed
 
 _GRID_DEG, _NUMBERED_DEG = 10, 30
 FULL_MM = 14.0  # of a lane whose texts have their full size
 _LEAST_CURVE, _MOST_CURVE = 0.25, 0.5  # of a lane that a curve fills
 _NAME, _SMALL, _ANGLE = 9.0, 7.0, 7.0  # sizes of texts in points, in a lane that is high enough
 _LEAST = 0.6  # of these sizes, in a low one
-MM_PER_POINT = 25.4 / 72
+MM_PER_POINT = MM_PER_INCH / POINTS_PER_INCH
 _APART_MM = 0.6  # between two angles
 _LEFT_MM, _RIGHT_MM = 37.0, 30.0  # of room for texts beside the lanes
 _BESIDE = 0.88  # of a lane is filled by them, if it is not too high
@@ -234,7 +236,7 @@ def _write_angles(
     size = _ANGLE * paper.share
     taken: list[_Box] = []
     for x, y, angle in corners:
-        text = f"{angle:.2f}".rstrip("0").rstrip(".")
+        text = trimmed(angle, 2)
         boxes = list(_places(paper, x, y, middle, text_px(text, size) * MM_PER_POINT))
         free = (box for box in boxes if not any(box.meets(other) for other in taken))
         box = next(free, boxes[0])

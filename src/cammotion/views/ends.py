@@ -15,7 +15,7 @@ from cammotion.views.names import plain, text_px
 Pair: TypeAlias = tuple[float, float]
 
 LINE_INCHES = 0.21  # between two names
-_POINTS = 72  # of an inch
+POINTS_PER_INCH = 72
 
 
 def label_ends(
@@ -44,7 +44,7 @@ def would_meet(
     ax: Axes, names: Sequence[str], places: Sequence[Pair], offsets: Sequence[Pair], size: float
 ) -> bool:
     """Return whether two names would lie over one another at places, off them by so many points."""
-    middles = ax.transData.transform(places) * _POINTS / ax.figure.dpi + np.array(offsets)
+    middles = ax.transData.transform(places) * POINTS_PER_INCH / ax.figure.dpi + np.array(offsets)
     halves = [0.92 * text_px(name, size) / 2 for name in names]  # in the font that is here
     return any(
         abs(one[0] - other[0]) < half + width and abs(one[1] - other[1]) < size
@@ -54,7 +54,7 @@ def would_meet(
 
 def overfull(names: Sequence[str], width: float) -> bool:
     """Return whether names do not fit side by side into so many inches."""
-    return max(text_px(name, 10) for name in names) / _POINTS * len(names) > width
+    return max(text_px(name, 10) for name in names) / POINTS_PER_INCH * len(names) > width
 
 
 def inches(ax: Axes) -> tuple[float, float]:

@@ -16,7 +16,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
 from cammotion.views.displacement import curve_angles
-from cammotion.views.ends import inches
+from cammotion.views.ends import POINTS_PER_INCH, inches
 from cammotion.views.names import as_label, labels, plain, printable, short_names, text_px
 from cammotion.views.plots import colour, dark, style_line, write
 from cammotion.views.scales import short_number
@@ -25,7 +25,6 @@ SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lan
 LANE_INCHES = 0.36
 LANE_SHARE = 0.75  # of a lane, that a curve fills
 _NAME, _SMALL = 11, 10  # the size of a name at its curve, and beside its lane, in points
-_POINTS = 72  # of an inch
 _SAID = 74  # columns of what is said above a row
 
 Values: TypeAlias = Callable[[Motion, Floats], Floats]
@@ -94,7 +93,7 @@ def name_rows(ax: Axes) -> None:
 
 def room_inches(names: Iterable[str]) -> float:
     """Return how wide names beside rows become, in inches."""
-    return max(text_px(name, _SMALL) for name in names) / _POINTS
+    return max(text_px(name, _SMALL) for name in names) / POINTS_PER_INCH
 
 
 def draw_shared(ax: Axes, curves: Sequence[Curve], *, is_named: bool) -> None:
@@ -123,10 +122,10 @@ def _name_curves(ax: Axes, curves: Sequence[Curve]) -> None:
     """Write each name over its curve, as near to its highest stay as others leave room."""
     low, high = ax.get_ylim()
     across, up = inches(ax)
-    line = 1.4 * _NAME / _POINTS / up * (high - low)
+    line = 1.4 * _NAME / POINTS_PER_INCH / up * (high - low)
     taken: list[tuple[float, float, float]] = []
     for curve in curves:
-        half = text_px(curve.label, _NAME) / _POINTS / across * DEG_PER_TURN / 2
+        half = text_px(curve.label, _NAME) / POINTS_PER_INCH / across * DEG_PER_TURN / 2
         wanted = min(max(_highest_stay(curve.motion), half), DEG_PER_TURN - half)
         places = np.linspace(half, max(DEG_PER_TURN - half, half), 73)
         found = []

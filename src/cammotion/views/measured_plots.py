@@ -15,7 +15,7 @@ from cammotion.measured.differences import ERROR, differences
 from cammotion.measured.inch import MM_PER_INCH
 from cammotion.measured.smoothing import SmoothedTable
 from cammotion.quantities import Floats, InputError, Quantity, one_of
-from cammotion.views.ends import apart
+from cammotion.views.ends import POINTS_PER_INCH, apart
 from cammotion.views.names import text_px
 from cammotion.views.plots import colour, style_line, styled
 
@@ -29,7 +29,6 @@ _TICKS = 12  # at most, of ranks
 _STEPS = (2, 5, 10, 20, 50, 100, 200, 500, 1000)  # of ranks from tick to tick
 _VALUE, _OVER, _APART = 9, 3, 11  # of a value in points: its size, how far it is over its bar and
 # from the middle of another one, where there are many bars
-_POINTS = 72  # of an inch
 _NAME, _ROW, _COLUMNS = 10, 20, 3  # of a legend: its names and a row of them in points
 _HEADROOM = 0.2  # over the highest bar, of it
 
@@ -199,7 +198,10 @@ def _laid_out(ax: Axes) -> tuple[float, float]:
     figure = ax.get_figure(root=True)
     assert figure is not None  # noqa: S101 - axes that are drawn in have one
     figure.draw_without_rendering()
-    return ax.bbox.width * _POINTS / figure.dpi, ax.bbox.height * _POINTS / figure.dpi
+    return (
+        ax.bbox.width * POINTS_PER_INCH / figure.dpi,
+        ax.bbox.height * POINTS_PER_INCH / figure.dpi,
+    )
 
 
 def _axes(ax: Axes | None, across: str, up: str, unit: str) -> Axes:

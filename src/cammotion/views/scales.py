@@ -50,6 +50,15 @@ def as_text(value: float, digits: str) -> str:
     return text.removesuffix(".")
 
 
+def trimmed(value: float, digits: int) -> str:
+    """Return a number with so many decimals at most: no zeros stand at its end.
+
+    >>> trimmed(2.5, 3), trimmed(40, 2)
+    ('2.5', '40')
+    """
+    return f"{value:.{digits}f}".rstrip("0").rstrip(".")
+
+
 def short_number(value: float) -> str:
     """Return a number for a scale.
 

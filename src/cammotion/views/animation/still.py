@@ -12,6 +12,7 @@ import numpy as np
 from cammotion.files import write_new
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.views.paper import STYLE
+from cammotion.views.scales import trimmed
 
 _SVG = "http://www.w3.org/2000/svg"
 ElementTree.register_namespace("", _SVG)
@@ -72,7 +73,7 @@ def _between(animation: ElementTree.Element, at: float) -> str:
     """Return the numbers of a transform at this share of the turn."""
     values = np.array([[float(n) for n in value.split()] for value in _values(animation)])
     now = [np.interp(at, _key_times(animation), column) for column in values.T]
-    return " ".join(f"{number:.4f}".rstrip("0").rstrip(".") for number in now)
+    return " ".join(trimmed(number, 4) for number in now)
 
 
 def _values(animation: ElementTree.Element) -> list[str]:

@@ -19,6 +19,7 @@ from cammotion.views.animation.keyframes import Trace
 from cammotion.views.broken import BROKEN
 from cammotion.views.names import cut, printable, text_px
 from cammotion.views.plots import colour, dashes_of, mixed
+from cammotion.views.scales import trimmed
 
 FONT = "DejaVu Sans, Verdana, Arial, sans-serif"
 INK, GREY = "#222222", "#777777"
@@ -230,5 +231,4 @@ def _key_times(angles_deg: Iterable[float] | Floats) -> str:
 
 
 def _short(value: float, digits: int) -> str:
-    text = f"{px(value, digits):.{digits}f}"
-    return text.rstrip("0").rstrip(".")
+    return trimmed(px(value, digits), digits)
