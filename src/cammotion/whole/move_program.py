@@ -121,6 +121,20 @@ class MoveProgram:
             self.rows.high[self.least] = 0.0
 
     def _add(self, mover: Mover) -> None:
+        starts, counted = self._add_starts(mover), len(self.own)
+        widths = [*map(self._add_width, mover.laws, mover.costs, mover.narrowest, mover.angles)]
+        for number, end in enumerate(mover.ends):
+            ending = [(starts[number], 1.0), *((one, 1.0) for one in widths[number])]
+            self.rows.row(ending, -np.inf, end)
+            on = (number + 1) % len(starts)
+            turn = 0.0 if on else DEG_PER_TURN
+            self.rows.row([*ending, (starts[on], -1.0)], -np.inf, turn)
+        self.of_part.append(self.own[counted:])
+        self.starts.append(starts)
+        self.widths.append(widths)
+
+    def _add_starts(self, mover: Mover) -> list[int]:
+        """Add the starts of a part's moves, some of them in a range of any of some turns."""
         rows = self.rows
         starts = rows.unknowns(*np.array(mover.starts).reshape(-1, 2).T)
         for start, begin in zip(starts, mover.begins, strict=True):
@@ -129,41 +143,34 @@ class MoveProgram:
                 turns = rows.unknowns([first], [last], whole=True)
                 self.whole += turns
                 rows.row([(start, 1.0), (turns[0], -float(DEG_PER_TURN))], *begin.range_deg)
-        widths, counted = [], len(self.own)
-        for laws, costs, narrowest, (low, high) in zip(
-            mover.laws, mover.costs, mover.narrowest, mover.angles, strict=True
-        ):
-            width = rows.unknowns([0.0] * len(laws), [high] * len(laws))
-            rows.row([(one, 1.0) for one in width], max(low, _NARROWEST_DEG), high)
-            if len(laws) > 1:
-                taken = rows.choice(len(laws))
-                self.whole += taken
-                for one, it in zip(width, taken, strict=True):
-                    rows.row([(one, 1.0), (it, -high)], -np.inf, 0.0)
-            if all(costs):
-                own = rows.unknown(0.0, np.inf)
-                shares = [
-                    (one, 1 / math.sqrt(cost)) for one, cost in zip(width, costs, strict=True)
-                ]
-                rows.row([*shares, (own, -1.0)], 0.0, np.inf)
-                rows.row([(own, 1.0), (self.least, -1.0)], 0.0, np.inf)
-                self.own.append(own)
-            if any(narrowest):
-                rows.row(
-                    [(one, 1 / angle) for one, angle in zip(width, narrowest, strict=True)],
-                    1.0,
-                    np.inf,
-                )
-            widths.append(width)
-        for number, end in enumerate(mover.ends):
-            ending = [(starts[number], 1.0), *((one, 1.0) for one in widths[number])]
-            rows.row(ending, -np.inf, end)
-            on = (number + 1) % len(starts)
-            turn = 0.0 if on else DEG_PER_TURN
-            rows.row([*ending, (starts[on], -1.0)], -np.inf, turn)
-        self.of_part.append(self.own[counted:])
-        self.starts.append(starts)
-        self.widths.append(widths)
+        return starts
+
+    def _add_width(
+        self,
+        laws: Sequence[MotionLaw],
+        costs: Sequence[float],
+        narrowest: Sequence[float],
+        angles: tuple[float, float],
+    ) -> list[int]:
+        """Add the angle of a move for each of its laws, of which one is taken."""
+        rows, (low, high) = self.rows, angles
+        width = rows.unknowns([0.0] * len(laws), [high] * len(laws))
+        rows.row([(one, 1.0) for one in width], max(low, _NARROWEST_DEG), high)
+        if len(laws) > 1:
+            taken = rows.choice(len(laws))
+            self.whole += taken
+            for one, it in zip(width, taken, strict=True):
+                rows.row([(one, 1.0), (it, -high)], -np.inf, 0.0)
+        if all(costs):
+            own = rows.unknown(0.0, np.inf)
+            shares = [(one, 1 / math.sqrt(cost)) for one, cost in zip(width, costs, strict=True)]
+            rows.row([*shares, (own, -1.0)], 0.0, np.inf)
+            rows.row([(own, 1.0), (self.least, -1.0)], 0.0, np.inf)
+            self.own.append(own)
+        if any(narrowest):
+            shares = [(one, 1 / angle) for one, angle in zip(width, narrowest, strict=True)]
+            rows.row(shares, 1.0, np.inf)
+        return width
 
     def _keep_apart(self, pair: Apart) -> None:
         """Let the second span lie between the end of the first and its next beginning."""
