@@ -62,22 +62,31 @@ def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None)
 
     `peaks` are those of a quantity that is 0 at rest; where one is infinite, that is said.
     """
-    count = len(curves)
     for curve in curves:
         low, high = curve.range
-        bottom = count - 1 - curve.number
-        scale = LANE_SHARE / ((high - low) or 1)
-        to_lane = Affine2D().translate(0, -low).scale(1, scale).translate(0, bottom)
-        line = ax.plot(curve.angles, curve.values, transform=to_lane + ax.transData)[0]
+        bottom = len(curves) - 1 - curve.number
+        lane = lane_over(bottom, low, high)
+        line = ax.plot(curve.angles, curve.values, transform=lane + ax.transData)[0]
         style_line(line, curve.number).set_label(as_label(printable(curve.motion.name)))
         if peaks is not None:
-            ax.axhline(bottom - low * scale, color="#999999", linewidth=0.8, zorder=1)
+            ax.axhline(lane.transform((0, 0))[1], color="#999999", linewidth=0.8, zorder=1)
         infinite = peaks is not None and math.isinf(peaks[curve.number])
         said = f"{short_number(low)} to {short_number(high)}{', peak ∞' if infinite else ''}"
         at = (1.01, bottom + LANE_SHARE / 2)
         ax.text(*at, said, fontsize=_SMALL, va="center", transform=ax.get_yaxis_transform())
-    middles = [count - 1 - curve.number + LANE_SHARE / 2 for curve in curves]
-    ax.set_yticks(middles, [curve.label for curve in curves])
+    name_lanes(ax, [curve.label for curve in curves])
+
+
+def lane_over(bottom: float, low: float, high: float) -> Affine2D:
+    """Return what lays a curve from a low to a high value into the lane over a bottom."""
+    scale = LANE_SHARE / ((high - low) or 1)
+    return Affine2D().translate(0, -low).scale(1, scale).translate(0, bottom)
+
+
+def name_lanes(ax: Axes, names: Sequence[str]) -> None:
+    """Write the names to the left of their lanes, from the top down, and end the axis there."""
+    count = len(names)
+    ax.set_yticks([count - 1 - number + LANE_SHARE / 2 for number in range(count)], names)
     name_rows(ax)
     ax.grid(visible=False, axis="y")
     ax.set_ylim(-0.25, count)

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from matplotlib.transforms import Affine2D
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
 from cammotion.arguments import checked
@@ -16,7 +15,13 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
 from cammotion.versions.comparison import Comparison, Effect
 from cammotion.views.displacement import curve_angles, displacement
-from cammotion.views.lanes import LANE_INCHES, LANE_SHARE, name_rows, room_inches
+from cammotion.views.lanes import (
+    LANE_INCHES,
+    LANE_SHARE,
+    lane_over,
+    name_lanes,
+    room_inches,
+)
 from cammotion.views.named import readable
 from cammotion.views.names import as_label, labels, plain, printable, short
 from cammotion.views.pictures import blank_axes
@@ -83,29 +88,19 @@ def _draw_lanes(
         curves = [None if m is None else _curve(m) for m in versions]
         heights = np.concatenate([curve[1] for curve in curves if curve is not None])
         low, high = float(heights.min()), float(heights.max())
-        bottom, scale = len(names) - 1 - number, LANE_SHARE / ((high - low) or 1.0)
-        to_lane = Affine2D().translate(0, -low).scale(1, scale).translate(0, bottom)
+        bottom = len(names) - 1 - number
+        lane = lane_over(bottom, low, high)
         for curve, is_after in zip(curves, (False, True), strict=True):
             if curve is not None:
                 angles, values = curve
-                (line,) = ax.plot(angles, values, transform=to_lane + ax.transData)
+                (line,) = ax.plot(angles, values, transform=lane + ax.transData)
                 line.set(**({"color": colour(number), "linewidth": 2} if is_after else _BEFORE))
                 said = f"{printable(name)} {'after' if is_after else 'before'}"
                 line.set_label(as_label(said))
-        text = ax.text(
-            1.01,
-            bottom + LANE_SHARE / 2,
-            f"{short_number(low)} to {short_number(high)} mm",
-            fontsize=9,
-            va="center",
-            transform=ax.get_yaxis_transform(),
-        )
-        plain(text)
-    middles = [len(names) - 1 - number + LANE_SHARE / 2 for number in range(len(names))]
-    ax.set_yticks(middles, called)
-    name_rows(ax)
-    ax.grid(visible=False, axis="y")
-    ax.set_ylim(-0.25, len(names))
+        said = f"{short_number(low)} to {short_number(high)} mm"
+        at = (1.01, bottom + LANE_SHARE / 2)
+        plain(ax.text(*at, said, fontsize=9, va="center", transform=ax.get_yaxis_transform()))
+    name_lanes(ax, called)
     ax.set_xlim(0, DEG_PER_TURN)
     ax.set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
 
