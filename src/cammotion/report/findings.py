@@ -1,7 +1,6 @@
 """All that a report says of a machine: computed once, before a line of it is written."""
 
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -73,18 +72,17 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
         reached = f"{found.reached:.4g}" if found.design else "none"
         progress(share, f"found {reached}, none below {found.bound:.4g} m/s² (Ctrl-C: enough)")
 
-    with suppress(KeyboardInterrupt):
-        try:
-            least = least_peak(
-                machine.diagram,
-                machine.rules,
-                still=machine.free,
-                gap=_GAP,
-                seconds=seconds,
-                progress=told,
-            )
-        except (InputError, WrongAnswerError) as wrong:
-            notes.append(f"There is no bound. {wrong}")
-    if least is None and not any(note.startswith("There is no bound") for note in notes):
+    try:
+        least = least_peak(
+            machine.diagram,
+            machine.rules,
+            still=machine.free,
+            gap=_GAP,
+            seconds=seconds,
+            progress=told,
+        )
+    except KeyboardInterrupt:
         notes.append("The search for the bound was interrupted before it had one.")
+    except (InputError, WrongAnswerError) as wrong:
+        notes.append(f"There is no bound. {wrong}")
     return Findings(machine, ranking, left, best, least, tuple(notes))
