@@ -70,7 +70,7 @@ REASONS = {
     r"no matching distribution|could not find a version|no solution found|different python"
     r"|failed building wheel|failed to build|subprocess-exited-with-error": (
         "A package in environment.txt, in the version it asks for, is not to be had for Python "
-        f"{PYTHON_VERSION} on this machine. The workbook is tested with Python 3.11, 3.12 and 3.13."
+        f"{PYTHON_VERSION} on this machine. The workbook is tested with Python 3.11 to 3.14."
     ),
 }
 

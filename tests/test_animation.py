@@ -494,3 +494,18 @@ def test_lines_are_broken_between_words() -> None:
     assert " ".join(lines) == text
     assert len(lines) > 1
     assert all(text_px(line, 12) <= 100 for line in lines)
+
+
+def test_a_rule_that_is_broken_up_to_the_end_of_the_turn_says_so_and_is_drawn_so() -> None:
+    mill = cm.indexing_motion(
+        "mill", cm.rise(100, over_deg=60), cm.dwell(300), stops=24, start_deg=300
+    )
+    rule = cm.ClearanceRule(cm.beyond("die", -5), only_while=cm.standing("mill"))
+    late = animate(cm.TimingDiagram([mill, make_die()], 2000), rules=rule)
+    assert late.designs[0].verdict == "RULE BROKEN from 300 to 360°"
+    early = animate(cm.TimingDiagram([mill.shifted(60), make_die()], 2000), rules=rule)
+    assert [alarms(early, angle) for angle in (0, 30, 100, 360)] == [1, 1, 0, 1]
+
+
+def alarms(animation: Animation, angle_deg: float) -> int:
+    return animation.still(angle_deg).svg.count('visibility="visible"')

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from any_input import callables
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 import cammotion as cm
 
@@ -78,7 +78,7 @@ def kinds(hint: Any) -> set[Any]:
     if hint in (ArrayLike, ArrayLike | None, int):
         return {float}
     origin, inside = typing.get_origin(hint), typing.get_args(hint)
-    if origin is np.ndarray:
+    if origin in (np.ndarray, NDArray):  # NumPy 2.5 has an alias of its own
         return {float}
     if origin is typing.Literal:
         return {str}

@@ -167,3 +167,10 @@ def test_bad_wishes(arguments: dict[str, Any], said: str, tmp_path: Path) -> Non
     path = arguments.pop("path")
     with pytest.raises(cm.InputError, match=re.escape(said)):
         cm.write_cam(**{"cam": CAM} | arguments, path=path if path == 3 else tmp_path / path)
+
+
+def test_a_keyway_needs_a_bore(tmp_path: Path) -> None:
+    path = tmp_path / "die.svg"
+    with pytest.raises(cm.InputError, match=r"keyway is \(6, 3\).* give bore_mm"):
+        cm.write_cam(CAM, path, keyway_mm=(6, 3))
+    assert not path.exists()

@@ -305,3 +305,15 @@ def assert_is_a_sentence(words: str) -> None:
     assert words.endswith(".")
     assert "<class" not in words
     assert len(words) < 300
+
+
+def test_a_choice_is_set_to_the_number_of_a_name() -> None:
+    """Between two of them the figure would show another curve than it says."""
+    figure = cm.explore(cm.choice("law", {"one": t, "two": 2 * t, "three": 3 * t}), (t, 0, 1))
+    (symbol,) = figure.values
+    figure.values = {symbol: 2}
+    wrong: list[Any] = [1.5, 3, "two"]
+    for value in wrong:
+        with pytest.raises(cm.InputError, match=r"give the number of a name, 0 \(one\), 1 \(two\)"):
+            figure.values = {symbol: value}
+    assert figure.chosen == {"law": "three"}

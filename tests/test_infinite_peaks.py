@@ -1,5 +1,6 @@
 """Pictures and readouts where a velocity jumps, so that a peak is infinite, or where none is."""
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -194,3 +195,12 @@ def test_the_explorer_of_the_family_says_where_the_jerk_is_infinite() -> None:
     figure = cm.explore_scca()
     figure.press("constant acceleration")
     assert "Cj infinite (A jumps at the ends and in the middle)" in figure.text
+
+
+def test_an_infinite_peak_is_said_with_its_sign() -> None:
+    """In advice and comparison as in the line of the machine itself."""
+    machine = cm.Machine("press", cm.TimingDiagram([make_die(law=cm.CONSTANT_VELOCITY)], 2000), ())
+    compared = repr(cm.compare(machine.diagram, make_diagram()))
+    for said in (repr(machine), cm.improvements(machine).hardest, compared):
+        assert "∞" in said
+        assert not re.search(r"\binf\b", said)

@@ -12,10 +12,11 @@ from matplotlib.axes import Axes
 from matplotlib.text import Text
 
 import cammotion as cm
+from cammotion.quantities import as_text
 from cammotion.report.markup import short
 from cammotion.views.chart import draw_chart
 from cammotion.views.pictures import describe
-from cammotion.views.scales import as_text, short_number
+from cammotion.views.scales import short_number
 
 mpl.use("agg")
 

@@ -10,6 +10,7 @@ from scipy.optimize import differential_evolution
 
 import cammotion as cm
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.whole.asked_of_moves import rests_at
 from cammotion.whole.optimise import Optimised, optimise
 
 STILL = {"mill": [DOWN_DEG], "die": [DOWN_DEG]}
@@ -70,6 +71,19 @@ def test_a_move_may_begin_wherever_its_still_arcs_let_it() -> None:
         for start in np.random.default_rng(3).uniform(-10, 335, 8)
     ]
     assert optimise(machine, [], **asked).reached <= min(at_random) * (1 + 1e-6)
+
+
+def test_a_velocity_that_is_rounding_is_a_rest() -> None:
+    """As at the joints of a motion: a law that a fit has made is seldom at rest to the last digit.
+
+    The advice that a machine is given asks the same.
+    """
+    for velocity, rests in ((1e-7, True), (1e-5, False)):
+        law = cm.polynomial((0, velocity, 0), (1, 0, 0))
+        assert rests_at(law, 0) is rests
+        assert rests_at(law, 1)
+    smooth = cm.polynomial((0, 1e-7, 0), (1, 0, 0))
+    assert optimise(make_diagram(), RULE, still=STILL, laws=[smooth]).design.peak_jerk("die") < 99
 
 
 def test_of_a_list_each_move_gets_the_best_law() -> None:

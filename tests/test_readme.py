@@ -97,7 +97,7 @@ PINS = [
 ]
 
 
-@pytest.mark.parametrize("python", ["3.11.7", "3.12.1", "3.13.0"])
+@pytest.mark.parametrize("python", ["3.11.7", "3.12.1", "3.13.0", "3.14.8"])
 @pytest.mark.parametrize("needed", DIRECT, ids=lambda needed: needed.name)
 def test_one_pin_serves_each_direct_dependency(needed: Requirement, python: str) -> None:
     environment: dict[str, Any] = {

@@ -9,7 +9,7 @@ from cammotion.arguments import checked
 from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import InputError, plural, shorten
+from cammotion.quantities import InputError, as_text, plural, shorten
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
 from cammotion.rules.rule import Clearance, Rule, Violation
 from cammotion.shown import as_table
@@ -94,7 +94,7 @@ class Machine:
         broken = len({violation.rule for violation in self.violations})
         kept = f"{broken} broken" if broken else "kept" if rules == 1 else "all kept"
         kept += f" ({len(self.idle)} cannot be broken)" if self.idle else ""
-        peak = f"{self.peaks[self.hardest]:.4g}".replace("inf", "∞")
+        peak = as_text(self.peaks[self.hardest], ".4g")
         ruled = f", {plural(rules, 'rule')}, {kept}" if rules else ", no rules"
         return (
             f"{shorten(self.name, of=str)}: {plural(count, 'mechanism')} at "

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from cammotion.typed import typed_numbers
 
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
+_PLAIN = 1e5  # a number below it is read without a power of ten
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
 _NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
 _NONE: Mapping[str, str] = {}
@@ -278,6 +279,22 @@ def shorten(value: object, length: int = 60, *, of: Callable[[object], str] = re
     """Return a value as a sentence can show it, however long it is."""
     text = of(value)
     return text if len(text) <= length else text[: length - 3] + "..."
+
+
+def as_text(value: float, digits: str) -> str:
+    """Return a number in so many `digits`, a format of Python's, and an infinite one as a sign.
+
+    >>> as_text(4.154, ".3g"), as_text(41542, ".3g"), as_text(415.4, "#.3g")
+    ('4.15', '41500', '415')
+    >>> as_text(math.inf, ".3g"), as_text(-math.inf, ".3g")
+    ('∞', '-∞')
+    """
+    if math.isinf(value):
+        return "∞" if value > 0 else "-∞"
+    text = format(value, digits)
+    if "e+" in text and abs(value) < _PLAIN:
+        text = f"{float(text):.0f}"
+    return text.removesuffix(".")
 
 
 def plural(number: int | str, what: str) -> str:

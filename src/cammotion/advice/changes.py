@@ -15,9 +15,10 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, arcs_of
 from cammotion.own import Machine
-from cammotion.quantities import InputError, WrongAnswerError, plural
+from cammotion.quantities import InputError, WrongAnswerError, as_text, plural
 from cammotion.rules.checks import find_violations, smallest_clearance
 from cammotion.rules.rule import Rule, Violation
+from cammotion.whole.asked_of_moves import rests_at
 from cammotion.whole.optimise import optimise
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
@@ -27,7 +28,6 @@ _USED = 1e-3  # mm: of a rule that has no more room
 _SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _ROUNDING = 1e-9  # deg
-_REST = 1e-6  # of the mean velocity of a move
 
 
 @dataclass(frozen=True, repr=False)
@@ -67,7 +67,8 @@ class Improvement:
     def __repr__(self) -> str:
         """Say it in a line."""
         mends = f", mends {plural(self.mends, 'rule')}" if self.mends else ""
-        return f"{self.said}: {self.before:.3f} to {self.after:.3f} m/s²{mends}"
+        before, after = (as_text(peak, ".3f") for peak in (self.before, self.after))
+        return f"{self.said}: {before} to {after} m/s²{mends}"
 
 
 def changes_of(machine: Machine, name: str, laws: Sequence[str]) -> Iterator[Improvement]:
@@ -251,14 +252,10 @@ def _hands_over(motion: Motion) -> bool:
     following = [*moves[1:], *moves[:1]]
     return any(
         abs((after.from_deg - before.to_deg) % DEG_PER_TURN) < _SAME_DEG
-        and _moves_at(before, 1)
-        and _moves_at(after, 0)
+        and not rests_at(as_law(before.law), 1)
+        and not rests_at(as_law(after.law), 0)
         for before, after in zip(moves, following, strict=True)
     )
-
-
-def _moves_at(move: Segment, end: int) -> bool:
-    return abs(float(as_law(move.law)(end, 1))) > _REST
 
 
 def gentle_laws() -> list[str]:

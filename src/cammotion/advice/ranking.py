@@ -15,7 +15,7 @@ from cammotion.advice.changes import (
 )
 from cammotion.arguments import checked
 from cammotion.own import Machine
-from cammotion.quantities import InputError, Quantity
+from cammotion.quantities import InputError, Quantity, as_text
 from cammotion.shown import as_table
 from cammotion.whole.optimise import optimise
 
@@ -59,10 +59,11 @@ class Improvements(Sequence[Improvement]):
         peaks = [self.machine.peaks[name] for name in names]
         if not peaks[0]:
             return "Nothing moves."
-        first = f"The {names[0]} is driven hardest, with {peaks[0]:.3f} m/s²"
+        said = [as_text(peak, ".3f") for peak in peaks]
+        first = f"The {names[0]} is driven hardest, with {said[0]} m/s²"
         if len(names) < _NEXT or not peaks[1]:
             return f"{first}."
-        return f"{first}; after it comes the {names[1]}, with {peaks[1]:.3f} m/s²."
+        return f"{first}; after it comes the {names[1]}, with {said[1]} m/s²."
 
     @property
     def notes(self) -> tuple[str, ...]:

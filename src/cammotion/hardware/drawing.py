@@ -14,7 +14,7 @@ from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.outline import arcs_along
 from cammotion.hardware.roller_cam import RollerCam
-from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.quantities import Floats, InputError, Quantity, shorten
 
 BORE = Quantity("diameter of the bore", "mm", example=20)
 KEY = Quantity("width and the height of the keyway", "mm", example=6)
@@ -53,6 +53,10 @@ def strokes(
     keyway_mm: tuple[float, float] | None = None,
 ) -> Iterator[Stroke]:
     """Yield all strokes of a cam; the outline is arcs that miss it by at most a tolerance."""
+    if keyway_mm is not None and bore_mm is None:
+        raise InputError(
+            f"The keyway is {shorten(keyway_mm)}, and there is no bore for it: give bore_mm too."
+        )
     profile = arcs_along(cam.profile_mm, cam.motion, tolerance_mm)
     least = float(np.hypot(*profile.points_mm.T).min())
     yield Stroke("PROFILE", profile.points_mm, profile.bulges)

@@ -18,7 +18,7 @@ from cammotion.limits.spread import tightened
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import InputError, Quantity, WrongAnswerError, shorten
+from cammotion.quantities import InputError, Quantity, WrongAnswerError, as_text, shorten
 from cammotion.rules.checks import every_rule, find_violations, smallest_clearance
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.rule import Clearance, Rule, Violation
@@ -48,7 +48,10 @@ class WidestMove:
 
     def __repr__(self) -> str:
         angles = " and ".join(f"{angle:.4g}" for angle in dict.fromkeys(self.angles_deg))
-        name, peak = shorten(self.mechanism, of=str), f"{self.peak_acceleration:.4g} m/s²"
+        name, peak = (
+            shorten(self.mechanism, of=str),
+            f"{as_text(self.peak_acceleration, '.4g')} m/s²",
+        )
         return f"WidestMove(the {name} over {angles} deg, {peak})"
 
     @property

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import NamedTuple
 
-from cammotion.views.scales import as_text
+from cammotion.quantities import as_text
 from cammotion.views.whole_page import wide_table
 
 

@@ -8,7 +8,7 @@ from cammotion.arguments import checked
 from cammotion.drive.camshaft import Camshaft
 from cammotion.limits.reserves import reserves
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import InputError, plural
+from cammotion.quantities import InputError, as_text, plural
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
 from cammotion.rules.rule import Rule
 from cammotion.shown import as_table
@@ -89,7 +89,8 @@ class Comparison:
             max(diagram.peak_acceleration(name) for name in diagram.names)
             for diagram in (self.before, self.after)
         )
-        return "largest peak acceleration {:.4g} → {:.4g} m/s²".format(*peaks)
+        before, after = (as_text(peak, ".4g") for peak in peaks)
+        return f"largest peak acceleration {before} → {after} m/s²"
 
 
 @checked

@@ -11,9 +11,9 @@ from cammotion.arguments import checked
 from cammotion.hardware.drawing import strokes
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.roller_cam import RollerCam
+from cammotion.quantities import as_text
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import COLOURS, write
-from cammotion.views.scales import as_text
 
 _TOLERANCE_MM = 0.01
 _THIN: dict[str, Any] = {"edgecolor": "#555555", "linewidth": 1.0}

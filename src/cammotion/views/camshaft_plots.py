@@ -10,7 +10,7 @@ from cammotion.arguments import checked
 from cammotion.drive.camshaft import Camshaft
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError
+from cammotion.quantities import Floats, InputError, as_text
 from cammotion.views.lanes import (
     LANE_INCHES,
     SHARED_AXIS,
@@ -23,7 +23,6 @@ from cammotion.views.named import readable
 from cammotion.views.names import add_legend, labels
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import style_axes, write
-from cammotion.views.scales import as_text
 from cammotion.views.timing_plots import LEFT_INCHES, TICK_DEG, WIDTH_INCHES
 
 _TORQUE_INCHES, _FORCES_INCHES, _PAD_INCHES = 2.27, 2.0, 0.2

@@ -17,6 +17,7 @@ from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.measured.inch import MM_PER_INCH
+from cammotion.quantities import as_text
 from cammotion.views.displacement import curve_angles, displacement
 from cammotion.views.ends import POINTS_PER_INCH
 from cammotion.views.names import (
@@ -29,7 +30,7 @@ from cammotion.views.names import (
     text_px,
     wrap,
 )
-from cammotion.views.scales import as_text, short_number, trimmed
+from cammotion.views.scales import short_number, trimmed
 
 _GRID_DEG, _NUMBERED_DEG = 10, 30
 FULL_MM = 14.0  # of a lane whose texts have their full size

@@ -16,9 +16,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
+from cammotion.quantities import as_text
 from cammotion.views.names import printable
 from cammotion.views.paper import STYLE
-from cammotion.views.scales import as_text
 
 _EDGE_INCHES = 0.1
 _QUICK = {"compress_level": 3}  # a cell that runs waits for it

@@ -19,12 +19,11 @@ from matplotlib.ticker import LogLocator, NullLocator
 
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import Move
-from cammotion.quantities import Floats, InputError, one_of
+from cammotion.quantities import Floats, InputError, as_text, one_of
 from cammotion.views.ends import LINE_INCHES, inches, label_ends, overfull, would_meet
 from cammotion.views.names import labels as short_labels
 from cammotion.views.names import name_line, plain
 from cammotion.views.pictures import blank_axes
-from cammotion.views.scales import as_text
 
 # six of Okabe and Ito's, which Matplotlib knows as "okabe_ito" only from 3.11 on
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#000000")

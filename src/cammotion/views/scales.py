@@ -6,8 +6,9 @@ import numpy as np
 from matplotlib.ticker import LogLocator
 from numpy.typing import ArrayLike
 
+from cammotion.quantities import as_text
+
 _THOUSAND = 1000
-_PLAIN = 1e5  # a number below it is read without a power of ten
 _ONE_TWO_FIVE = LogLocator(subs=(1, 2, 5))
 
 
@@ -32,22 +33,6 @@ def round_down(value: float) -> float:
     """
     ticks = _ONE_TWO_FIVE.tick_values(value / 10, value)
     return float(max(tick for tick in ticks if tick <= value))
-
-
-def as_text(value: float, digits: str) -> str:
-    """Return a number in so many `digits`, a format of Python's, and an infinite one as a sign.
-
-    >>> as_text(4.154, ".3g"), as_text(41542, ".3g"), as_text(415.4, "#.3g")
-    ('4.15', '41500', '415')
-    >>> as_text(math.inf, ".3g"), as_text(-math.inf, ".3g")
-    ('∞', '-∞')
-    """
-    if math.isinf(value):
-        return "∞" if value > 0 else "-∞"
-    text = format(value, digits)
-    if "e+" in text and abs(value) < _PLAIN:
-        text = f"{float(text):.0f}"
-    return text.removesuffix(".")
 
 
 def trimmed(value: float, digits: int) -> str:

@@ -12,7 +12,7 @@ from cammotion.arguments import checked
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats
+from cammotion.quantities import Floats, as_text
 from cammotion.versions.comparison import Comparison, Effect
 from cammotion.views.displacement import curve_angles, displacement
 from cammotion.views.lanes import (
@@ -26,7 +26,7 @@ from cammotion.views.named import readable
 from cammotion.views.names import as_label, labels, plain, printable, short
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import colour, mixed, style_axes
-from cammotion.views.scales import as_text, short_number
+from cammotion.views.scales import short_number
 from cammotion.views.timing_plots import TICK_DEG, WIDTH_INCHES
 
 _BAR_INCHES, _EDGES_INCHES, _GAP_INCHES = 0.3, 0.9, 0.75

@@ -10,7 +10,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, shorten
 from cammotion.whole.asked_of_all import FREE, Task
 
-_REST = 1e-9  # of the mean velocity: a law that is slower at its ends rests there
+_REST = 1e-6  # of the mean velocity: a law that is slower at its ends rests there
 
 Laws = Sequence[str | MotionLaw]
 Ranges = Sequence[tuple[float, float] | None]
@@ -35,12 +35,17 @@ def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
             raise InputError(f"The list of laws for the {part.motion.name} is empty: give one.")
         found.append([own or [as_law(move.law)] for move in part.motion.moves])
     for law in {law for part in found for move in part for law in move}:
-        if max(abs(float(law(end, 1))) for end in (0, 1)) > _REST:
+        if not (rests_at(law, 0) and rests_at(law, 1)):
             raise InputError(
                 f"The law {law.name!r} does not rest at both its ends, and only moves from rest to "
                 "rest can be placed at will: give another one."
             )
     return found
+
+
+def rests_at(law: MotionLaw, end: int) -> bool:
+    """Tell whether a law is at rest at its beginning, 0, or its end, 1."""
+    return abs(float(law(end, 1))) <= _REST
 
 
 def read_ranges(task: Task, what: str, given: Any) -> dict[str, list[tuple[float, float] | None]]:

@@ -10,6 +10,7 @@ import drawsvg as draw
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.quantities import as_text
 from cammotion.rules.checks import find_violations
 from cammotion.rules.rule import Rule, Violation
 from cammotion.views.animation import svg
@@ -29,7 +30,7 @@ from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
 from cammotion.views.names import text_px
-from cammotion.views.scales import as_text, drawn_peak
+from cammotion.views.scales import drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
 ALARMS, ALARM_PX = 3, 38  # so many are written below the machine
@@ -85,7 +86,8 @@ class Design:
     def verdict(self) -> str:
         """Whether and where a rule is broken, in words; nothing where there is no rule."""
         arcs_in_words = [
-            f"{broken.start_deg % DEG_PER_TURN:.4g} to {broken.end_deg % DEG_PER_TURN:.4g}°"
+            f"{broken.start_deg % DEG_PER_TURN:.4g} to "
+            f"{broken.end_deg % DEG_PER_TURN or DEG_PER_TURN:.4g}°"
             for broken in self.violations
         ]
         if arcs_in_words:

@@ -61,7 +61,7 @@ def stopped(svg: str, angle_deg: float) -> str:
                 group.set("transform", f"{animation.get('type')}({_between(animation, at)})")
             elif animation.tag == f"{{{_SVG}}}animate":
                 times = _key_times(animation)
-                place = int(np.searchsorted(times, at, side="right")) - 1
+                place = int(np.searchsorted(times, at % 1, side="right")) - 1  # 360 deg are 0
                 group.set("visibility", _values(animation)[place])
             else:
                 continue

@@ -196,7 +196,14 @@ class LiveFigure(anywidget.AnyWidget):
             checked = float(value)
         except (TypeError, ValueError):
             checked = math.nan
-        if not low <= checked <= high:
+        names, is_inside = control["options"], low <= checked <= high
+        if names and not (is_inside and checked.is_integer()):
+            said = ", ".join(f"{place} ({name})" for place, name in enumerate(names))
+            raise InputError(
+                f"The value of {control['name']} is {shorten(value)}: give the number of a name, "
+                f"{said}."
+            )
+        if not is_inside:
             raise InputError(
                 f"The value of {control['name']} is {shorten(value)}: it goes from {low:g} to "
                 f"{high:g}{' ' * bool(control['unit'])}{control['unit']} in this figure."
