@@ -174,3 +174,16 @@ def test_a_keyway_needs_a_bore(tmp_path: Path) -> None:
     with pytest.raises(cm.InputError, match=r"keyway is \(6, 3\).* give bore_mm"):
         cm.write_cam(CAM, path, keyway_mm=(6, 3))
     assert not path.exists()
+
+
+def test_a_layer_has_one_colour_in_both_drawings(tmp_path: Path) -> None:
+    """AutoCAD counts its colours: 1 is red, 3 green, 5 blue, 7 black on white and 8 grey."""
+    counted = {1: "red", 3: "green", 5: "blue", 7: "black", 8: "gray"}
+    svg = cm.write_cam(CAM, tmp_path / "die.svg", bore_mm=20)
+    dxf = cm.write_cam(CAM, tmp_path / "die.dxf", bore_mm=20)
+    drawn = {
+        line.get("class"): line.get("stroke")
+        for line in ElementTree.parse(svg).iter("{http://www.w3.org/2000/svg}path")  # noqa: S314
+    }
+    layers = {layer.name: counted[layer.color] for layer in dxfgrabber.readfile(str(dxf)).layers}
+    assert {name: layers[name] for name in LAYERS} == drawn

@@ -18,6 +18,7 @@ from fresh.written_tables import (
 
 import cammotion as cm
 from cammotion import CamTable, InputError
+from cammotion.exchange.cam_table_headings import two_headings
 
 DATA = Path(__file__).parent / "data" / "cam_tables"
 
@@ -538,3 +539,8 @@ def test_damaged_files_are_read_as_they_stand_or_refused(tmp_path: Path) -> None
     ends = [check_damaged(tmp_path / "cam.csv", seed) for seed in range(500)]
     assert ends.count("refused") > 150
     assert ends.count("read") > 50
+
+
+def test_what_is_said_after_the_unit_of_a_position_is_of_something_else() -> None:
+    line = "cam angle in deg lift in mm velocity in mm/s"
+    assert [heading.words for heading in two_headings(line)] == ["", "lift in mm"]

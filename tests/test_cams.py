@@ -298,3 +298,18 @@ def test_a_prime_circle_without_a_demand_on_its_radius_is_the_least_that_the_fol
     flat = cm.motion("flat", cm.rise(1, over_deg=180), cm.return_(1, over_deg=180))
     asked = {"pressure_angle_deg": 90, "profile_radius_mm": 0}
     assert cm.smallest_prime_radius(flat, ROLLER, **asked) == pytest.approx(10, abs=1)
+
+
+@pytest.mark.parametrize("later", [100, 160, 200, 300])
+def test_an_undercut_is_found_in_whatever_turn_its_move_is_told(later: float) -> None:
+    """Moves past 360 deg belong to the next turn, and undercuts are told within one."""
+    follower = cm.TranslatingRoller(16)
+    usual = cm.RollerCam(DIE, follower, prime_radius_mm=20).undercuts
+    moved = cm.RollerCam(DIE.shifted(later), follower, prime_radius_mm=20).undercuts
+    places = {round((cut.worst_deg + later) % 360, 3): cut for cut in usual}
+    assert len(places) == 2
+    for cut in moved:
+        before = places.pop(round(cut.worst_deg % 360, 3))
+        assert cut.missing_mm == pytest.approx(before.missing_mm)
+        assert cut.end_deg - cut.start_deg == pytest.approx(before.end_deg - before.start_deg)
+    assert not places

@@ -785,10 +785,11 @@ def test_a_wrong_answer_is_an_error_that_asks_to_be_reported(
     """A solver that misses the widest candidates, and one that takes a broken rule for kept."""
     module = "cammotion.limits.widest"
     few = Frame.candidates
-    with monkeypatch.context() as broken:
-        broken.setattr(Frame, "candidates", lambda *given: [(90.0, 90.0), *few(*given)])
-        with pytest.raises(cm.WrongAnswerError, match=r"could take more than 90\.0 deg.*report it"):
-            cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
+    for narrow in (90.0, 124.83):  # the widest is 124.8369
+        with monkeypatch.context() as broken:
+            broken.setattr(Frame, "candidates", lambda *given, bm=narrow: [(bm, bm), *few(*given)])
+            with pytest.raises(cm.WrongAnswerError, match=f"more than {narrow} deg.*report it"):
+                cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
     monkeypatch.setattr(f"{module}._keeps", lambda *_: True)
     with pytest.raises(cm.WrongAnswerError, match="breaks a rule"):
         cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
