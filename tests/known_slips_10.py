@@ -158,7 +158,10 @@ SLIPS = [
         "10.1", "subtracted", lambda m: m.follower.rod.lever_N_per_mm - both(m), "side by side"
     ),
     KnownSlip(
-        "10.1", "subtracted", lambda m: both(m) - m.follower.rod.lever_N_per_mm, "side by side"
+        "10.1",
+        "subtracted from both",
+        lambda m: both(m) - m.follower.rod.lever_N_per_mm,
+        "side by side",
     ),
     KnownSlip(
         "10.1",
