@@ -54,12 +54,12 @@ def most_by_formulas(m: MillAndDie) -> float:
     ]
     units = sum(UNITS[int(zone[1:])] for zone in m.fits.pair)
     wrong = units * (0.45 * mean ** (1 / 3) + 0.001 * mean) + factor * mean**power
-    return unless_alike(wrong, most(m))
+    return unless_alike(wrong, most(m), 0.001)
 
 
-def unless_alike(wrong: float, right: float) -> float:
+def unless_alike(wrong: float, right: float, within: float = 0.004) -> float:
     """Return a wrong number, NaN where nobody can tell it from the right one."""
-    return wrong if abs(wrong / right - 1) > 0.004 else math.nan
+    return wrong if abs(wrong / right - 1) > within else math.nan
 
 
 def arc(m: MillAndDie, by: float = 1) -> float:

@@ -48,11 +48,8 @@ class WidestMove:
 
     def __repr__(self) -> str:
         angles = " and ".join(f"{angle:.4g}" for angle in dict.fromkeys(self.angles_deg))
-        name, peak = (
-            shorten(self.mechanism, of=str),
-            f"{as_text(self.peak_acceleration, '.4g')} m/s²",
-        )
-        return f"WidestMove(the {name} over {angles} deg, {peak})"
+        name, peak = shorten(self.mechanism, of=str), as_text(self.peak_acceleration, ".4g")
+        return f"WidestMove(the {name} over {angles} deg, {peak} m/s²)"
 
     @property
     def angle_deg(self) -> float:

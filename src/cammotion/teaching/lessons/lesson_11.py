@@ -70,9 +70,8 @@ def _most_by_the_formulas(m: MillAndDie) -> float:
     """Return the largest play of 11.2 by the formulas, NaN where the table has it too."""
     hole, shaft = m.fits.pair
     widths = sum(grade_um(m.fits.bore_mm, int(zone[1:])) for zone in (hole, shaft))
-    return _unless_alike(
-        widths - deviation_um(m.fits.bore_mm, shaft[0]), _fit(m).largest_clearance_um
-    )
+    most = widths - deviation_um(m.fits.bore_mm, shaft[0])
+    return _unless_alike(most, _fit(m).largest_clearance_um, _A_MICROMETRE_IS_WRONG)
 
 
 def _key_by_the_formula(m: MillAndDie) -> float:
@@ -80,9 +79,9 @@ def _key_by_the_formula(m: MillAndDie) -> float:
     return _unless_alike(2 * grade_um(m.fits.shaft[1], _KEY_GRADE), _key_um(m))
 
 
-def _unless_alike(wrong: float, right: float) -> float:
+def _unless_alike(wrong: float, right: float, within: float = _NO_MORE) -> float:
     """Return a wrong number, NaN if it is as good as the right one."""
-    return math.nan if math.isclose(wrong, right, rel_tol=_NO_MORE) else wrong
+    return math.nan if math.isclose(wrong, right, rel_tol=within) else wrong
 
 
 def _coarser(m: MillAndDie) -> float:
