@@ -377,6 +377,9 @@ SLIPS = [
     KnownSlip("03.2", "one end", lambda m: (2 * die(m) + 0.1 * m.mill_angle_deg) / 2, "one of the"),
     KnownSlip("03.2", "both ways", lambda m: 2 * later(m), "both ways"),
     KnownSlip("03.2", "work forgotten", lambda m: (360 - 0.8 * m.mill_angle_deg) / 2, "work"),
+    KnownSlip(
+        "03.2", "half effective", lambda m: 0.4 * m.mill_angle_deg, "half of the mill's effective"
+    ),
     KnownSlip("03.2", "effective angle", lambda m: 0.8 * m.mill_angle_deg, "effective"),
     KnownSlip("03.3", "share", lambda m: (m.wait_mm - m.margin_mm) / stroke(m), "share"),
     KnownSlip("03.3", "no margin", lambda m: x_deep(m, 0), "margin"),
@@ -434,6 +437,7 @@ SLIPS = [
     KnownSlip("04.2", "third power", lambda m: slower(m) ** 3, "jerk"),
     KnownSlip("04.2", "per minute", lambda m: (60 * slower(m)) ** 2, "per minute"),
     KnownSlip("04.3", "in s", lambda m: time(m, rest(m)), r"in seconds"),
+    KnownSlip("04.3", "both moves", lambda m: 1000 * time(m, 2 * widest(m)), "both moves"),
     KnownSlip("04.3", "in degrees", rest, "in degrees"),
     KnownSlip(
         "04.3",

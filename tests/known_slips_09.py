@@ -191,6 +191,7 @@ SLIPS = [
         lambda m: 100 - (100 - m.measured.left[1]) * (m.measured.left[2] / m.measured.left[0]) ** 4,
         "scaled",
     ),
+    KnownSlip("09.4", "one not added", lambda m: 100 / (100 / left(m) - 1), "not added"),
     KnownSlip("09.4", "a share", lambda m: left(m) / 100, "share of 1"),
     # The harmonic of the parabola.
     KnownSlip("09.5", "a second for a minute", lambda m: wave(m) * 3600, "turns a second"),

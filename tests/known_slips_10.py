@@ -110,6 +110,17 @@ def lower(m: MillAndDie) -> float:
     return modes(m, m.follower.m1_kg, m.follower.m2_kg)[0]
 
 
+def rod_alone(m: MillAndDie) -> float:
+    """Return the lower frequency with k1 for k1 + k2 in the matrix, NaN where there is none.
+
+    Then w^4 m1 m2 - w^2 (m1 k2 + m2 k1) + k2 (k1 - k2) = 0.
+    """
+    f = m.follower
+    a, b = f.m1_kg * f.m2_kg, f.m1_kg * f.k2_N_per_mm + f.m2_kg * f.k1_N_per_mm
+    c = f.k2_N_per_mm * (f.k1_N_per_mm - f.k2_N_per_mm)
+    return hertz((b - math.sqrt(b**2 - 4 * a * c)) / (2 * a), 1) if c > 0 else math.nan
+
+
 def in_a_row(m: MillAndDie) -> float:
     k1, k2 = m.follower.k1_N_per_mm, m.follower.k2_N_per_mm
     return k1 * k2 / (k1 + k2)
@@ -179,6 +190,7 @@ SLIPS = [
         "whole turn",
     ),
     KnownSlip("10.1", "in N/m", lambda m: rod(m, 1000 * both(m)), "N/m"),
+    KnownSlip("10.1", "a second", lambda m: rod(m, both(m) * rise_s(m) ** 2), "of a second"),
     KnownSlip("10.1", "by g", lambda m: rod(m, both(m) / G), r"\bg\b"),
     KnownSlip("10.1", "the weight", lambda m: rod(m, both(m) * G), "weight"),
     KnownSlip("10.1", "per minute", lambda m: rod(m, 3600 * both(m)), "hour"),
@@ -201,6 +213,26 @@ SLIPS = [
             m.follower.jump_mm * abs(math.sin(math.pi * swings(m) / 2)) / (math.pi * swings(m) / 2)
         ),
         "square",
+    ),
+    KnownSlip(
+        "10.2",
+        "no square of the sine",
+        lambda m: (
+            16
+            * m.follower.jump_mm
+            * abs(math.sin(math.pi * swings(m) / 2))
+            / (math.tau * swings(m)) ** 2
+        ),
+        "square of the sine",
+    ),
+    KnownSlip(
+        "10.2",
+        "no square of the frequency",
+        lambda m: math.tau * swings(m) * pushed(m),
+        "enters only once",
+    ),
+    KnownSlip(
+        "10.2", "by the second", lambda m: m.follower.ringing[0] ** 2 * pushed(m), "by the second"
     ),
     KnownSlip(
         "10.2",
@@ -252,6 +284,14 @@ SLIPS = [
         "Three quarters",
     ),
     KnownSlip("10.3", "less weight", lambda m: leaves(m, None, -G * m.follower.lifted_kg), "level"),
+    KnownSlip(
+        "10.3",
+        "not pressed, the hardest",
+        lambda m: turns(m, time_s(m, at_the_hardest(m) - m.follower.pressed_mm)),
+        "already",
+    ),
+    KnownSlip("10.3", "by g", lambda m: math.sqrt(G) * leaves(m), r"\bg\b"),
+    KnownSlip("10.3", "weight for mass", lambda m: leaves(m) / math.sqrt(G), "for the mass"),
     KnownSlip("10.3", "not pressed", lambda m: leaves(m, 0), "already"),
     KnownSlip(
         "10.3",
@@ -312,6 +352,9 @@ SLIPS = [
         lambda m: modes(m, m.follower.m1_kg, m.follower.m2_kg, swap=True)[0],
         "springs",
     ),
+    KnownSlip("10.4", "push rod alone", rod_alone, "push rod alone|finite"),
+    KnownSlip("10.4", "by g", lambda m: math.sqrt(G) * lower(m), r"\bg\b"),
+    KnownSlip("10.4", "weight", lambda m: lower(m) / math.sqrt(G), "weight"),
     KnownSlip("10.4", "rad/s", lambda m: 2 * math.pi * lower(m), "rad"),
     KnownSlip("10.4", "N/mm", lambda m: lower(m) / math.sqrt(1000), "N/m"),
     KnownSlip("10.4", "squared", lambda m: (2 * math.pi * lower(m)) ** 2, "square"),

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from known_slips import KnownSlip, die, law, peak, stroke
+from known_slips import KnownSlip, die, law, law_in_degrees, peak, stroke
 
 from cammotion.teaching.example import MillAndDie
 
@@ -82,6 +82,11 @@ def preload_all_over(m: MillAndDie) -> float:
     return float(np.max(-push(m) * np.sin(2 * np.pi * X) - spring(m) * stroke(m) * RISEN))
 
 
+def sine_in_degrees(m: MillAndDie) -> float:
+    """Return the displacement at x = 3/4 of a calculator that counts in degrees."""
+    return stroke(m) * law_in_degrees(0.75)
+
+
 def early(m: MillAndDie) -> float:
     """Return the displacement at x = 3/4 with a lost sign."""
     return stroke(m) * (0.75 - 1 / (2 * math.pi))
@@ -100,6 +105,15 @@ SOURCE = {"07.2": 155.435, "07.3": 208.348}
 SLIPS = [
     KnownSlip("07.1", "per degree", lambda m: degrees(2 * stroke(m) / die(m), high(m)), "per deg"),
     KnownSlip("07.1", "the tangent", lambda m: 2 * mean(m) / high(m), "tangent"),
+    KnownSlip(
+        "07.1", "half the circle", lambda m: degrees(4 * mean(m), prime(m) + stroke(m)), "diameter"
+    ),
+    KnownSlip(
+        "07.1",
+        "no arctangent",
+        lambda m: 2 * mean(m) / high(m) * 180 / math.pi,
+        "Which angle has this tangent",
+    ),
     KnownSlip("07.1", "mean slope", lambda m: degrees(mean(m), high(m)), "mean slope"),
     KnownSlip("07.1", "no stroke", lambda m: degrees(2 * mean(m), prime(m)), "half the stroke"),
     KnownSlip(
@@ -128,7 +142,7 @@ SLIPS = [
     KnownSlip(
         "07.2",
         "tan 30 rad",
-        lambda m: 2 * mean(m) / abs(math.tan(30)) - stroke(m) / 2,
+        lambda m: 2 * mean(m) / math.tan(30) - stroke(m) / 2,
         "30 rad",
     ),
     KnownSlip("07.3", "one side", lambda m: 2 * mean(m), "one side"),
@@ -143,6 +157,9 @@ SLIPS = [
     KnownSlip("07.4", "plus", lambda m: base(m) + late(m) + bend(m), "brakes"),
     KnownSlip("07.4", "no displacement", lambda m: base(m) - bend(m), "displacement is missing"),
     KnownSlip("07.4", "3/4 h", lambda m: base(m) + 0.75 * stroke(m) - bend(m), "Three quarters"),
+    KnownSlip(
+        "07.4", "in degrees", lambda m: base(m) + sine_in_degrees(m) - bend(m), "sine counts in deg"
+    ),
     KnownSlip("07.4", "whole", lambda m: base(m) + stroke(m) - bend(m), "whole stroke"),
     KnownSlip(
         "07.4",
@@ -159,6 +176,12 @@ SLIPS = [
     KnownSlip("07.5", "added", lambda m: push(m) + spring(m) * late(m), "added"),
     KnownSlip("07.5", "whole", lambda m: push(m) - spring(m) * stroke(m), "whole stroke"),
     KnownSlip("07.5", "3/4 h", lambda m: push(m) - spring(m) * 0.75 * stroke(m), "Three quarters"),
+    KnownSlip(
+        "07.5",
+        "in degrees",
+        lambda m: push(m) - spring(m) * sine_in_degrees(m),
+        "sine counts in deg",
+    ),
     KnownSlip("07.5", "lost sign", lambda m: push(m) - spring(m) * early(m), "sign of the sine"),
     KnownSlip("07.5", "all over", preload_all_over, "all over"),
     KnownSlip("07.5", "x = 1/4", lambda m: push(m) - spring(m) * stroke(m) * law(0.25), "1/4"),

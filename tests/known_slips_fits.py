@@ -45,6 +45,13 @@ def most(m: MillAndDie) -> float:
     return hole(m) + gap(m) + shaft_width(m)
 
 
+def most_of_row(m: MillAndDie, by: int) -> float:
+    """Return the largest play of 11.2 read from a row so many below the right one."""
+    at = bisect_left(STEPS, m.fits.bore_mm) + by
+    grades = sum(float(TABLE["grades"][zone[1:]][at]) for zone in m.fits.pair)
+    return grades - float(TABLE["deviations"][m.fits.pair[1][0]][at])
+
+
 def most_by_formulas(m: MillAndDie) -> float:
     """Return the largest play of 11.2 as the formulas give it."""
     at = bisect_left(STEPS, m.fits.bore_mm)
@@ -104,6 +111,11 @@ def key_by_formula(m: MillAndDie) -> float:
     return turned(m, unless_alike(um, play(m)))
 
 
+def with_rounded_unit(m: MillAndDie) -> float:
+    """Return the width of 11.3 with i to a tenth, NaN where nobody can tell."""
+    return unless_alike(UNITS[m.fits.grade] * round(grade(m, units=1), 1), grade(m), 0.002)
+
+
 def by_table(m: MillAndDie) -> float:
     """Return the width of 11.3 in the table, NaN where the formula rounds to that."""
     um = width(m.fits.turned_mm, m.fits.grade)
@@ -127,6 +139,7 @@ SOURCE = {"11.1": 3.49066, "11.2": 50, "11.3": 15.6123, "11.4": 0.246372}
 SLIPS = [
     KnownSlip("11.1", "diameter for radius", lambda m: arc(m, 2), "diameter"),
     KnownSlip("11.1", "half", lambda m: arc(m, 0.5), "half"),
+    KnownSlip("11.1", "pi r", lambda m: arc(m) / 2, "pi times the radius"),
     KnownSlip("11.1", "degrees", lambda m: arc(m, 180 / math.pi), "radian"),
     KnownSlip("11.1", "degrees, diameter", lambda m: arc(m, 360 / math.pi), "diameter"),
     KnownSlip("11.1", "no pi", lambda m: arc(m, 1 / math.pi), "pi times the diameter"),
@@ -139,6 +152,8 @@ SLIPS = [
     KnownSlip("11.1", "minus", lambda m: -arc(m), "sign"),
     KnownSlip("11.2", "smallest", gap, "least play"),
     KnownSlip("11.2", "both tolerances", lambda m: hole(m) + shaft_width(m), "gap"),
+    KnownSlip("11.2", "a row above", lambda m: most_of_row(m, -1), "row beside"),
+    KnownSlip("11.2", "a row below", lambda m: most_of_row(m, 1), "row beside"),
     KnownSlip("11.2", "the hole", hole, "hole"),
     KnownSlip("11.2", "the shaft", lambda m: gap(m) + shaft_width(m), "shaft"),
     KnownSlip("11.2", "thick shaft", lambda m: hole(m) + gap(m), "thickest"),
@@ -151,6 +166,7 @@ SLIPS = [
     KnownSlip("11.2", "shaft subtracted", lambda m: hole(m) + gap(m) - shaft_width(m), "thinner"),
     KnownSlip("11.2", "by the formulas", most_by_formulas, "formulas|finite"),
     KnownSlip("11.3", "by the table", by_table, "table says|finite"),
+    KnownSlip("11.3", "i to a tenth", with_rounded_unit, "rounded on the way|finite"),
     KnownSlip("11.3", "D itself", with_diameter, "whole step|finite|Not far"),
     KnownSlip("11.3", "arithmetic", lambda m: grade(m, sum(step(m)) / 2), "arithmetic|Close"),
     KnownSlip("11.3", "lower end", lambda m: grade(m, step(m)[0]), "lower end"),
@@ -176,6 +192,7 @@ SLIPS = [
     KnownSlip("11.4", "one tolerance", lambda m: turned(m, play(m) / 2), "half"),
     KnownSlip("11.4", "both halves", lambda m: turned(m, play(m) / 4), "a quarter of it: the"),
     KnownSlip("11.4", "to and fro", lambda m: turned(m, 2 * play(m)), "twice"),
+    KnownSlip("11.4", "pi r", lambda m: turned(m, 2 * play(m)), "pi times the radius"),
     KnownSlip("11.4", "by the formula", key_by_formula, "formula|finite"),
     KnownSlip("11.4", "radians", lambda m: play(m) / 500 / m.fits.shaft[0], "radian"),
     KnownSlip(

@@ -20,6 +20,10 @@ SINE = 4 * math.pi**2 / (4 + math.pi)
 POLYNOMIAL = 10 / math.sqrt(3)
 HARMONIC = math.pi**2 / 2
 
+_X = np.linspace(1 / 8, 1 / 2, 200_001)  # where the modified sine has its largest torque
+_TURN = 4 * math.pi / 3 * (_X - 1 / 8)
+SINE_TORQUE = float(np.max(SINE**2 / (4 * math.pi) * (1 + 3 * np.sin(_TURN)) * np.cos(_TURN)))
+
 p, r = sympy.symbols("p r")
 
 
@@ -49,6 +53,18 @@ def jerk_more(m: MillAndDie) -> float:
     """Return by how many percent the first law's jerk is larger."""
     one, other = (FACTORS[name][2] for name in m.laws.compared)
     return 100 * (one / other - 1)
+
+
+def velocity_less(m: MillAndDie) -> float:
+    """Return by how many percent the first law's largest velocity is smaller."""
+    one, other = (FACTORS[name][0] for name in m.laws.compared)
+    return percent_less(one, other)
+
+
+def in_whole_degrees(m: MillAndDie) -> float:
+    """Return the answer to 05.3 rounded up, NaN where that is how it is rounded anyway."""
+    right = die(m) * math.sqrt(harsh(m) / gentle(m))
+    return math.floor(right) + 1 if right % 1 < 0.5 else math.nan
 
 
 def unless(m: MillAndDie, law: str, value: float) -> float:
@@ -191,6 +207,13 @@ def stopped_between(m: MillAndDie) -> float:
     return up(m) / 1000 / (push**2 / 2 - max(at - push, 0) ** 2 / 2)
 
 
+def braked_twice(m: MillAndDie) -> float:
+    """Take a time squared, and not half of it, for the way that the brake takes; NaN before it."""
+    push, at = time(m, half_turn(m)) / 2, time(m, later(m))
+    way = push**2 / 2 + push * (at - push) - (at - push) ** 2
+    return up(m) / 1000 / way if at > push else math.nan
+
+
 def times_least(m: MillAndDie) -> float:
     """Return how many times the least possible peak the cycloid's is."""
     return peak(m, widest(m)) / least(m)
@@ -273,6 +296,7 @@ SLIPS = [
     than_another_law("modified sine"),
     than_another_law("cycloidal"),
     KnownSlip("05.2", "the jerk", jerk_more, "jerk"),
+    KnownSlip("05.2", "the velocity", velocity_less, "with Cv"),
     # How many degrees the harsher law needs.
     KnownSlip("05.3", "no root", lambda m: die(m) * harsh(m) / gentle(m), "root|square"),
     KnownSlip(
@@ -284,6 +308,7 @@ SLIPS = [
     KnownSlip(
         "05.3", "upside down, no root", lambda m: die(m) * gentle(m) / harsh(m), "fewer degrees"
     ),
+    KnownSlip("05.3", "rounded up", in_whole_degrees, "rounded up|finite"),
     KnownSlip("05.3", "squared", lambda m: die(m) * (harsh(m) / gentle(m)) ** 2, "root"),
     KnownSlip(
         "05.3",
@@ -353,6 +378,14 @@ SLIPS = [
     KnownSlip(
         "05.5", "the cycloid's angle", lambda m: hard(m, widest(m), SINE), "angle of its own"
     ),
+    KnownSlip(
+        "05.5",
+        "the trapezoid's factor",
+        lambda m: hard(m, sine_widest(m), TRAPEZOID),
+        "trapezoid: take Ca of the same",
+    ),
+    KnownSlip("05.5", "the velocity's", lambda m: hard(m, sine_widest(m), SINE / math.pi), "Cv"),
+    KnownSlip("05.5", "the torque's", lambda m: hard(m, sine_widest(m), SINE_TORQUE), "Cq"),
     KnownSlip("05.5", "all the cycloid's", lambda m: peak(m, widest(m)), "cycloid"),
     KnownSlip("05.5", "no overlap", lambda m: hard(m, die(m), SINE), "without overlap"),
     KnownSlip("05.5", "quiet ends alone", lambda m: hard(m, later(m), SINE), "wider"),
@@ -412,6 +445,7 @@ SLIPS = [
     ),
     # The least factor of a hammer.
     KnownSlip("06.1", "at rest at both ends", lambda _: 4.0, "rest|brak|arrive"),
+    KnownSlip("06.1", "has to stop", lambda m: 4 - 2 * m.laws.head_start, "has to stop|at rest"),
     KnownSlip("06.1", "half forgotten", lambda m: 1 - m.laws.head_start, "half"),
     KnownSlip("06.1", "half upside down", lambda _: 0.5, "divided by|upside"),
     KnownSlip(
@@ -511,6 +545,7 @@ SLIPS = [
     ),
     KnownSlip("06.3", "not braked", not_braked, "brak"),
     KnownSlip("06.3", "speed forgotten", stopped_between, "speed|velocity|fast"),
+    KnownSlip("06.3", "braked twice", braked_twice, "without its half|finite"),
     KnownSlip("06.3", "no margin", lambda m: least(m, stroke(m) - m.wait_mm), "margin"),
     KnownSlip("06.3", "the stroke", lambda m: least(m, stroke(m)), "stroke"),
     KnownSlip("06.3", "the depth", lambda m: least(m, m.wait_mm - m.margin_mm), "deep|down|from"),

@@ -20,7 +20,7 @@ from cammotion.teaching.reasons import short_name
 from cammotion.teaching.variants import machine_for
 
 GOING_ON = [exercise for exercise in NUMBERS if exercise.goes_on_from]
-RIGHT_HERE = "What you did here is right, but with a wrong answer to "
+WITH_WRONG = "With a wrong answer to "
 
 
 def place(share: float) -> float:
@@ -50,7 +50,7 @@ def test_an_answer_that_is_right_for_a_wrong_earlier_one(
     number: str, answer: float, earlier: str, said: str
 ) -> None:
     text = say(EXERCISES[number], answer)
-    assert text.startswith(RIGHT_HERE + earlier)
+    assert WITH_WRONG + earlier in text
     assert said in text
 
 
@@ -89,7 +89,7 @@ def test_every_carried_error_is_told_or_has_a_reason_of_its_own(exercise: Number
                 assert not reason.startswith(unknown)
                 told.add(reason)
     # The slips of 02.1 are known to 02.3 too, as its own: what is not carried is told better.
-    assert sum(reason.startswith(RIGHT_HERE) for reason in told) >= (exercise.number != "02.3")
+    assert sum(reason.startswith(WITH_WRONG) for reason in told) >= (exercise.number != "02.3")
 
 
 def test_what_nobody_would_go_on_with_is_nothing() -> None:
@@ -214,7 +214,8 @@ def test_without_an_earlier_answer_a_ratio_is_told_first() -> None:
     twice = 2 * EXERCISES["03.4"].solution(machine)
     assert "twice as much" in cm.check("03.4", twice).text
     cm.check("03.2", 2 * EXERCISES["03.2"].solution(machine))
-    assert "with a wrong answer to 03.2. These are both ways" in cm.check("03.4", twice).text
+    said = cm.check("03.4", twice).text
+    assert "With a wrong answer to 03.2 this would be right. These are both ways" in said
 
 
 @pytest.mark.usefixtures("work")
@@ -228,7 +229,24 @@ def test_a_known_slip_of_the_earlier_answer_says_more_than_its_number() -> None:
     cm.check("03.3", given)
     said = cm.check("03.4", later.goes_on_from["03.3"](machine, given)).text
     assert slip.reason in said
-    assert "but with a wrong answer to 03.3" in said
+    assert "With a wrong answer to 03.3" in said
+
+
+@pytest.mark.usefixtures("work")
+def test_the_wrong_answer_that_was_given_comes_before_others_that_lead_to_the_number() -> None:
+    """By these numbers slips of 01.1 and of 03.3 lead to the same answer to 03.4."""
+    machine = cm.variant("Chloe")
+    earlier, later = EXERCISES["03.3"], EXERCISES["03.4"]
+    assert isinstance(earlier, NumberExercise)
+    assert isinstance(later, NumberExercise)
+    slip = next(slip for slip in earlier.slips if "sine counts in degrees" in slip.reason)
+    answer = later.goes_on_from["03.3"](machine, slip.leads_to(machine))
+    assert "More than one way" in cm.check("03.4", answer).text
+    cm.check("03.3", slip.leads_to(machine))
+    said = cm.check("03.4", answer).text
+    assert said.startswith(f"03.4: Not yet. {WITH_WRONG}03.3")
+    assert slip.reason in said
+    assert "More than one way" not in said
 
 
 @pytest.mark.usefixtures("work")
@@ -242,9 +260,9 @@ def test_no_wrong_answer_is_claimed_where_the_right_one_was_given() -> None:
     angle = EXERCISES["03.4"].goes_on_from["03.2"](machine, both_ends)  # type: ignore[attr-defined]
     answer = later.goes_on_from["03.4"](machine, angle)
     for number in ("03.2", "03.4"):
-        assert "with a wrong answer to 03.2" in cm.check("03.5", answer).text
+        assert "With a wrong answer to 03.2" in cm.check("03.5", answer).text
         cm.check(number, EXERCISES[number].solution(machine))
-        assert "with a wrong answer to" not in cm.check("03.5", answer).text
+        assert "With a wrong answer to" not in cm.check("03.5", answer).text
         cm.check(number, 7)
 
 

@@ -123,6 +123,11 @@ def test_a_slip_is_known_by_two_digits_too() -> None:
     assert "too small" in say(simple(0.737, 0.5234), 0.53)
 
 
+def test_a_slip_is_known_by_three_digits_where_they_are_further_off_than_the_tolerance() -> None:
+    assert say(simple(3.719, 1.0249), 1.02) == "slip 1.0249"
+    assert "too small" in say(simple(3.719, 1.0249), 1.03)
+
+
 def test_a_slip_that_leads_to_the_right_number_does_not_count() -> None:
     assert is_right(simple(0.737, 0.737), 0.74)
 

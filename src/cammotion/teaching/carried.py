@@ -5,7 +5,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import YOURS, Carried, Exercise, GoingOn, NumberExercise, Slip
+from cammotion.teaching.exercise import (
+    WITH_WRONG,
+    YOURS,
+    Carried,
+    Exercise,
+    GoingOn,
+    NumberExercise,
+)
 from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.store import Record
 
@@ -49,7 +56,8 @@ def after(
             right.add(number)
         elif number in exercise.goes_on_from:
             said = YOURS.format(f"{given:.5g}", number)
-            brought.append(Slip(_going_on(exercise.goes_on_from[number], given), said))
+            going_on = _going_on(exercise.goes_on_from[number], given)
+            brought.append(Carried(going_on, said, (number,)))
     carried = tuple(slip for slip in exercise.carried if right.isdisjoint(slip.through))
     return replace(exercise, brought=tuple(brought), carried=carried)
 
@@ -58,9 +66,8 @@ def _carry(exercise: NumberExercise, linked: dict[str, Exercise]) -> Iterator[Ca
     for number, going_on in exercise.goes_on_from.items():
         earlier = linked[number]
         if isinstance(earlier, NumberExercise):
-            head = f"What you did here is right, but with a wrong answer to {number}."
             for slip in earlier.slips:
-                said = f"{head} {slip.reason}"
+                said = f"{WITH_WRONG.format(number)} {slip.reason}"
                 yield Carried(_going_on(going_on, slip.answer), said, (number,))
             for before in earlier.carried:  # it names the exercise that it comes from
                 through = (*before.through, number)

@@ -33,6 +33,7 @@ _TOO_FEW = (
     "With so few digits this cannot be told from an answer that went wrong: give {} digits at "
     "least."
 )
+WITH_WRONG = "With a wrong answer to {} this would be right."
 YOURS = "What you did here is right, but with your {} from {}, which was not right yet."
 _DIGITS = {3: "three", 4: "four"}
 _AROUND_A_LETTER = " \t\n().:'\""
@@ -64,7 +65,10 @@ class Slip:
 
 @dataclass(frozen=True)
 class Carried(Slip):
-    """A slip of an earlier exercise in a later one, with the exercises that it goes through."""
+    """What an earlier exercise leads to in a later one, with the exercises that it goes through.
+
+    It is a slip there, or the wrong answer that a learner gave.
+    """
 
     through: tuple[str, ...]
 
@@ -141,7 +145,7 @@ class NumberExercise(Exercise):
     tolerance: float = 0.004
     goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
     carried: tuple[Carried, ...] = ()
-    brought: tuple[Slip, ...] = ()
+    brought: tuple[Carried, ...] = ()
     shows: Shows | None = None
 
     @property
@@ -174,7 +178,7 @@ class NumberExercise(Exercise):
         few = few and not is_to_most
         if few and off <= MOST_OFF * abs(right):
             return _TOO_FEW.format(_DIGITS[digits])
-        if self._is(given, slip) and abs(given - slip) < off:
+        if self._is_about(given, slip) and abs(given - slip) < off:
             return _all_that_lead_to(given, slip, wrong)
         if few:
             return _TOO_FEW.format(_DIGITS[digits])
@@ -185,25 +189,29 @@ class NumberExercise(Exercise):
         right = self.solution(machine)
         known = {**COMMON_RATIOS, **UNIT_RATIOS.get(self.unit, {})}
         ratios = (said for ratio, said in known.items() if self._is_about(given, ratio * right))
-        carried = self._first(self.carried, given, machine)
-        brought = self._first(self.brought, given, machine)
+        carried = self._leading_to(self.carried, given, machine)
+        brought = self._leading_to(self.brought, given, machine)
+        numbers = {number for slip in brought for number in slip.through}
+        known_too = (slip.reason for slip in carried if not numbers.isdisjoint(slip.through))
         rounded = in_one(
             reason
             for value, reason in wrong.items()
             if is_rounded(given, value, FEWEST) and abs(given - value) <= MOST_OFF * abs(value)
         )
         return (
-            (brought and (carried or brought))
+            in_one(known_too)
+            or in_one(slip.reason for slip in brought)
             or self._in_g(given, right)
             or next(ratios, "")
-            or carried
+            or in_one(slip.reason for slip in carried)
             or rounded
             or self._far(given, right)
         )
 
-    def _first(self, slips: Iterable[Slip], given: float, machine: MillAndDie) -> str:
-        """Return the reason of the first slip that leads to a number, "" if none does."""
-        return next((s.reason for s in slips if self._is(given, s.leads_to(machine))), "")
+    def _leading_to(
+        self, slips: Iterable[Carried], given: float, machine: MillAndDie
+    ) -> list[Carried]:
+        return [slip for slip in slips if self._is(given, slip.leads_to(machine))]
 
     def _is(self, given: float, value: float) -> bool:
         return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)

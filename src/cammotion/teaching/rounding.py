@@ -17,7 +17,7 @@ def is_rounded(given: float, value: float, digits: int) -> bool:
     >>> is_rounded(0.22, 0.225, digits=2), is_rounded(0.23, 0.225, digits=2)
     (True, True)
     """
-    if not value:
+    if not value or math.isinf(value):
         return False
     unit = 10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits)
     is_whole = abs(given / unit - round(given / unit)) < _WHOLE

@@ -107,7 +107,7 @@ LAW_CHOICES: Mapping[str, Sequence[Any]] = {
         ("Freudenstein 1-3-5", "cycloidal"),
         ("Gutman 1-3", "cycloidal"),
         ("Freudenstein 1-3", "cycloidal"),
-        ("modified sine", "cycloidal"),
+        ("Freudenstein 1-3-5", "Freudenstein 1-3"),
         ("3-4-5 polynomial", "cycloidal"),
         ("modified trapezoid", "4-5-6-7 polynomial"),
         ("Freudenstein 1-3-5", "4-5-6-7 polynomial"),

@@ -143,6 +143,11 @@ EXERCISES = (
                 "This is the effective angle of the mill. What does it leave for the die?",
             ),
             Slip(
+                lambda m: m.mill_angle_deg / 2 - m.quiet_deg,
+                "This is half of the mill's effective angle. What does all of it leave for the "
+                "die?",
+            ),
+            Slip(
                 lambda m: m.die_angle_deg - m.quiet_deg,
                 "The quiet ends were added to the mill's degrees. They are taken away from them.",
             ),

@@ -166,6 +166,10 @@ EXERCISES = (
                 "The die moves twice in a turn, down and up.",
             ),
             Slip(
+                lambda m: 1000 * indexing_time(2 * m.widest_deg, m.rate_per_hour),
+                "This is the time of both moves. How long does it rest?",
+            ),
+            Slip(
                 lambda m: 1000 * indexing_time(m.work_deg, m.rate_per_hour),
                 "This is how long it works at the bottom. How long does it rest at the top?",
             ),

@@ -21,6 +21,7 @@ from cammotion.teaching.shown.bars import angle_with_the_same_peak
 from cammotion.teaching.shown.ways import peak_of_die
 
 _p = sympy.Symbol("p")
+_WITH_CV = "This is with Cv, the factor of the velocity. The acceleration has Ca."
 
 
 def _peak(m: MillAndDie, law: str, angle_deg: float | None = None) -> float:
@@ -52,10 +53,26 @@ def _kept(m: MillAndDie) -> float:
     return float(_gentle(m).Ca / _harsh(m).Ca)
 
 
+def _no_larger(m: MillAndDie) -> float:
+    """Return the angle with which the harsher law has no larger a peak than the gentler one."""
+    return m.die_angle_deg / math.sqrt(_kept(m))
+
+
+def _no_larger_in_whole_degrees(m: MillAndDie) -> float:
+    """Return it rounded up, NaN where that is the nearest whole number anyway."""
+    up = math.ceil(_no_larger(m))
+    return up if up != round(_no_larger(m)) else math.nan
+
+
 def _widest(m: MillAndDie, law: MotionLaw, limit_mm: float | None = None) -> float:
     """Return the widest angle of the die: it is at its limit, and has the angle of 03.2 left."""
     share = (limit_mm or m.limit_mm) / m.stroke_mm
     return m.overlapped_deg / (1 - float(law.inverse(share)))
+
+
+def _with_factor(m: MillAndDie, factor: float) -> float:
+    """Return the peak of 05.5 as it comes out with another factor of the modified sine."""
+    return _overlapped(m, "modified sine") * factor / LAWS["modified sine"].Ca
 
 
 def _overlapped(m: MillAndDie, law: str, of: str = "") -> float:
@@ -253,6 +270,7 @@ EXERCISES = (
                 "So many times larger is the larger peak. By how many percent is the other "
                 "smaller?",
             ),
+            Slip(lambda m: 100 * (1 - _gentle(m).Cv / _harsh(m).Cv), _WITH_CV),
             Slip(
                 lambda m: 100 * (_gentle(m).Cj / _harsh(m).Cj - 1),
                 "By so much the jerk is larger, which is the price. The acceleration is asked for.",
@@ -272,7 +290,7 @@ EXERCISES = (
             f"*{_gentle(m).name}* has over {m.die_angle_deg:g}?"
         ),
         unit="deg",
-        answer=lambda m: m.die_angle_deg / math.sqrt(_kept(m)),
+        answer=_no_larger,
         goes_on_from={"05.2": lambda m, percent: m.die_angle_deg / math.sqrt(1 - percent / 100)},
         shows=angle_with_the_same_peak,
         right="So many degrees are what a better law is worth. Overlap has found more.",
@@ -289,6 +307,10 @@ EXERCISES = (
             Slip(
                 lambda m: m.die_angle_deg * _kept(m),
                 "With fewer degrees the peak gets larger, and the angle counts squared.",
+            ),
+            Slip(
+                _no_larger_in_whole_degrees,
+                "This is enough, but rounded up to whole degrees. Give a digit more.",
             ),
             Slip(
                 lambda m: m.die_angle_deg * (1 / math.sqrt(_kept(m)) - 1),
@@ -459,6 +481,16 @@ EXERCISES = (
                 lambda m: _overlapped(m, "cycloidal", of="modified sine"),
                 "The angle is that of the modified sine, but the peak that of the cycloid: take Ca "
                 "of the same law.",
+            ),
+            Slip(
+                lambda m: _overlapped(m, "modified trapezoid", of="modified sine"),
+                "The angle is that of the modified sine, but the peak that of the modified "
+                "trapezoid: take Ca of the same law.",
+            ),
+            Slip(lambda m: _with_factor(m, LAWS["modified sine"].Cv), _WITH_CV),
+            Slip(
+                lambda m: _with_factor(m, LAWS["modified sine"].Cq),
+                "This is with Cq, the factor of the torque. The acceleration has Ca.",
             ),
             Slip(
                 lambda m: _overlapped(m, "cycloidal"),

@@ -166,6 +166,11 @@ EXERCISES = (
                 "any speed, and can be pushed all the way.",
             ),
             Slip(
+                lambda m: 4 - 2 * m.laws.head_start if m.laws.head_start else math.nan,
+                "This is for a hammer that has to stop. It may arrive at any speed, and can be "
+                "pushed all the way.",
+            ),
+            Slip(
                 lambda m: 2.0 if m.laws.head_start else math.nan,
                 "This is for a hammer that starts from rest. The speed at the start makes a part "
                 "of the way.",
@@ -418,6 +423,11 @@ EXERCISES = (
                 ),
                 "The brake is in it, but the speed at the end of the push has been forgotten: the "
                 "die goes on with that.",
+            ),
+            Slip(
+                lambda m: _by_way(m, m.overlapped_deg**2 / 2 - 3 / 2 * _braked_deg(m) ** 2),
+                "The brake is in it, but without its half: it takes away half the acceleration "
+                "times the time squared.",
             ),
             Slip(
                 lambda m: _least(m) * (m.stroke_mm - m.wait_mm) / _rise_mm(m),

@@ -6,6 +6,7 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import peak_acceleration
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.cams import face_under_contact, push_at_mid_stroke
 
@@ -110,6 +111,11 @@ def _sine_added(m: MillAndDie) -> float:
     return 2 * HARDEST * m.stroke_mm - _hardest_mm(m)
 
 
+def _in_degrees(m: MillAndDie) -> float:
+    """Return where the die would be at x = 3/4 if the sine took 2 pi x for degrees, in mm."""
+    return m.stroke_mm * law_in_degrees(HARDEST)
+
+
 def _radius(m: MillAndDie) -> float:
     return base_mm(m) + _hardest_mm(m) - _bend(m)
 
@@ -142,6 +148,15 @@ EXERCISES = (
                 lambda m: _pressure(_slope(m), prime_mm(m)),
                 "The roller's centre is on the prime circle only before the rise. At mid-stroke "
                 "it is half the stroke further out.",
+            ),
+            Slip(
+                lambda m: _pressure(_slope(m), (prime_mm(m) + m.stroke_mm) / 2),
+                "Half of the prime circle's radius was taken, as if that were its diameter.",
+            ),
+            Slip(
+                lambda m: math.degrees(_slope(m) / _height(m)),
+                "This is the tangent, made degrees as if it were the angle in radians. Which angle "
+                "has this tangent?",
             ),
             Slip(
                 lambda m: _pressure(_slope(m), prime_mm(m) + m.stroke_mm),
@@ -222,7 +237,7 @@ EXERCISES = (
                 PER_DEG,
             ),
             Slip(
-                lambda m: _needed(m, abs(math.tan(STEEPEST_DEG))),
+                lambda m: _needed(m, math.tan(STEEPEST_DEG)),
                 f"The tangent was taken of {STEEPEST_DEG} rad. Tell your calculator, or NumPy, "
                 "that it is in degrees.",
             ),
@@ -321,6 +336,7 @@ EXERCISES = (
                 _THREE_QUARTERS,
             ),
             Slip(lambda m: base_mm(m) + _sine_added(m) - _bend(m), _SINE),
+            Slip(lambda m: base_mm(m) + _in_degrees(m) - _bend(m), IN_DEGREES),
             Slip(
                 lambda m: base_mm(m) + m.stroke_mm - _bend(m),
                 "The whole stroke was added. At x = 3/4 the die has not quite done it.",
@@ -375,6 +391,7 @@ EXERCISES = (
             ),
             Slip(lambda m: _preload(m, 0.75 * m.stroke_mm), _THREE_QUARTERS),
             Slip(lambda m: _preload(m, _sine_added(m)), _SINE),
+            Slip(lambda m: _preload(m, _in_degrees(m)), IN_DEGREES),
             Slip(
                 _preload_all_over,
                 "This keeps the die on its cam all over the rise: a little before x = 3/4 the "

@@ -333,6 +333,10 @@ EXERCISES = (
                 "The 1 was forgotten: it is λk⁴, and not 1 + λk⁴, that goes with the fourth power.",
             ),
             Slip(
+                lambda m: 100 / ((100 / m.measured.left[1] - 1) * _ratio(m) ** 4),
+                "The 1 was not added again: the harmonic is divided by 1 + λk⁴, and not by λk⁴.",
+            ),
+            Slip(
                 lambda m: m.measured.left[1] / _ratio(m) ** 4,
                 "The share itself was scaled by the fourth power. It is λk⁴ that goes with it.",
             ),

@@ -3,6 +3,8 @@
 import cmath
 import math
 
+import numpy as np
+
 from cammotion.dynamics.chain import two_masses
 from cammotion.dynamics.springs import natural_frequency, springs_in_series
 from cammotion.laws.catalogue import LAWS
@@ -25,6 +27,9 @@ _SIDE_BY_SIDE = (
     "The stiffnesses were subtracted, as of parts side by side. One behind the other, which of "
     "stiffness and give adds up?"
 )
+_NOT_PRESSED = "The spring is pressed together at the lowest position already. That is missing."
+_WEIGHT = "The weight was taken for the mass. Kilograms are a mass already."
+_BY_G = "The mass was divided by g. Kilograms are a mass already."
 _WITH_VELOCITY = "This is with the velocity. A force on a mass makes an acceleration."
 _JUMPS = (4, -8, 4)  # of the constant acceleration, in hm/tm2: where it sets in, turns and ends
 
@@ -119,6 +124,15 @@ def _modes(m: MillAndDie, *, swap_m: bool = False, swap_k: bool = False) -> tupl
     return float(lower), float(higher)
 
 
+def _rod_alone(m: MillAndDie) -> float:
+    """Return the lower frequency with k1 for k1 + k2 in the matrix, NaN where there is none."""
+    f = m.follower
+    stiffnesses = [[f.k1_N_per_mm, -f.k2_N_per_mm], [-f.k2_N_per_mm, f.k2_N_per_mm]]
+    masses = [[f.m1_kg], [f.m2_kg]]
+    square = min(np.linalg.eigvals(MM_PER_M * np.divide(stiffnesses, masses)).real)
+    return math.sqrt(square) / (2 * math.pi) if square > 0 else math.nan
+
+
 def _row(m: MillAndDie) -> float:
     """Return the stiffness of both springs of 10.4 in a row."""
     return springs_in_series([m.follower.k1_N_per_mm, m.follower.k2_N_per_mm])
@@ -146,8 +160,8 @@ EXERCISES = (
         question=lambda m: (
             "A slide of {0:g} kg rises over {1:g} degrees of its cam, at {2:g} pieces per hour. "
             "Between cam and slide are a lever of {4:g} N/mm and a rod, one behind the other. How "
-            "stiff does the rod have to be at least, so that the slide, left alone, would swing "
-            "{3:g} times during the rise?"
+            "stiff does the rod have to be, so that the slide, left alone, would swing {3:g} times "
+            "during the rise?"
         ).format(*m.follower.rod),
         unit="N/mm",
         answer=_rod,
@@ -191,9 +205,10 @@ EXERCISES = (
                 "a stiffness below 0.",
             ),
             Slip(
-                lambda m: _rod(m, _together(m) / STANDARD_GRAVITY),
-                "The mass was divided by g. Kilograms are a mass already.",
+                lambda m: _rod(m, _together(m, time_s=1)),
+                "The swings are those of the rise, and were taken for those of a second.",
             ),
+            Slip(lambda m: _rod(m, _together(m) / STANDARD_GRAVITY), _BY_G),
             Slip(
                 lambda m: _rod(m, _together(m) * STANDARD_GRAVITY),
                 "The weight was taken for the mass. Then the lever alone would be too soft, and no "
@@ -259,6 +274,21 @@ EXERCISES = (
                 lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m) / 2),
                 "The square is missing: a jump in the acceleration counts by the square of the "
                 "frequency.",
+            ),
+            Slip(
+                lambda m: _ringing(m) / abs(math.sin(math.pi * _ratio(m) / 2)),
+                "The square of the sine is missing: the three arrows together are as long as 16 "
+                "times that square.",
+            ),
+            Slip(
+                lambda m: 2 * math.pi * _ratio(m) * _ringing(m),
+                "The angular frequency enters only once. A jump in the acceleration counts by its "
+                "square.",
+            ),
+            Slip(
+                lambda m: _ringing(m) * m.follower.ringing[0] ** 2,
+                "The jumps were counted in strokes by the square of the time of the move, the "
+                "angular frequency by the second. Take both by the second, or both by the move.",
             ),
             Slip(
                 lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m)) ** 2,
@@ -344,10 +374,10 @@ EXERCISES = (
                 "Three quarters of the time are more than three quarters of the stroke: put x "
                 "into the law. And is x = 3/4 the worst place?",
             ),
-            Slip(
-                lambda m: _leaves(m, 0),
-                "The spring is pressed together at the lowest position already. That is missing.",
-            ),
+            Slip(lambda m: _leaves(m, 0), _NOT_PRESSED),
+            Slip(lambda m: _speed(m, _at(m, 3 / 4) - m.follower.pressed_mm), _NOT_PRESSED),
+            Slip(lambda m: _leaves(m) / math.sqrt(STANDARD_GRAVITY), _WEIGHT),
+            Slip(lambda m: _leaves(m) * math.sqrt(STANDARD_GRAVITY), _BY_G),
             Slip(
                 lambda m: _speed(m, _at(m, 3 / 4), 4),
                 "This is with the peak of the constant acceleration. The cycloid's is higher.",
@@ -465,6 +495,13 @@ EXERCISES = (
                 lambda m: _modes(m, swap_k=True)[0],
                 "The two springs are exchanged. Which one is next to the cam?",
             ),
+            Slip(
+                _rod_alone,
+                "In the first place of the stiffnesses stands the push rod alone. The slide is "
+                "between both springs, and both add up there.",
+            ),
+            Slip(lambda m: _modes(m)[0] / math.sqrt(STANDARD_GRAVITY), _WEIGHT),
+            Slip(lambda m: _modes(m)[0] * math.sqrt(STANDARD_GRAVITY), _BY_G),
             Slip(
                 lambda m: _modes(m)[0] * 2 * math.pi,
                 "This is in rad a second. A swing is 2 pi of it.",

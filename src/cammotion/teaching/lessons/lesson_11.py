@@ -20,8 +20,13 @@ UM_PER_MM = 1000
 _KEY_GRADE = 9
 _NO_MORE = 0.004  # than what an answer may be off
 _A_MICROMETRE_IS_WRONG = 0.001  # what an answer of some hundred of them may be off
+_A_MICROMETRE_IN_500 = 0.002
 _NO_SLIP = 0.005  # a diameter that changes less than this leads to the right number
 _DEG_PER_TURN = 360
+_ANOTHER_ROW = (
+    "This is from a row beside the right one. A row ends with its second number, and the next "
+    "begins above it."
+)
 _BY_THE_FORMULA = (
     "This is by the formulas. What is asked for is by the table: in it the parts are rounded."
 )
@@ -60,6 +65,12 @@ def _formula_at(m: MillAndDie, mean_mm: float) -> float:
     return wrong if abs(wrong / _formula(m) - 1) > _NO_SLIP else math.nan
 
 
+def _with_rounded_unit(m: MillAndDie) -> float:
+    """Return it with the tolerance unit to a tenth of a um, NaN where that is as good."""
+    wrong = _units(m) * round(tolerance_unit(m.fits.turned_mm), 1)
+    return _unless_alike(wrong, _formula(m), _A_MICROMETRE_IN_500)
+
+
 def _by_the_table(m: MillAndDie) -> float:
     """Return the width in the table, NaN where that is the formula's, rounded to a um."""
     width = limits_of(f"{m.fits.turned_mm} H{m.fits.grade}").width_um
@@ -72,6 +83,16 @@ def _most_by_the_formulas(m: MillAndDie) -> float:
     widths = sum(grade_um(m.fits.bore_mm, int(zone[1:])) for zone in (hole, shaft))
     most = widths - deviation_um(m.fits.bore_mm, shaft[0])
     return _unless_alike(most, _fit(m).largest_clearance_um, _A_MICROMETRE_IS_WRONG)
+
+
+def _step(m: MillAndDie) -> tuple[float, float]:
+    """Return between which diameters in mm that of 11.2 lies; a step has its upper end."""
+    return size_step_mm(m.fits.bore_mm)
+
+
+def _most_of(m: MillAndDie, diameter_mm: float) -> float:
+    """Return the largest play of the zones of 11.2 at another diameter, in um."""
+    return Fit(f"{diameter_mm:g} {'/'.join(m.fits.pair)}").largest_clearance_um
 
 
 def _key_by_the_formula(m: MillAndDie) -> float:
@@ -124,6 +145,10 @@ EXERCISES = (
             Slip(
                 lambda m: _allowed(m) / 2,
                 "This is half of it. The angle is already that from one end to the other.",
+            ),
+            Slip(
+                lambda m: _allowed(m) / 2,
+                "The circumference is pi times the diameter, and was taken as pi times the radius.",
             ),
             Slip(
                 lambda m: m.fits.lag_deg * _radius(m) * UM_PER_MM,
@@ -202,6 +227,8 @@ EXERCISES = (
                 "A sign is lost: the shaft's deviation is below zero, and is taken away.",
             ),
             Slip(_most_by_the_formulas, _BY_THE_FORMULA),
+            Slip(lambda m: _most_of(m, _step(m)[0]), _ANOTHER_ROW),
+            Slip(lambda m: _most_of(m, _step(m)[1] + 1), _ANOTHER_ROW),
             Slip(
                 lambda m: (_fit(m).largest_clearance_um + _fit(m).smallest_clearance_um) / 2,
                 "This is the play in the mean. What is asked for is the most that can happen.",
@@ -231,7 +258,7 @@ EXERCISES = (
             "Which hole, and which shaft, leave the most room between them?",
             "It is the largest hole with the thinnest shaft.",
             "Take the lower deviation of the shaft away from the upper one of the hole; "
-            "cm.limits_of knows both.",
+            "cm.limits_of knows both, and so does any table of ISO 286-2.",
         ),
     ),
     NumberExercise(
@@ -243,7 +270,7 @@ EXERCISES = (
         ),
         unit="µm",
         answer=_formula,
-        tolerance=0.002,
+        tolerance=_A_MICROMETRE_IN_500,
         right="The table is only a rounding away, but it rounds by rules of its own.",
         slips=(
             Slip(
@@ -266,6 +293,10 @@ EXERCISES = (
             Slip(
                 lambda m: tolerance_unit(m.fits.turned_mm),
                 "This is the tolerance unit i. How many of them has the grade?",
+            ),
+            Slip(
+                _with_rounded_unit,
+                "The tolerance unit was rounded on the way: keep all digits until the end.",
             ),
             Slip(
                 lambda m: m.fits.grade * tolerance_unit(m.fits.turned_mm),
@@ -333,6 +364,10 @@ EXERCISES = (
             Slip(
                 lambda m: 2 * _turned(m, _key_um(m)),
                 "This is twice as much: to and fro together are one play.",
+            ),
+            Slip(
+                lambda m: 2 * _turned(m, _key_um(m)),
+                "A turn is pi times the diameter, and was taken as pi times the radius.",
             ),
             Slip(
                 lambda m: _turned(m, _key_by_the_formula(m)),
