@@ -5,12 +5,14 @@ import json
 import re
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from cammotion.quantities import InputError
 from cammotion.site import __main__ as command
 from cammotion.site import folder
+from cammotion.site.build import build
 from cammotion.site.formulas import mathml
 from cammotion.site.lessons import find_lessons
 from cammotion.site.pictures import Pictures, at_rest, embedded_svg
@@ -154,6 +156,23 @@ def test_a_reveal_without_its_prediction_is_told(tmp_path: Path) -> None:
     (tmp_path / "images").mkdir()
     assert len(find_lessons(tmp_path)) == 1
     assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
+
+
+@pytest.mark.parametrize(
+    ("place", "change", "said"),
+    [
+        (3, {"source": "guess = cm.predict(key, words)"}, "cell c3 asks for a prediction, but not"),
+        (4, {"outputs": []}, "cell c4 reveals guess and has 0 outputs in HTML"),
+    ],
+)
+def test_what_a_prediction_lacks_is_told(
+    books: Path, place: int, change: dict[str, object], said: str
+) -> None:
+    book: Any = notebook()
+    book["cells"][place].update(change)
+    (books / "01_one.ipynb").write_text(json.dumps(book), "utf-8")
+    with pytest.raises(InputError, match=said):
+        build(books)
 
 
 def test_a_formula_that_cannot_be_converted_is_named() -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from nbformat import NotebookNode
 from nbformat.v4 import new_output
 
-from cammotion.quantities import InputError
+from cammotion.quantities import InputError, plural
 from cammotion.site import forms
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Exercise
@@ -71,7 +71,13 @@ class Arranger:
             self._made.exercises.append(exercise)
             _show(cell, forms.exercise_form(exercise, self._machine, self._render), alone=True)
         elif called := _call(source, "predict"):
-            variable, (key, words) = called
+            variable, texts = called
+            if len(texts) != 2:  # noqa: PLR2004 - key and what is asked
+                raise InputError(
+                    f"The cell {cell.id} asks for a prediction, but not by two plain texts: write "
+                    'guess = cm.predict("01.half", "degrees for each way").'
+                )
+            key, words = texts
             self._keys[variable] = key
             made = PREDICTIONS.get(key)
             self._made.predictions.extend([made] if made else [])
@@ -85,9 +91,15 @@ class Arranger:
     def _reveal(self, cell: NotebookNode, variable: str) -> None:
         if variable not in self._keys:
             raise InputError(f"The cell {cell.id} reveals {variable}, which no cell has asked for.")
-        (stored,) = (o.data["text/html"] for o in cell.outputs if "text/html" in o.get("data", {}))
+        stored = [o.data["text/html"] for o in cell.outputs if "text/html" in o.get("data", {})]
+        if len(stored) != 1:
+            raise InputError(
+                f"The cell {cell.id} reveals {variable} and has {plural(len(stored), 'output')} in "
+                "HTML, where the answer is the only one: show nothing else there, and run the "
+                "notebook with `python3 workbook.py refresh`."
+            )
         others = [o for o in cell.outputs if "text/html" not in o.get("data", {})]
-        _show(cell, forms.reveal(stored, self._keys[variable]))
+        _show(cell, forms.reveal(stored[0], self._keys[variable]))
         cell.outputs = [*others, *cell.outputs]
 
 
