@@ -15,7 +15,7 @@ from cammotion.site import folder
 from cammotion.site.build import build
 from cammotion.site.formulas import mathml
 from cammotion.site.lessons import find_lessons
-from cammotion.site.pictures import Pictures, at_rest, embedded_svg
+from cammotion.site.pictures import Pictures, at_rest, embedded_svg, size_of
 from starter import commands
 
 ROOT = Path(__file__).parents[1]
@@ -176,7 +176,9 @@ def test_what_a_prediction_lacks_is_told(
 
 
 def test_a_formula_that_cannot_be_converted_is_named() -> None:
-    with pytest.raises(InputError, match=r"\\frac\{1\}.* cannot be made MathML"):
+    with pytest.raises(
+        InputError, match=r"^The formula '\\\\frac\{1\}' cannot be made MathML: [ -~]+\.$"
+    ):
         mathml(r"\frac{1}")
     assert mathml("y''^2").count("<mo>") == 1
 
@@ -186,6 +188,20 @@ def test_a_picture_that_is_not_there_is_named(tmp_path: Path) -> None:
     for name in ("gone.svg", "../secret.txt"):
         with pytest.raises(InputError, match="which is not there"):
             pictures.drawing(name, "words")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b'<svg width="9" height="9"/>', b'<svg viewBox="0 0 9"/>', b"<svg", b'<svg viewBox="\xe4"/>'],
+)
+def test_a_drawing_that_cannot_be_read_is_named(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "own.svg").write_bytes(content)
+    with pytest.raises(InputError, match=r"The picture own\.svg cannot be read: give an SVG"):
+        Pictures("01", tmp_path).drawing("own.svg", "words")
+
+
+def test_a_size_may_have_commas_between_its_numbers() -> None:
+    assert size_of('<svg viewBox="0,0, 640 480"/>') == (640, 480)
 
 
 def test_a_drawing_at_rest_has_no_animation_left() -> None:

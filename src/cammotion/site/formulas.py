@@ -3,6 +3,7 @@
 from functools import cache
 
 from math_core import LatexError, LatexToMathML
+from nbconvert.filters import strip_ansi
 
 from cammotion.quantities import InputError, shorten
 
@@ -22,7 +23,10 @@ def mathml(tex: str, *, block: bool = False) -> str:
     try:
         made: str = _CONVERTER.convert_with_local_state(tex.strip(), displaystyle=block)
     except LatexError as wrong:
-        raise InputError(f"The formula {shorten(tex)} cannot be made MathML: {wrong}.") from None
+        said: str = strip_ansi(str(wrong))  # type: ignore[no-untyped-call]
+        why, *_ = said.strip().splitlines()  # below it the place is drawn
+        why = why.removeprefix("Error: ").removesuffix(".")
+        raise InputError(f"The formula {shorten(tex)} cannot be made MathML: {why}.") from None
     return f'<div class="formula">{made}</div>' if block else made
 
 

@@ -40,8 +40,7 @@ class Pictures:
 
     def drawing(self, name: str, words: str, *, is_first: bool = False) -> str:
         """Return the element of a drawing of the workbook; one that moves can be stopped."""
-        svg = self._read(name)
-        width, height = size_of(svg)
+        svg, (width, height) = self._read(name)
         file = f"{IMAGES}/{name}"
         self.shared[file] = svg.encode()
         lazy = ' fetchpriority="high"' if is_first else ' loading="lazy"'
@@ -59,11 +58,22 @@ class Pictures:
             '<button type="button" hidden>Stop the motion</button></span>'
         )
 
-    def _read(self, name: str) -> str:
+    def _read(self, name: str) -> tuple[str, tuple[float, float]]:
+        """Return a drawing, and its size in px."""
         path = self.drawings / name
         if path.suffix != ".svg" or not path.is_file():
-            raise InputError(f"The notebooks show the picture {name}, which is not there.")
-        return path.read_text("utf-8")
+            raise InputError(
+                f"The notebooks show the picture {name}, which is not there as an SVG: lay one "
+                f"into the folder {IMAGES}, and show that."
+            )
+        try:
+            svg = path.read_text("utf-8")
+            return svg, size_of(svg)
+        except (ValueError, KeyError, ElementTree.ParseError):
+            raise InputError(
+                f"The picture {name} cannot be read: give an SVG in UTF-8 with a viewBox of four "
+                'numbers, such as viewBox="0 0 640 480".'
+            ) from None
 
 
 def with_palette(png: bytes) -> tuple[bytes, tuple[int, int]]:
@@ -79,7 +89,7 @@ def with_palette(png: bytes) -> tuple[bytes, tuple[int, int]]:
 def size_of(svg: str) -> tuple[float, float]:
     """Return the width and the height of a drawing in px."""
     root = ElementTree.fromstring(svg)  # noqa: S314 - our own
-    _, _, width, height = map(float, root.attrib["viewBox"].split())
+    _, _, width, height = map(float, root.attrib["viewBox"].replace(",", " ").split())
     return width, height
 
 
