@@ -32,6 +32,10 @@ TYPED = [
         "less than 1",
         "64 per minute",
         "√10",
+        "1e-13",
+        "-1e-13",
+        "1e-310",
+        "1e-323",
         "1 %",
         "mm 4",
         "4 m/s^2",
@@ -156,9 +160,11 @@ def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
         assert answers == [each.how_far(text) for text in texts], each.key
 
 
-def test_a_page_asks_what_a_prediction_means_as_python_does() -> None:
-    made = PREDICTIONS["12.rate"]
+@pytest.mark.parametrize("key", ["12.rate", "02.fraction"])
+def test_a_page_asks_what_a_prediction_means_as_python_does(key: str) -> None:
+    made = PREDICTIONS[key]
     typed = [*TYPED, "20,000", "3,857", "12.345", "about 10,500", "10,000 or 20,000"]
+    typed += ["1,001 %", "2,004 %"]
     table = {"asked": made.asked, "true": [made.true], "low": made.low, "high": made.high}
     said = run(
         "return given.typed.map((text) => unclear(given.made, text, { readings }));",

@@ -32,9 +32,13 @@ export function numbersIn({ asked, low, high }, text, readings) {
   const parts = isShare ? (inPercent ? 1 : 100) : over && inPercent ? 0.01 : 1;
   const numbers = readings(value)
     .flatMap((a) => readings(over ?? "1").map((b) => (b === 0 ? NaN : a / b / parts)))
-    .filter((number) => Math.abs(number) <= LARGEST);
+    .filter((number) => number === 0 || isBelieved(Math.abs(number)));
   const sensible = numbers.filter((number) => low <= Math.abs(number) && Math.abs(number) <= high);
   return sensible.length ? sensible : numbers;
+}
+
+function isBelieved(size) {
+  return 1 / LARGEST <= size && size <= LARGEST;
 }
 
 function saysShare(text) {
@@ -45,7 +49,8 @@ function saysShare(text) {
 export function unclear(made, text, { readings }) {
   const numbers = numbersIn(made, text, readings);
   if (numbers.length < 2) return "";
-  return `“${text}” may be ${numbers.join(" or ")}: write it with a point, or with no mark.`;
+  const said = numbers.map((number) => Number(number.toPrecision(12))).join(" or ");
+  return `“${text}” may be ${said}: write it with a point, or with no mark.`;
 }
 
 /** How far off a typed prediction is, "" where that is not one number beside another. */

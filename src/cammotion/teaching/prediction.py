@@ -1,6 +1,5 @@
 """What the lessons let predict, and how far off a prediction is."""
 
-import math
 import re
 from dataclasses import dataclass
 
@@ -20,7 +19,7 @@ _UNSURE = re.compile(  # but for the square of a second
 )
 _OTHER = ("mm", "cm", "µm", "rad", "min", "sec")  # units, unless they are asked for
 _SHARES = ("percent", "fraction")
-_LARGEST = 1e12  # beyond that it is a joke and no prediction
+_LARGEST = 1e12  # beyond that, or below its inverse, it is a joke and no prediction
 _SENSIBLE = 999.0
 _CLOSE = 0.02
 _IN_TIMES = 2  # nearer than that it is said in percent
@@ -132,7 +131,7 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     else:
         parts = 0.01 if found[0]["over"] and in_percent else 1.0
     numbers = [a / b / parts for a in _readings(value) for b in _readings(over) if b != 0]
-    return tuple(one for one in numbers if math.isfinite(one) and abs(one) <= _LARGEST)
+    return tuple(one for one in numbers if one == 0 or 1 / _LARGEST <= abs(one) <= _LARGEST)
 
 
 def _is_one_number(text: str, asked: str) -> bool:
