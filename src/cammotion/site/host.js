@@ -71,16 +71,14 @@ function letScroll(wide) {
 async function fillIn(load) {
   const packed = document.getElementById("answers");
   if (!packed) return;
-  const [answers, { format, readings }] = await Promise.all([
+  const [answers, tools] = await Promise.all([
     unpack(JSON.parse(packed.textContent)),
     load("figure"),
   ]);
-  document
-    .querySelectorAll("[data-exercise]")
-    .forEach((form) => answerIn(form, answers[form.dataset.exercise], { format, readings }));
-  document
-    .querySelectorAll("[data-predicts]")
-    .forEach((form) => predictIn(form, answers[form.dataset.predicts], { format, readings }));
+  for (const form of document.querySelectorAll("[data-exercise]"))
+    answerIn(form, answers[form.dataset.exercise], tools);
+  for (const form of document.querySelectorAll("[data-predicts]"))
+    predictIn(form, answers[form.dataset.predicts], tools);
   document.documentElement.dataset.ready = "";
 }
 
