@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from cammotion.quantities import plural
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import State, Verdict
 from cammotion.teaching.shown.frame import Shown
@@ -160,7 +161,7 @@ class Outcome:
         if not self.tries:
             return f"open{row}"
         tries = f"{self.tries} {'try' if self.tries == 1 else 'tries'}"
-        hints = f", {self.hints} {'hint' if self.hints == 1 else 'hints'}" if self.hints else ""
+        hints = f", {plural(self.hints, 'hint')}" if self.hints else ""
         return f"{'right' if self.state == 'right' else 'not yet'}, {tries}{hints}{row}"
 
 

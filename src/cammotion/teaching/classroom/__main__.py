@@ -7,7 +7,7 @@ from datetime import date
 from pathlib import Path
 
 from cammotion.files import write_new
-from cammotion.quantities import InputError
+from cammotion.quantities import InputError, plural
 from cammotion.teaching.classroom import page
 from cammotion.teaching.classroom.clean import clean
 from cammotion.teaching.classroom.collect import read_class
@@ -46,10 +46,7 @@ def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> int:
     write_new(output, page.write(shown, date.today()), overwrite=overwrite)
     for notice in school.notices:
         print(notice)
-    number = len(school.students)
-    print(
-        f"{output} shows {number} {'student' if number == 1 else 'students'}. Open it in a browser."
-    )
+    print(f"{output} shows {plural(len(school.students), 'student')}. Open it in a browser.")
     return 0
 
 
