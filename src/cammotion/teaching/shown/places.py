@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cammotion.laws.catalogue import LAWS
+from cammotion.limits.widest import with_angle
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.shown.frame import (
     DIE,
@@ -21,7 +22,7 @@ from cammotion.teaching.shown.frame import (
     Shown,
     Shows,
 )
-from cammotion.teaching.shown.strikes import ROUNDING, die_over, find_strike, fits_turn
+from cammotion.teaching.shown.strikes import ROUNDING, find_strike, fits_turn
 
 _TOP, _BOTTOM = 14, HEIGHT - 8
 _DIE_MM, _FLOOR_MM = 30, 9  # how wide the die is drawn, and how thick the floor of the pocket
@@ -92,7 +93,7 @@ def _tell_depth(machine: MillAndDie, depth_mm: float, before_deg: float) -> str:
     early = "A cycloid that is so deep there sets off too early"
     if not fits_turn(way_deg, machine.work_deg):
         return f"{early}, before it is up from the last turn."
-    strike = find_strike(machine, die_over(machine, way_deg))
+    strike = find_strike(machine, with_angle(machine.die, way_deg))
     return f"{early}. {strike.said}" if strike else f"{early}."
 
 

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-from cammotion.limits.widest import with_angle
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, motion, return_, rise
@@ -59,8 +58,3 @@ def die_from(machine: MillAndDie, start_deg: float, way_deg: float, work_deg: fl
 def fits_turn(way_deg: float, work_deg: float) -> bool:
     """Tell whether both ways and the work find room in a turn."""
     return 2 * way_deg + work_deg < DEG_PER_TURN
-
-
-def die_over(machine: MillAndDie, angle_deg: float) -> Motion:
-    """Return the die with another indexing angle, down when it has to be."""
-    return with_angle(machine.die, angle_deg)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cammotion.laws.catalogue import LAWS
+from cammotion.limits.widest import with_angle
 from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time
 from cammotion.quantities import Floats
 from cammotion.rules.checks import smallest_clearance
@@ -24,13 +25,7 @@ from cammotion.teaching.shown.frame import (
     Shown,
     Shows,
 )
-from cammotion.teaching.shown.strikes import (
-    ROUNDING,
-    die_from,
-    die_over,
-    find_strike,
-    fits_turn,
-)
+from cammotion.teaching.shown.strikes import ROUNDING, die_from, find_strike, fits_turn
 
 _LEFT, _RIGHT = 44, WIDTH - 12
 _MILL_TOP, _MILL_BOTTOM, _DIE_TOP, _DIE_BOTTOM, _AXIS = 10, 34, 52, 142, 160
@@ -90,7 +85,7 @@ def widened_way(machine: MillAndDie, angle_deg: float) -> Shown:
     turn = Turn(machine, start, angle_deg, machine.work_deg, quiet=True)
     if not fits_turn(angle_deg, machine.work_deg):
         return turn.show(_NO_ROOM)
-    die = die_over(machine, angle_deg)
+    die = with_angle(machine.die, angle_deg)
     if strike := find_strike(machine, die):
         return turn.show(strike.said)
     room = smallest_clearance(machine.diagram.with_motion(die), machine.rule).clearance_mm
