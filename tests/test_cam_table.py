@@ -59,6 +59,14 @@ def test_it_says_what_it_is() -> None:
             {"angle_deg": ANGLES[::-1]},
             r"340 deg \(at position 1\) after 350 deg; it has to rise",
         ),
+        (
+            {"angle_deg": np.array([0, 1e-14, *ANGLES[2:]])},
+            r"1e-14 deg \(at position 1\) after 0 deg; it has to rise by at least 1e-06 deg",
+        ),
+        (
+            {"angle_deg": np.array([*ANGLES[:-1], 360 - 1e-12]), "is_cycle": True},
+            "its first point comes again at the end",
+        ),
         ({"angle_deg": [*ANGLES[:-1], 340]}, r"is 340 deg \(at position 35\) after 340 deg"),
         ({"angle_deg": [*ANGLES[:-1], 360]}, "goes from 0 to 360 deg; .* leave out the last point"),
         ({"angle_deg": [*ANGLES[:-1], np.nan]}, "cam angle of the table is nan deg"),

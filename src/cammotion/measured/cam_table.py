@@ -16,6 +16,7 @@ _ANGLE = Quantity("cam angle of the table", "deg", example=10, low=-1e6, high=1e
 _POSITION = Quantity("position of the table", "mm", example=5, low=-1e6, high=1e6)
 _STEP = Quantity("step of the positions", "mm", example=0.01, high=1e6, low_included=True)
 _FEWEST = 8  # points
+_NARROW_DEG = 1e-6  # between two points, at least
 _EVEN = 1e-6  # by such a share of their mean the steps of even angles may differ
 
 
@@ -24,10 +25,10 @@ _EVEN = 1e-6  # by such a share of their mean the steps of even angles may diffe
 class CamTable(Alike):
     """Positions of a follower over the cam angle, from a measurement, a drawing or a program.
 
-    `angle_deg` are the cam angles in deg, which rise strictly; `position_mm` the positions in mm,
-    as many, at least 8. `step_mm` is the step in mm to which the positions are rounded as printed,
-    0 where it is not known. `is_cycle` says that the table is one whole turn, closed in itself:
-    its first point comes again after 360 deg, and is not repeated as the last. `said` is a
+    `angle_deg` are the cam angles in deg, which rise by 1e-6 at least; `position_mm` the positions
+    in mm, as many, at least 8. `step_mm` is the step in mm to which the positions are rounded as
+    printed, 0 where it is not known. `is_cycle` says that the table is one whole turn, closed in
+    itself: its first point comes again after 360 deg, and is not repeated as the last. `said` is a
     sentence on what a file was taken for, empty where there was no file. Both arrays are kept as
     copies that cannot be changed. Raises InputError for what is no such table.
 
@@ -113,14 +114,14 @@ def _check_order(angles: Floats, is_cycle: bool) -> None:
             f"The cycle goes from {angles[0]:g} to {angles[-1]:g} deg, which in radians is a turn: "
             "give the cam angles in deg, for example np.degrees(angles)."
         )
-    if np.min(steps) <= 0:
-        n = int(np.argmax(steps <= 0))
+    if np.min(steps) < _NARROW_DEG:
+        n = int(np.argmax(steps < _NARROW_DEG))
         raise InputError(
             f"The cam angle of the table is {angles[n + 1]:g} deg (at position {n + 1}) after "
-            f"{angles[n]:g} deg; it has to rise from point to point: sort the points by their "
-            "angle, and give each angle once."
+            f"{angles[n]:g} deg; it has to rise by at least {_NARROW_DEG:g} deg from point to "
+            "point: sort the points by their angle, and give each angle once."
         )
-    if is_cycle and angles[-1] - angles[0] >= DEG_PER_TURN:
+    if is_cycle and angles[-1] - angles[0] > DEG_PER_TURN - _NARROW_DEG:
         raise InputError(
             f"The cycle goes from {angles[0]:g} to {angles[-1]:g} deg; a turn is 360 deg, and its "
             "first point comes again at the end: leave out the last point, or give is_cycle=False."
