@@ -50,26 +50,21 @@ class Proved(Piece):
 
     @cached_property
     def turns(self) -> list[float]:
-        """Where between its ends it turns, in order."""
-        return turning_points(self, self.low, self.high)
+        """Where between its ends it turns, in order.
 
-
-def turning_points(curve: Proved, low: float, high: float) -> list[float]:
-    """Return in order every place in ]low, high[ at which a smooth curve turns.
-
-    Raises InputError where that would take minutes: for a curve that turns many thousand times, or
-    whose terms are so large, and cancel each other, that their rounding hides the curve.
-    """
-    runs = _Slopes(curve, low, high).runs(low, high)
-    return [(end + start) / 2 for (s, _, end), (t, start, _) in pairwise(runs) if s != t]
+        Raises InputError where that would take minutes: for a curve that turns many thousand times,
+        or whose terms are so large, and cancel each other, that their rounding hides the curve.
+        """
+        runs = _Slopes(self).runs(self.low, self.high)
+        return [(end + start) / 2 for (s, _, end), (t, start, _) in pairwise(runs) if s != t]
 
 
 class _Slopes:
     """The slope of a curve (order 0) and its derivatives over intervals."""
 
-    def __init__(self, curve: Proved, low: float, high: float) -> None:
+    def __init__(self, curve: Proved) -> None:
         self._curve, self._chain = curve, [curve.derivative]
-        self._spent = 0
+        self._spent, low, high = 0, curve.low, curve.high
         roundings = (most - least for least, most in (curve.bounds(p, p) for p in (low, high)))
         self._negligible = max(NEGLIGIBLE, *roundings)
         places = (low + n * (high - low) / _SAMPLES for n in range(_SAMPLES + 1))
