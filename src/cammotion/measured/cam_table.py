@@ -1,6 +1,6 @@
 """A table of a cam: the position of its follower at some cam angles, as measured or printed."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -12,7 +12,8 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity
 
 DERIVATIVE = Quantity("derivative", "", example=1, high=2, low_included=True)
-_ANGLE = Quantity("cam angle of the table", "deg", example=10, low=-1e6, high=1e6)
+ANGLE = Quantity("cam angle", "deg", example=10, low=-1e6, high=1e6)
+_ANGLE = replace(ANGLE, name="cam angle of the table")
 _POSITION = Quantity("position of the table", "mm", example=5, low=-1e6, high=1e6)
 _STEP = Quantity("step of the positions", "mm", example=0.01, high=1e6, low_included=True)
 _FEWEST = 8  # points

@@ -18,10 +18,8 @@ from numpy.typing import ArrayLike
 from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import MM_PER_M, RATE, cycle_time
-from cammotion.measured.cam_table import DERIVATIVE, CamTable
-from cammotion.quantities import Floats, InputError, Numbers, Quantity, one_of, plain
-
-_ANGLE = Quantity("cam angle", "deg", example=10, low=-1e6, high=1e6)
+from cammotion.measured.cam_table import ANGLE, DERIVATIVE, CamTable
+from cammotion.quantities import Floats, InputError, Numbers, one_of, plain
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +77,7 @@ class Harmonics(Alike):
                 f"The number of harmonics is {number!r}; this table has {last}: give a whole "
                 f"number from 0 to {last}."
             )
-        order, angle = DERIVATIVE.whole(derivative), np.radians(_ANGLE.array(angle_deg))
+        order, angle = DERIVATIVE.whole(derivative), np.radians(ANGLE.array(angle_deg))
         rank, first = self.rank[:number], slice(0, number)
         quarter = order * np.pi / 2
         waves = np.cos(np.multiply.outer(angle, rank) - np.radians(self.phase_deg[first]) + quarter)

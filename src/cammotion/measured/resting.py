@@ -9,6 +9,7 @@ import numpy as np
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.measured.cam_table import CamTable
+from cammotion.measured.smoothing import spline_through
 from cammotion.quantities import Floats
 
 Stay: TypeAlias = tuple[int, int, float]
@@ -53,8 +54,4 @@ def eased(table: CamTable, stays: Sequence[Stay]) -> tuple[CamTable, list[Stay]]
 
 def _bends(table: CamTable, positions: Floats) -> Floats:
     """Return the second derivatives, in mm/deg2, of the periodic spline through some positions."""
-    from scipy.interpolate import CubicSpline  # it takes a second to load
-
-    angles = np.append(table.angle_deg, table.angle_deg[0] + DEG_PER_TURN)
-    spline = CubicSpline(angles, np.append(positions, positions[0]), bc_type="periodic")
-    return np.asarray(spline(table.angle_deg, 2))
+    return np.asarray(spline_through(table, positions)(table.angle_deg, 2))

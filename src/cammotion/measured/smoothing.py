@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from cammotion.alike import Alike
 from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
-from cammotion.measured.cam_table import DERIVATIVE, CamTable
+from cammotion.measured.cam_table import ANGLE, DERIVATIVE, CamTable
 from cammotion.measured.differences import ERROR
 from cammotion.measured.smoother import AnyPoints, EvenCycle, Smoother, chosen_amount, score
 from cammotion.quantities import Floats, Numbers, Quantity, plain
@@ -54,8 +54,7 @@ class SmoothedTable(Alike):
         order = DERIVATIVE.whole(derivative)
         low, high = float(self.table.angle_deg[0]), float(self.table.angle_deg[-1])
         if self.table.is_cycle:
-            angle = Quantity("cam angle", "deg", 10, low=-1e6, high=1e6).array(angle_deg)
-            angle = low + np.mod(angle - low, DEG_PER_TURN)
+            angle = low + np.mod(ANGLE.array(angle_deg) - low, DEG_PER_TURN)
         else:
             angle = Quantity("cam angle", "deg", low, low, high, True).array(angle_deg)
         per_second = DEG_PER_TURN / cycle_time(RATE.number(rate_per_hour))
@@ -81,14 +80,17 @@ class SmoothedTable(Alike):
 
     @cached_property
     def _spline(self) -> Any:
-        from scipy.interpolate import CubicSpline
+        return spline_through(self.table, self.position_mm)
 
-        angles, positions = self.table.angle_deg, self.position_mm
-        if self.table.is_cycle:
-            angles = np.append(angles, angles[0] + DEG_PER_TURN)
-            positions = np.append(positions, positions[0])
-        ends = "periodic" if self.table.is_cycle else "natural"
-        return CubicSpline(angles, positions, bc_type=ends)
+
+def spline_through(table: CamTable, positions: Floats) -> Any:
+    """Return the cubic spline through positions at a table's angles; that of a cycle is closed."""
+    from scipy.interpolate import CubicSpline  # it takes a second to load
+
+    if not table.is_cycle:
+        return CubicSpline(table.angle_deg, positions, bc_type="natural")
+    angles = np.append(table.angle_deg, table.angle_deg[0] + DEG_PER_TURN)
+    return CubicSpline(angles, np.append(positions, positions[0]), bc_type="periodic")
 
 
 @checked
