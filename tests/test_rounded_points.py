@@ -274,6 +274,7 @@ def test_too_many_points_to_smooth_are_refused() -> None:
     [
         (range(8), [0, 1, 2, 3, 3, 2, 1, 0], False, "goes from 0 to 0 mm; a law is one rise"),
         (range(8), range(8), True, "goes from 0 to 7 mm and is a cycle; a law is"),
+        (range(8), [0, 5, 9, 5, 0, -3, -2, 1], False, "0 to 1 mm by way of -3 and 9 mm; a law is"),
     ],
 )
 def test_a_table_that_is_no_rise_is_refused(

@@ -14,6 +14,7 @@ from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 
 _PLACE = Quantity("x of the points", "", example=0.5, high=1.0, low_included=True)
 _WAY = Quantity("s of the points", "", example=0.5, low=-1.0, high=2.0, low_included=True)
+_FARTHEST = 1.5  # strokes from the middle: s from -1 to 2
 _SLOPE = Quantity("velocity V at an end", "", example=0, low=-100.0, high=100.0, low_included=True)
 _STEP = Quantity("step of the points", "", example=0.001, high=1.0, low_included=True)
 _FEWEST = 4
@@ -129,7 +130,7 @@ def law_from_table(
     """Return the law of a table that is one rise or one return, and knows its own rounding.
 
     The other arguments are those of `law_from_points`. Raises InputError for a cycle, and for a
-    table that ends where it begins.
+    table that ends where it begins, or goes beyond its ends by more than what lies between them.
 
     >>> angles = np.arange(0, 61.0)
     >>> rise = CamTable(angles, 25 - 25 * np.cos(np.radians(3 * angles)))
@@ -138,9 +139,12 @@ def law_from_table(
     """
     angles, positions = table.angle_deg, table.position_mm
     stroke = float(positions[-1] - positions[0])
-    if table.is_cycle or abs(stroke) <= table.step_mm:
+    farthest = np.abs(positions - (positions[0] + positions[-1]) / 2).max()
+    is_beyond = bool(stroke) and farthest > _FARTHEST * abs(stroke)
+    if table.is_cycle or is_beyond or abs(stroke) <= table.step_mm:
+        by_way = f" by way of {positions.min():g} and {positions.max():g} mm" if is_beyond else ""
         raise InputError(
-            f"The table goes from {positions[0]:g} to {positions[-1]:g} mm"
+            f"The table goes from {positions[0]:g} to {positions[-1]:g} mm{by_way}"
             f"{' and is a cycle' if table.is_cycle else ''}; a law is one rise or one return: give "
             "the part of the table between two rests."
         )
