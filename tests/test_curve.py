@@ -83,6 +83,14 @@ def test_a_part_of_a_law_is_that_part_stretched(low: float, high: float, name: s
     assert part.curve.derived(2).largest == pytest.approx(np.max(np.abs(samples)), rel=1e-3)
 
 
+def test_a_part_has_a_width() -> None:
+    """Also about a jump, where the height changes over nothing."""
+    jump = MotionLaw("jump", sympy.Piecewise((0, x <= 0.5), (1, True)))
+    for low, high in ((0.5, 0.5), (0.5, 0.5 + 1e-13), (0.6, 0.4)):
+        with pytest.raises(cm.InputError, match="give two places in order"):
+            jump.part(low, high)
+
+
 def test_a_law_run_backwards() -> None:
     late = MotionLaw("late", x**3)
     back = late.reversed()

@@ -170,7 +170,7 @@ class MotionLaw(Alike):
         """
         low, high = _TIME.number(start), _TIME.number(end)
         s_low, way = self(low), self(high) - self(low)
-        if not low < high or abs(way) <= _MISSED:
+        if min(high - low, abs(way)) <= _MISSED:
             raise InputError(
                 f"From x = {low:g} to {high:g} the law {self.name!r} changes S by {way:g}: give "
                 "two places in order, between which it moves."
