@@ -197,6 +197,7 @@ ODD_NUMBERS: list[tuple[Any, str]] = [
     ("4,154", r"without quotes and unit: 4.154 or 4154\.$"),
     ((4, 154), "If you mean 4.154 or 4154, write that, without the comma"),
     ((4, 15), "If you mean 4.15, write that, without the comma"),
+    ((4, -15), r"several values \(it is of type tuple\)"),
     (b"4.154", "This is a text"),
     ([4.154], r"several values \(it is of type list\).*one number in m/s².*\[0\]"),
     (np.array([4.154]), "of type ndarray"),

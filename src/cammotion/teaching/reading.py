@@ -25,7 +25,8 @@ def to_number(answer: Any, wanted: str) -> float:
         raise OddAnswerError(f"This is a text. Write {wanted}, without quotes and unit{meant}.")
     if isinstance(answer, np.ndarray) and answer.ndim == 0:
         answer = answer.item()
-    if isinstance(answer, tuple) and [type(part) for part in answer] == [int, int]:
+    is_pair = isinstance(answer, tuple) and [type(part) for part in answer] == [int, int]
+    if is_pair and answer[1] >= 0:
         meant = " or ".join(readings("{},{}".format(*answer)))
         raise OddAnswerError(
             f"Python takes a comma for two numbers. If you mean {meant}, write that, without the "
