@@ -138,8 +138,9 @@ def test_students_are_sorted_as_a_list_of_names_is(tmp_path: Path) -> None:
     assert names == ["anna", "Ben", "Öz", "Şule", "Zoë"]
 
 
-def test_a_file_from_a_windows_editor_is_read(tmp_path: Path) -> None:
-    (tmp_path / "a.json").write_bytes(b"\xef\xbb\xbf" + json.dumps(DONE).encode())
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+def test_a_file_from_a_windows_editor_is_read(tmp_path: Path, encoding: str) -> None:
+    (tmp_path / "a.json").write_bytes(json.dumps(DONE).encode(encoding))
     assert len(read_class(tmp_path).students) == 1
 
 

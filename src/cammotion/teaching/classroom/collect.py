@@ -112,7 +112,7 @@ def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
     if not raw.strip():
         raise _NoProgressError("is empty")
     try:
-        content = json.loads(raw.decode("utf-8-sig"))
+        content = json.loads(raw)  # in any UTF, as the store reads it
     except (ValueError, RecursionError):
         raise _NoProgressError("is broken, and cannot be read") from None
     if not isinstance(content, dict) or not any(_records(content, kind) for kind in KINDS):
