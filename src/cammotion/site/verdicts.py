@@ -14,13 +14,9 @@ from itertools import pairwise
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import NumberExercise, Slip
-from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
-from cammotion.teaching.rounding import FEWEST, MOST
+from cammotion.teaching.exercise import NEAR, NOT_FAR, NumberExercise, Slip
+from cammotion.teaching.rounding import FEWEST, MOST, SAME, WHOLE, last_place
 
-_SHARES = (0.02, 0.08)  # how far off makes a difference to what is said
-_EDGE = 1e-4  # of the last digit: so near to a rounded number is that number
-_SAME = 1e-9
 _MEASURED = re.compile(r"(?<=off by )\S+(?= %)")
 _MARK = "…"
 
@@ -62,14 +58,14 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     right = exercise.solution(machine)
     slips = sorted(_numbers(exercise.slips, machine))
     carried = _numbers(exercise.carried, machine)
-    ratios = [r * right for r in (*UNIT_RATIOS.get(exercise.unit, {}), *COMMON_RATIOS)]
+    ratios = [ratio * right for ratio in exercise.ratios]
     yield from (0.0, right, -right)
     yield from ((one + other) / 2 for one, other in pairwise(slips))
-    for share in _SHARES:
+    for share in (NEAR, NOT_FAR):
         yield from _beside(right, share)
     for value in slips:
         yield (value + right) / 2
-        yield from _beside(value, _SAME)
+        yield from _beside(value, SAME)
     for value in (right, *slips, *carried, *ratios, right / STANDARD_GRAVITY):
         yield from _beside(value, exercise.tolerance)
         most = MOST if value == right or value in slips else FEWEST + 1
@@ -88,9 +84,9 @@ def _beside(value: float, share: float) -> Iterator[float]:
 
 def _rounded(value: float, digits: int) -> Iterator[float]:
     """Yield the ends of what is a value rounded to so many digits."""
-    unit = 10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits) if value else _SAME
+    unit = last_place(value, digits) if value else SAME
     for whole in {math.floor(value / unit), math.ceil(value / unit)}:
-        yield from ((whole + side * size) * unit for side in (-1, 1) for size in (_EDGE, 0.5))
+        yield from ((whole + side * size) * unit for side in (-1, 1) for size in (WHOLE, 0.5))
 
 
 def _between(edges: list[float]) -> Iterator[float]:

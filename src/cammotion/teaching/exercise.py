@@ -18,7 +18,7 @@ from cammotion.teaching.shown.frame import Shows
 State = Literal["open", "right", "wrong"]
 GoingOn = Callable[[MillAndDie, float], float]
 """How an answer comes out of the answer to an earlier exercise."""
-_NEAR, _NOT_FAR = 0.02, 0.08  # so near it is the rounding, or most likely is
+NEAR, NOT_FAR = 0.02, 0.08  # so near it is the rounding, or most likely is
 _CLOSE = (
     "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
     "until the end."
@@ -163,6 +163,11 @@ class NumberExercise(Exercise):
         """Return the right number for a machine."""
         return float(_led_to(self.answer, machine))
 
+    @property
+    def ratios(self) -> Mapping[float, str]:
+        """Ratios to the right number that betray what has happened, in any unit and in this one."""
+        return {**COMMON_RATIOS, **UNIT_RATIOS.get(self.unit, {})}
+
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a number is wrong; "" if it is right."""
         given = to_number(answer, self.wanted)
@@ -187,8 +192,7 @@ class NumberExercise(Exercise):
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
-        known = {**COMMON_RATIOS, **UNIT_RATIOS.get(self.unit, {})}
-        ratios = (said for ratio, said in known.items() if self._is_about(given, ratio * right))
+        ratios = (said for r, said in self.ratios.items() if self._is_about(given, r * right))
         carried = self._leading_to(self.carried, given, machine)
         brought = self._leading_to(self.brought, given, machine)
         numbers = {number for slip in brought for number in slip.through}
@@ -227,9 +231,9 @@ class NumberExercise(Exercise):
     def _far(self, given: float, right: float) -> str:
         """Say what there is to say of a number with no known history."""
         off = abs(given - right) / abs(right)
-        if off <= _NEAR:
+        if off <= NEAR:
             return _CLOSE.format(f"{100 * off:.2g}")
-        if off <= _NOT_FAR:
+        if off <= NOT_FAR:
             return _OFF.format(f"{100 * off:.2g}")
         if given * right < 0:
             return _SIGN_AND_SIZE
@@ -247,7 +251,6 @@ class NumberExercise(Exercise):
 
         Where it returns several in one they count as the first of them.
         """
-        ratios = {**COMMON_RATIOS, **UNIT_RATIOS.get(self.unit, {})}
         unknown = (
             *map(_TOO_FEW.format, _DIGITS.values()),
             _CLOSE.format("…"),
@@ -258,7 +261,7 @@ class NumberExercise(Exercise):
         )
         slips = (slip.reason for slip in (*self.slips, *self.carried))
         brought = (YOURS.format("…", number) for number in self.goes_on_from)
-        return (*slips, *brought, _IN_G, *ratios.values(), *unknown)
+        return (*slips, *brought, _IN_G, *self.ratios.values(), *unknown)
 
 
 class _Known(NamedTuple):

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 
 FEWEST, MOST = 2, 4  # significant digits that a question asks for
 MOST_OFF = 0.012  # by what share a number may be off that is rounded to so few
-_SAME = 1e-9  # what is so near is one number: a wrong way may lead to the right one
-_WHOLE = 1e-4  # what is left of a whole number of units in the last digit
+SAME = 1e-9  # what is so near is one number: a wrong way may lead to the right one
+WHOLE = 1e-4  # what is left of a whole number of units in the last digit
 
 
 def is_rounded(given: float, value: float, digits: int) -> bool:
@@ -19,9 +19,14 @@ def is_rounded(given: float, value: float, digits: int) -> bool:
     """
     if not value or math.isinf(value):
         return False
-    unit = 10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits)
-    is_whole = abs(given / unit - round(given / unit)) < _WHOLE
-    return is_whole and abs(given - value) <= (0.5 + _SAME) * unit
+    unit = last_place(value, digits)
+    is_whole = abs(given / unit - round(given / unit)) < WHOLE
+    return is_whole and abs(given - value) <= (0.5 + SAME) * unit
+
+
+def last_place(value: float, digits: int) -> float:
+    """Return what 1 in the last of so many significant digits of a value, not 0, is worth."""
+    return float(10.0 ** (math.floor(math.log10(abs(value))) + 1 - digits))
 
 
 def digits_needed(right: float, wrong: Iterable[float]) -> int:
@@ -45,7 +50,7 @@ def digits_needed(right: float, wrong: Iterable[float]) -> int:
 
 def is_same(one: float, other: float) -> bool:
     """Tell whether two numbers are one, but for the last digits of a computer."""
-    return math.isclose(one, other, rel_tol=_SAME, abs_tol=1e-12)
+    return math.isclose(one, other, rel_tol=SAME, abs_tol=1e-12)
 
 
 def _are_alike(one: float, other: float, digits: int) -> bool:
