@@ -26,7 +26,7 @@ _TURN = Quantity("angle of the part", "deg", example=30, low=-math.inf)
 _RADIUS = Quantity("radius", "mm", example=80)
 
 SECONDS_PER_HOUR = 3600
-MINUTES_PER_HOUR = 60
+SECONDS_PER_MINUTE = MINUTES_PER_HOUR = 60
 DEG_PER_TURN = 360
 MM_PER_M = 1000
 STANDARD_GRAVITY = 9.80665  # m/s2, by definition

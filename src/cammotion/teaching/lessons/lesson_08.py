@@ -5,14 +5,13 @@ import math
 from cammotion.hardware.geneva import Geneva
 from cammotion.hardware.indexer import Indexer
 from cammotion.laws.catalogue import LAWS
-from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, SECONDS_PER_MINUTE
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import step_of_torque
 
 _G = 9.81  # as in the source
-_SECONDS_PER_MINUTE = 60
 
 
 def _m2(length_mm: float) -> float:
@@ -91,7 +90,7 @@ def _wheel(m: MillAndDie) -> Geneva:
 
 def _omega(m: MillAndDie) -> float:
     """Return how fast the driver of the wheel turns, in rad/s."""
-    return m.table.per_minute * 2 * math.pi / _SECONDS_PER_MINUTE
+    return m.table.per_minute * 2 * math.pi / SECONDS_PER_MINUTE
 
 
 def _half_way(m: MillAndDie, derivative: int = 2) -> float:
@@ -410,7 +409,7 @@ EXERCISES = (
                 "Turns a minute were taken for rad/s.",
             ),
             Slip(
-                lambda m: _half_way(m) * (m.table.per_minute / _SECONDS_PER_MINUTE) ** 2,
+                lambda m: _half_way(m) * (m.table.per_minute / SECONDS_PER_MINUTE) ** 2,
                 "Turns a second were taken for rad/s: a turn is 2 pi.",
             ),
             Slip(

@@ -2,19 +2,23 @@
 
 import math
 
-from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, STANDARD_GRAVITY
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    MM_PER_M,
+    SECONDS_PER_MINUTE,
+    STANDARD_GRAVITY,
+)
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import error_of_reading
 
 _UM_PER_M = 1e6
-_SECONDS_PER_MINUTE = 60
 
 
 def _dt(m: MillAndDie) -> float:
     """Return the time in s from point to point."""
-    return _SECONDS_PER_MINUTE / (m.measured.per_minute * m.measured.points)
+    return SECONDS_PER_MINUTE / (m.measured.per_minute * m.measured.points)
 
 
 def _step(m: MillAndDie, times: float = 4) -> float:
@@ -39,7 +43,7 @@ def _swings(m: MillAndDie, stiffness: float | None = None) -> float:
 
 
 def _turn(m: MillAndDie) -> float:
-    return _SECONDS_PER_MINUTE / m.measured.per_minute
+    return SECONDS_PER_MINUTE / m.measured.per_minute
 
 
 def _softest(m: MillAndDie) -> float:
@@ -143,7 +147,7 @@ EXERCISES = (
                 "This is in mm. The answer is asked for in µm.",
             ),
             Slip(
-                lambda m: _step(m) / _SECONDS_PER_MINUTE**2,
+                lambda m: _step(m) / SECONDS_PER_MINUTE**2,
                 "The time is in minutes here. An acceleration in m/s² wants seconds.",
             ),
             Slip(
@@ -199,7 +203,7 @@ EXERCISES = (
                 "This is in swings a second. How long is a turn?",
             ),
             Slip(
-                lambda m: _swings(m) / _turn(m) * _SECONDS_PER_MINUTE,
+                lambda m: _swings(m) / _turn(m) * SECONDS_PER_MINUTE,
                 "This is in swings a minute. How many turns has a minute?",
             ),
             Slip(
@@ -211,7 +215,7 @@ EXERCISES = (
                 "The rate was multiplied. With a faster cam there are fewer swings in a turn.",
             ),
             Slip(
-                lambda m: _swings(m) / _SECONDS_PER_MINUTE,
+                lambda m: _swings(m) / SECONDS_PER_MINUTE,
                 "The turns are by the minute here, and the swings by the second.",
             ),
             Slip(
@@ -413,7 +417,7 @@ EXERCISES = (
                 "The time of the whole turn was taken. The rise takes half of it.",
             ),
             Slip(
-                lambda m: _wave(m) * _SECONDS_PER_MINUTE**2,
+                lambda m: _wave(m) * SECONDS_PER_MINUTE**2,
                 "Turns a minute were taken for turns a second.",
             ),
             Slip(

@@ -10,7 +10,9 @@ from cammotion.dynamics.springs import natural_frequency, springs_in_series
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import (
     DEG_PER_TURN,
+    MINUTES_PER_HOUR,
     MM_PER_M,
+    SECONDS_PER_MINUTE,
     STANDARD_GRAVITY,
     cycle_time,
     indexing_time,
@@ -20,8 +22,6 @@ from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import swings_of_rod
 
-_SECONDS_PER_MINUTE = 60
-_MINUTES_PER_HOUR = 60
 _CYCLOID, _SMOOTH = LAWS["cycloidal"], LAWS["4-5-6-7 polynomial"]
 _SIDE_BY_SIDE = (
     "The stiffnesses were subtracted, as of parts side by side. One behind the other, which of "
@@ -98,7 +98,7 @@ def _speed(m: MillAndDie, pressed_mm: float, factor: float = _CYCLOID.Ca) -> flo
     f = m.follower
     pull = f.lifted_kg * factor * f.lift_mm / MM_PER_M  # over the square of the time, N s2
     time_s = math.sqrt(pull / (f.spring_N_per_mm * pressed_mm))
-    return f.lift_deg / DEG_PER_TURN / time_s * _SECONDS_PER_MINUTE
+    return f.lift_deg / DEG_PER_TURN / time_s * SECONDS_PER_MINUTE
 
 
 def _weight(m: MillAndDie) -> float:
@@ -215,7 +215,7 @@ EXERCISES = (
                 "rod could help.",
             ),
             Slip(
-                lambda m: _rod(m, _together(m) * _MINUTES_PER_HOUR**2),
+                lambda m: _rod(m, _together(m) * MINUTES_PER_HOUR**2),
                 "The time of the rise was taken 60 times too short: the pieces are by the hour, "
                 "and an hour has 3600 seconds.",
             ),
@@ -406,15 +406,15 @@ EXERCISES = (
                 "The part of the turn was counted twice.",
             ),
             Slip(
-                lambda m: _leaves(m) * 2 * math.pi / _SECONDS_PER_MINUTE,
+                lambda m: _leaves(m) * 2 * math.pi / SECONDS_PER_MINUTE,
                 "This is in rad a second. Turns a minute are asked for.",
             ),
             Slip(
-                lambda m: _leaves(m) / _SECONDS_PER_MINUTE,
+                lambda m: _leaves(m) / SECONDS_PER_MINUTE,
                 "This is in turns a second. Turns a minute are asked for.",
             ),
             Slip(
-                lambda m: _leaves(m) * _MINUTES_PER_HOUR,
+                lambda m: _leaves(m) * MINUTES_PER_HOUR,
                 "This is in turns an hour, as pieces are counted. Turns a minute are asked for.",
             ),
             Slip(

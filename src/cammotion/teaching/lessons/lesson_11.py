@@ -11,6 +11,7 @@ from cammotion.hardware.fits import (
     size_step_mm,
     tolerance_unit,
 )
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
@@ -22,7 +23,6 @@ _NO_MORE = 0.004  # than what an answer may be off
 _A_MICROMETRE_IS_WRONG = 0.001  # what an answer of some hundred of them may be off
 _A_MICROMETRE_IN_500 = 0.002
 _NO_SLIP = 0.005  # a diameter that changes less than this leads to the right number
-_DEG_PER_TURN = 360
 _ANOTHER_ROW = (
     "This is from a row beside the right one. A row ends with its second number, and the next "
     "begins above it."
@@ -159,7 +159,7 @@ EXERCISES = (
                 "The angle is in degrees here, and the diameter was taken for the radius.",
             ),
             Slip(
-                lambda m: m.fits.lag_deg / _DEG_PER_TURN * 2 * _radius(m) * UM_PER_MM,
+                lambda m: m.fits.lag_deg / DEG_PER_TURN * 2 * _radius(m) * UM_PER_MM,
                 "The share of the turn is right, but a turn is pi times the diameter.",
             ),
             Slip(
@@ -167,7 +167,7 @@ EXERCISES = (
                 "This is in mm. Micrometres are asked for.",
             ),
             Slip(
-                lambda m: m.fits.lag_deg / _DEG_PER_TURN * UM_PER_MM,
+                lambda m: m.fits.lag_deg / DEG_PER_TURN * UM_PER_MM,
                 "This is a share of a turn. How long is the whole circumference?",
             ),
             Slip(

@@ -2,7 +2,7 @@
 
 import math
 
-from cammotion.machine.kinematics import indexing_time
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, indexing_time
 from cammotion.teaching.design_exercise import (
     DesignExercise,
     balanced,
@@ -14,7 +14,6 @@ from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
 
-_MM_PER_M = 1000
 _CYCLOID, _HARMONIC = 2 * math.pi, math.pi**2 / 2
 _ROOM, _LESS = 1.02, 0.9  # of the balance by the cycloid, that a design may have
 _SHARPER = 2.0  # times the jerk of the gentle laws, that the contest allows
@@ -23,7 +22,7 @@ _GENTLE = ("modified trapezoid", "modified sine", "cycloidal")
 
 def _peak(m: MillAndDie, stroke_mm: float, angle_deg: float, factor: float = _CYCLOID) -> float:
     time_s = float(indexing_time(angle_deg, m.rate_per_hour))
-    return factor * stroke_mm / _MM_PER_M / time_s**2
+    return factor * stroke_mm / MM_PER_M / time_s**2
 
 
 def _before(m: MillAndDie) -> float:
@@ -169,11 +168,11 @@ EXERCISES = (
                 "This is the modified trapezoid, which has a bound on its jerk. None is asked for.",
             ),
             Slip(
-                lambda m: _peak(m, m.pitch_mm, 360 - m.mill_angle_deg, 4),
+                lambda m: _peak(m, m.pitch_mm, DEG_PER_TURN - m.mill_angle_deg, 4),
                 "This is with the rest of the turn. Over which angle does it move?",
             ),
             Slip(
-                lambda m: _peak(m, m.pitch_mm, 360, 4),
+                lambda m: _peak(m, m.pitch_mm, DEG_PER_TURN, 4),
                 "The time of the whole turn was taken. The move has a part of it.",
             ),
             Slip(
@@ -184,7 +183,7 @@ EXERCISES = (
                 lambda m: (
                     4
                     * m.pitch_mm
-                    / _MM_PER_M
+                    / MM_PER_M
                     / float(indexing_time(m.mill_angle_deg, m.rate_per_hour))
                 ),
                 "The time has to be squared.",
