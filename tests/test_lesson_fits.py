@@ -53,6 +53,15 @@ def test_the_width_test_finds_eight_lines_and_misses_one() -> None:
     assert found == WRONG.keys()
 
 
+def test_a_line_that_no_table_could_have_is_refused() -> None:
+    for zone in ("", "g", "6", "6g7"):
+        with pytest.raises(cm.InputError, match=f"The zone is '{zone}': give a letter and a grade"):
+            cm.PrintedLimits(zone, 30, 50, -9, -25)
+    for over, to in ((50, 30), (30, 30)):
+        with pytest.raises(cm.InputError, match=f"from {over} to {to} mm: give the smaller one"):
+            cm.PrintedLimits("g6", over, to, -9, -25)
+
+
 def test_a_width_of_the_table_is_not_taken_for_that_of_the_formula_where_they_differ() -> None:
     """A rounded 139.04 is 140, and so is what the table says: that is told."""
     asked, differ = EXERCISES["11.3"], 0

@@ -38,7 +38,7 @@ _POWERS = {  # um = factor * mm ** power, with the sign of the deviation
     "k": (0.6, 1 / 3),
     "n": (5, 0.34),
 }
-_ZONE = r"([A-Za-z]+)\s*(\d{1,4})"
+ZONE = r"([A-Za-z]+)\s*(\d{1,4})"
 _SIZE = r"\s*(\d+(?:\.\d+)?)\s*(?:mm)?\s*"
 
 
@@ -137,8 +137,7 @@ class Limits:
     @property
     def signed(self) -> tuple[str, str]:
         """The upper and the lower deviation in um as they are written: +25, -9, or 0."""
-        upper, lower = (f"{um:+g}" if um else "0" for um in (self.upper_um, self.lower_um))
-        return upper, lower
+        return as_written(self.upper_um), as_written(self.lower_um)
 
     @property
     def width_um(self) -> float:
@@ -166,7 +165,7 @@ def limits_of(designation: str) -> Limits:
     >>> limits_of("40 g6"), limits_of("40 H7")
     (40 g6: -9/-25 µm, 40 H7: +25/0 µm)
     """
-    found = isinstance(designation, str) and re.fullmatch(_SIZE + _ZONE + r"\s*", designation)
+    found = isinstance(designation, str) and re.fullmatch(_SIZE + ZONE + r"\s*", designation)
     if not found:
         raise InputError(
             f"Limits are asked for by a diameter in mm, a letter and a grade, not "
@@ -242,7 +241,7 @@ class Fit:
 
     @cached_property
     def _parts(self) -> tuple[Limits, Limits]:
-        pattern = f"{_SIZE}{_ZONE}\\s*/\\s*{_ZONE}\\s*"
+        pattern = f"{_SIZE}{ZONE}\\s*/\\s*{ZONE}\\s*"
         given = self.designation
         found = isinstance(given, str) and re.fullmatch(pattern, given)
         if not found or not found[2][0].isupper() or not found[4][0].islower():
@@ -276,6 +275,11 @@ def _step(diameter_mm: float) -> int:
     """Return the number of the step that a diameter lies in."""
     diameter = _DIAMETER.number(diameter_mm)
     return next(at for at, high in enumerate(STEPS_MM) if diameter <= high)
+
+
+def as_written(deviation_um: float) -> str:
+    """Return a deviation in um as it is written."""
+    return f"{deviation_um:+g}" if deviation_um else "0"
 
 
 def read_deviation(value: Any) -> float:

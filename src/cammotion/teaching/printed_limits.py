@@ -8,8 +8,8 @@ import re
 from dataclasses import dataclass
 
 from cammotion.arguments import checked
-from cammotion.hardware.fits import read_deviation
-from cammotion.quantities import Quantity, keep_numbers
+from cammotion.hardware.fits import ZONE, as_written, read_deviation
+from cammotion.quantities import InputError, Quantity, keep_numbers, shorten
 
 _END = Quantity("end of a step of diameters", "mm", example=30, low_included=True)
 
@@ -18,6 +18,8 @@ _END = Quantity("end of a step of diameters", "mm", example=30, low_included=Tru
 @dataclass(frozen=True, repr=False)
 class PrintedLimits:
     """A line of a table: the limits in um of a zone, for diameters over one to another, in mm.
+
+    Raises InputError for a zone that is no letter with a grade, and for a step of no diameters.
 
     >>> PrintedLimits("g6", 30, 50, -9, -25)
     g6 over 30 to 50 mm: -9/-25 µm
@@ -37,11 +39,20 @@ class PrintedLimits:
             upper_um=read_deviation,
             lower_um=read_deviation,
         )
+        if not re.fullmatch(ZONE, self.zone):
+            raise InputError(
+                f"The zone is {shorten(self.zone)}: give a letter and a grade, for example 'g6'."
+            )
+        if self.over_mm >= self.to_mm:
+            raise InputError(
+                f"The step of diameters goes from {self.over_mm} to {self.to_mm} mm: give the "
+                "smaller one as over_mm."
+            )
 
     def __repr__(self) -> str:
         """Write the line."""
-        upper, lower = (f"{um:+g}" if um else "0" for um in (self.upper_um, self.lower_um))
-        return f"{self.zone} over {self.over_mm} to {self.to_mm} mm: {upper}/{lower} µm"
+        limits = f"{as_written(self.upper_um)}/{as_written(self.lower_um)} µm"
+        return f"{self.zone} over {self.over_mm} to {self.to_mm} mm: {limits}"
 
     @property
     def letter(self) -> str:
