@@ -37,12 +37,11 @@ class ChoiceControl(ipywidgets.VBox):  # type: ignore[misc]
             style={"button_width": "auto", "description_width": "initial"},
         )
         self._question = question
+        self._heading = f"<strong>Exercise {exercise.number}.</strong> {escape(question)}"
         self._said = ipywidgets.HTML()
-        heading = f"<strong>Exercise {exercise.number}.</strong> {escape(question)}"
         self.buttons.observe(lambda _: self._answer(), "value")
-        super().__init__([ipywidgets.HTML(heading), self.buttons, self._said])
-        if self.answer:
-            self._said.value = self._judge(self.answer).html
+        super().__init__([ipywidgets.HTML(self._heading), self.buttons, self._said])
+        self._answer()
 
     @property
     def answer(self) -> str | None:
@@ -56,14 +55,10 @@ class ChoiceControl(ipywidgets.VBox):  # type: ignore[misc]
     def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
         """Show question and options beside the widget, for a reader without a kernel."""
         bundle: dict[str, Any] = super()._repr_mimebundle_(**kwargs)
-        number = self._exercise.number
-        options = self._exercise.options.items()
-        text = [f"Exercise {number}. {self._question}", *(f"({a}) {text}" for a, text in options)]
-        items = "".join(f"<li>({letter}) {escape(text)}</li>" for letter, text in options)
-        html = (
-            f"<p><strong>Exercise {number}.</strong> {escape(self._question)}</p>"
-            f'<ul style="list-style: none">{items}</ul>'
-        )
+        options = [f"({letter}) {text}" for letter, text in self._exercise.options.items()]
+        text = [f"Exercise {self._exercise.number}. {self._question}", *options]
+        items = "".join(f"<li>{escape(option)}</li>" for option in options)
+        html = f'<p>{self._heading}</p><ul style="list-style: none">{items}</ul>'
         return bundle | {"text/plain": "\n".join(text), "text/html": html}
 
 
