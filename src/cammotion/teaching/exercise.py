@@ -179,14 +179,12 @@ class NumberExercise(Exercise):
         if is_same(given, slip):
             return _all_that_lead_to(given, slip, wrong)
         is_to_most = is_rounded(float(f"{given:.{MOST}g}"), right, MOST)  # though nearly round
-        few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
-        few = few and not is_to_most
-        if few and off <= MOST_OFF * abs(right):
+        has_few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
+        is_slip = self._is_about(given, slip) and abs(given - slip) < off
+        if has_few and not is_to_most and (off <= MOST_OFF * abs(right) or not is_slip):
             return _TOO_FEW.format(_DIGITS[digits])
-        if self._is_about(given, slip) and abs(given - slip) < off:
+        if is_slip:
             return _all_that_lead_to(given, slip, wrong)
-        if few:
-            return _TOO_FEW.format(_DIGITS[digits])
         return "" if self._is(given, right) else self._explain(given, machine, wrong)
 
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
