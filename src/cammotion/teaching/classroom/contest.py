@@ -21,7 +21,8 @@ def ranked(number: str, students: Iterable[Student]) -> list[Place]:
 def rows(lesson: str, students: Iterable[Student]) -> Iterator[str]:
     """Yield the rows of the contests of a lesson, as HTML."""
     for number, exercise in EXERCISES.items():
-        if number.startswith(f"{lesson}.") and getattr(exercise, "is_contest", False):
+        is_contest = isinstance(exercise, DesignExercise) and exercise.is_contest
+        if number.startswith(f"{lesson}.") and is_contest:
             for place, (best, student) in enumerate(ranked(number, students), 1):
                 above = 100 * (best - 1)
                 yield (
@@ -33,7 +34,5 @@ def rows(lesson: str, students: Iterable[Student]) -> Iterator[str]:
 
 def _best(student: Student, number: str) -> float | None:
     """Return what a record keeps; None for nothing, and for what no design can be."""
-    if not isinstance(EXERCISES.get(number), DesignExercise):
-        return None
     best = student.exercises.get(number, {}).get("best")
     return best if isinstance(best, float) and _LEAST <= best <= _MOST else None
