@@ -16,7 +16,7 @@ class Rounding(NamedTuple):
 
     `rms` is the root mean square, as each point is off by anything up to half a step; `bound` is
     the most there can be, all points off by half a step with the worst signs (with the monotone
-    fit, that has no such formula, the most of 64 draws).
+    fit, that has no such formula, the most of 64 to 1024 draws).
     """
 
     step: float
