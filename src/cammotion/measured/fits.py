@@ -13,7 +13,7 @@ import numpy as np
 
 from cammotion.laws.curve import Curve
 from cammotion.laws.spline import Spline
-from cammotion.measured.smoother import AnyPoints, chosen_amount
+from cammotion.measured.smoother import AnyPoints
 from cammotion.quantities import Floats
 
 _APART = 40  # points; half-way, what one adds to A has fallen to 4e-12 of it
@@ -40,13 +40,11 @@ class Through:
         self,
         places: Floats,
         slopes: tuple[float, float],
-        ways: Floats | None = None,
-        amount: float | None = 0.0,
-        is_smooth: bool = False,
+        smoother: AnyPoints | None = None,
+        amount: float = 0.0,
     ) -> None:
-        self.places, self.slopes, self.is_smooth = places, slopes, is_smooth
-        self._smoother = AnyPoints(places, "clamped", slopes=slopes) if is_smooth else None
-        self.amount = _amount(self._smoother, ways, amount)
+        self.places, self.slopes, self.amount = places, slopes, amount
+        self._smoother, self.is_smooth = smoother, smoother is not None
 
     def curve(self, ways: Floats) -> Curve:
         """Return the curve over x."""
@@ -73,10 +71,9 @@ class Through:
 class Periodic:
     """The spline of a law repeated without rest: what it is beside S = x repeats itself."""
 
-    def __init__(self, places: Floats, ways: Floats, amount: float | None) -> None:
-        self.places, self.is_smooth = places, amount != 0
+    def __init__(self, places: Floats, amount: float) -> None:
+        self.places, self.amount, self.is_smooth = places, amount, amount != 0
         self._smoother = AnyPoints(places[:-1], "periodic", period=1.0) if self.is_smooth else None
-        self.amount = _amount(self._smoother, (ways - places)[:-1], amount)
 
     def curve(self, ways: Floats) -> Curve:
         """Return the curve over x."""
@@ -144,12 +141,6 @@ class Monotone:
         slopes = PchipInterpolator(self.places, ways).derivative()(self.places)
         slopes[0], slopes[-1] = self.slopes
         return np.asarray(CubicHermiteSpline(self.places, ways, slopes).c)
-
-
-def _amount(smoother: AnyPoints | None, values: Floats | None, amount: float | None) -> float:
-    if smoother is None or values is None or amount is not None:
-        return amount or 0.0
-    return chosen_amount(smoother, smoother.modes(values))
 
 
 def _units(number: int) -> Floats:

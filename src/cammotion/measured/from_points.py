@@ -9,6 +9,7 @@ from cammotion.arguments import checked, warn
 from cammotion.measured.cam_table import CamTable
 from cammotion.measured.fits import Fit, Monotone, Periodic, Through
 from cammotion.measured.sampled_law import SampledLaw
+from cammotion.measured.smoother import AnyPoints, chosen_amount
 from cammotion.measured.smoothing import AMOUNT
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 
@@ -105,12 +106,15 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
         case "through":
             found = Through(places, given)
         case "smooth":
-            found = Through(places, given, ways, amount, is_smooth=True)
+            smoother = AnyPoints(places, "clamped", slopes=given)
+            if amount is None:
+                amount = chosen_amount(smoother, smoother.modes(ways))
+            found = Through(places, given, smoother, amount)
         case "monotone":
             _check_steepness(places, ways, given)
             found = Monotone(places, given)
         case _:
-            found = Periodic(places, ways, 0.0 if amount is None else amount)
+            found = Periodic(places, amount or 0.0)
     told = step_of(ways) if ways.size >= _TABLE else 0.0
     grain = told if step is None else _STEP.number(step)
     law = SampledLaw(name, places, ways, found, grain)
