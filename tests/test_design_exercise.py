@@ -101,6 +101,12 @@ def test_the_contest_has_a_limit_to_the_jerk() -> None:
     assert largest_jerk(right) < largest_jerk(sharp) / 3
 
 
+def test_what_has_no_bound_is_told_by_its_sign() -> None:
+    struck = EXAMPLE.diagram.with_motion(EXAMPLE.die.with_law(cm.CONSTANT_VELOCITY))
+    said = CONTEST.judge(struck, EXAMPLE).text
+    assert "It is ∞ m/s². The largest jerk is above what is asked for. It is ∞ m/s³." in said
+
+
 @pytest.mark.parametrize("answer", [3, "a design", EXAMPLE.die, [EXAMPLE.diagram], object()])
 def test_what_is_no_design_is_told_so(answer: Any) -> None:
     verdict = OPEN.judge(answer, EXAMPLE)

@@ -13,6 +13,7 @@ from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.own import Machine
+from cammotion.quantities import as_text
 from cammotion.rules.checks import find_violations
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import within
@@ -237,7 +238,7 @@ def _smooth(design: TimingDiagram, _: MillAndDie) -> str:
 
 
 def _above(value: float, limit: float, unit: str) -> str:
-    return "" if value <= limit * (1 + _SAME) else f"It is {value:.4g} {unit}."
+    return "" if value <= limit * (1 + _SAME) else f"It is {as_text(value, '.4g')} {unit}."
 
 
 _PARTS = Requirement("The design has to have two motions, 'mill' and 'die'.", _parts)
