@@ -18,7 +18,7 @@ _WAY = Quantity("s of the points", "", example=0.5, low=-1.0, high=2.0, low_incl
 _FARTHEST = 1.5  # strokes from the middle: s from -1 to 2
 _SLOPE = Quantity("velocity V at an end", "", example=0, low=-100.0, high=100.0, low_included=True)
 _STEP = Quantity("step of the points", "", example=0.001, high=1.0, low_included=True)
-_FEWEST = 4
+FEWEST = 4  # points
 _NARROW = 1e-6  # between two points, at least
 _ROUNDING = 1e-12  # by so much the ends may miss 0 and 1
 _DIGITS = 9  # points with more are taken for exact
@@ -26,7 +26,7 @@ _TABLE = 12  # fewer points are taken for chosen by hand
 _LAST_BIT = 1e-15
 _CUBIC = 4  # the order of differences in which a cubic is 0
 _STEEPEST = 3.0  # times the line between two points: a steeper cubic may turn between them
-_RULES = 0.2  # of Ca: an effect of the rounding that is to be warned of
+MUCH = 0.2  # of the peak: an effect of the rounding that is to be warned of
 
 Kind = Literal["through", "smooth", "monotone", "periodic"]
 
@@ -199,7 +199,7 @@ def _warn(law: SampledLaw) -> None:
     if not law.step:
         return
     peak = law.curve.derived(2).largest
-    if law.rounding.bound > _RULES * peak:
+    if law.rounding.bound > MUCH * peak:
         better = "more smoothing" if law.fit.is_smooth else "a smoothing spline (fit='smooth')"
         warn(
             f"The points of the law {law.name!r} are rounded to {law.step:g}. That alone changes A "
@@ -211,10 +211,10 @@ def _warn(law: SampledLaw) -> None:
 def _checked(x: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:
     """Return the points as two arrays, with exact ends."""
     places, ways = _PLACE.array(x).copy(), _WAY.array(s).copy()
-    if places.ndim != 1 or places.shape != ways.shape or places.size < _FEWEST:
+    if places.ndim != 1 or places.shape != ways.shape or places.size < FEWEST:
         raise InputError(
             f"The points are an array of shape {places.shape} in x and {ways.shape} in s: give two "
-            f"lists of the same length, with at least {_FEWEST} numbers each."
+            f"lists of the same length, with at least {FEWEST} numbers each."
         )
     for what, values in (("x", places), ("s", ways)):
         if abs(values[-1] - values[0]) <= _ROUNDING:

@@ -19,7 +19,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.measured.cam_table import CamTable
-from cammotion.measured.from_points import law_from_points
+from cammotion.measured.from_points import FEWEST, MUCH, law_from_points
 from cammotion.measured.resting import Stay, eased
 from cammotion.measured.sampled_law import SampledLaw
 from cammotion.measured.smoothing import SmoothedTable
@@ -32,9 +32,7 @@ _NEAR_DEG = 5e-3  # a turn so near to a point is there, or the last bit of both 
 _ROUNDS = 40  # of moving points to turns beside them; two are enough for a smooth table
 _SETTLED_DEG = 1e-11
 _MOST = 24  # moves of a turn
-_FEWEST = 4  # points of a law
 _NOISE = 6  # times the error of a smoothed table, within which it dwells
-_RULES = 0.2  # of the peak: an effect of the rounding that is to be warned of
 
 
 @checked
@@ -197,7 +195,7 @@ def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
         )
     for (low, start), (high, end) in pairwise(ends):
         at = np.array([low, *places[(places > low + near) & (places < high - near)], high])
-        while at.size < _FEWEST:  # further points on the same spline
+        while at.size < FEWEST:  # further points on the same spline
             widest = int(np.argmax(np.diff(at)))
             at = np.insert(at, widest + 1, (at[widest] + at[widest + 1]) / 2)
         x, s = (at - low) / (high - low), (spline.over(at) - start) / (end - start)
@@ -237,7 +235,7 @@ def _warn(motion: Motion, table: CamTable) -> None:
     """Say it where the rounding of the positions may be much of what the acceleration is."""
     laws = [law for move in motion.moves if isinstance(law := move.law, SampledLaw)]
     share = max(law.rounding.bound / law.curve.derived(2).largest for law in laws)
-    if share > _RULES:
+    if share > MUCH:
         much = f"up to {share:.0%}" if share < 1 else "more than all"
         warn(
             f"The positions of the table are rounded to {table.step_mm:g} mm. That alone may "
