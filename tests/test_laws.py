@@ -224,6 +224,12 @@ def test_polynomials_from_their_boundary_values() -> None:
         ((0.1, 0, 0), (1, 0, 0), "goes from s = 0.1 to 1; a motion law goes from 0 to 1"),
         ((0, 0), (1, 0, 0), r"values at the start are \(0, 0\): give s, v and a"),
         ((0, 0, 0), None, "is given end=None: give a list"),
+        (
+            (0, 2e9, 0),
+            (1, 0, 0),
+            r"2e\+09 \(at position 1\); .* at least -1e\+09 and at most 1e\+09",
+        ),
+        ((0, -2e9, 0), (1, 0, 0), r"-2e\+09 \(at position 1\); .* at least -1e\+09 and at most"),
         ((0, np.nan, 0), (1, 0, 0), r"is given start\[1\]=nan: give a finite number"),
     ],
 )

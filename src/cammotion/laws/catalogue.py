@@ -19,7 +19,7 @@ from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Quantity, one_of, shorten
 
 _half, _pi, _ROUNDING = sympy.Rational(1, 2), sympy.pi, 1e-9
-_BOUNDARY = Quantity("boundary value", "", example=0, low=-1e9)
+_BOUNDARY = Quantity("boundary value", "", example=0, low=-1e9, high=1e9, low_included=True)
 
 
 @checked
