@@ -18,7 +18,7 @@ from explored import (
 from machines import make_diagram, make_die, make_mill
 
 import cammotion as cm
-from cammotion.laws.scca_family import NAMED_PARTS, acceleration_factor
+from cammotion.laws.scca_family import NAMED_PARTS, scca_factor
 from cammotion.views.explorers.scca import b, c
 from cammotion.views.explorers.shares import B_MILL, WORK
 from cammotion.views.live.figure import LiveFigure
@@ -233,7 +233,7 @@ def test_the_lines_of_one_ca_are_where_ca_is_that(scca: LiveFigure) -> None:
         of_c = up[there] * 2 / 3**0.5
         of_d = np.maximum(across[there] - of_c / 2, 0)  # rounding may leave them below 0
         of_b = np.maximum(1 - of_c - of_d, 0)
-        factors = np.asarray(acceleration_factor(of_b, of_d))
+        factors = np.asarray(scca_factor(of_b, of_d, np.pi))
         assert factors == pytest.approx(factors[0], rel=1e-9)
         found.append(factors[0])
     assert found == pytest.approx([4.2, 4.5, 5, 5.5, 6, 7, 8])

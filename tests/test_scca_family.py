@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from machines import examples
 
 import cammotion as cm
-from cammotion.laws.scca_family import NAMED_PARTS, acceleration_factor
+from cammotion.laws.scca_family import NAMED_PARTS, scca_factor
 
 THIRDS = (1 / 3, 1 / 3, 1 / 3)
 EDGES = [(1, 0, 0), (0.4, 0.6, 0), (0, 0.3, 0.7), (0.7, 0, 0.3), (0.01, 0.98, 0.01), THIRDS]
@@ -40,7 +40,7 @@ def check(parts: tuple[float, float, float]) -> None:
     velocity = np.concatenate([[0.0], np.cumsum((wanted[1:] + wanted[:-1]) / 2) * (x[1] - x[0])])
     assert law(x, 1) == pytest.approx(velocity, abs=2e-4 * peak)
     assert law.Cq == pytest.approx(np.max(law(x, 1) * np.abs(law(x, 2))), rel=1e-6)
-    assert acceleration_factor(b, d) == pytest.approx(peak, rel=1e-12)
+    assert scca_factor(b, d, np.pi) == pytest.approx(peak, rel=1e-12)
 
 
 @pytest.mark.parametrize("parts", [*NAMED_PARTS.values(), *EDGES])
@@ -65,7 +65,7 @@ def test_the_named_parts_are_those_of_the_catalogue() -> None:
 
 def test_no_law_accelerates_less_than_the_constant_one() -> None:
     b, of_rest = np.meshgrid(np.linspace(0, 1, 101), np.linspace(0, 1, 101))
-    factors = acceleration_factor(b, (1 - b) * of_rest)
+    factors = scca_factor(b, (1 - b) * of_rest, np.pi)
     assert factors.min() == factors[0, 0] == pytest.approx(4)
     assert factors.max() == pytest.approx(np.pi**2 / (np.pi - 2))
 
@@ -80,7 +80,5 @@ def test_rounding_does_not_become_a_zone(parts: tuple[float, float, float]) -> N
 def test_parts_that_are_no_law_are_refused() -> None:
     with pytest.raises(cm.InputError, match=r"add up to 0\.9: let b, c and d add up to 1"):
         cm.scca(0.3, 0.3, 0.3)
-    with pytest.raises(cm.InputError, match=r"b \+ d of the SCCA law is 1\.2: let b and d add"):
-        acceleration_factor([0.5, 0.6], [0.5, 0.6])
     with pytest.raises(cm.InputError, match=r"zone of the SCCA law is -0\.1"):
-        acceleration_factor(-0.1, 0)
+        cm.scca(-0.1, 1, 0.1)

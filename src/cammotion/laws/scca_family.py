@@ -4,16 +4,14 @@ import math
 from functools import partial
 from typing import Any, NamedTuple
 
-import numpy as np
 import sympy
-from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
 from cammotion.laws.curve import mirrored
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.series import Series, Wave
 from cammotion.laws.symbols import exact, x
-from cammotion.quantities import InputError, Numbers, Quantity, plain
+from cammotion.quantities import InputError, Quantity
 
 NAMED_PARTS: dict[str, tuple[float, float, float]] = {
     "constant acceleration": (0, 1, 0),
@@ -53,21 +51,6 @@ def scca(
     return MotionLaw(title, mirrored(half), also_called)
 
 
-def acceleration_factor(b: ArrayLike, d: ArrayLike) -> Numbers:
-    """Return Ca of the law with these b and d, dimensionless; c is what they leave of 1.
-
-    They are numbers or arrays of one shape, each from 0 to 1. Raises InputError for others.
-
-    >>> acceleration_factor([0, 0.5], [0, 0.5])
-    array([4.        , 6.28318531])
-    """
-    parts = _PART.array(b), _PART.array(d)
-    most = np.max(np.add(*parts))
-    if most > 1 + _ROUNDING:
-        raise InputError(f"b + d of the SCCA law is {most:.12g}: let b and d add up to at most 1.")
-    return plain(np.asarray(scca_factor(*parts, pi=np.pi)))
-
-
 def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
     """Return b, c and d as fractions that add up to 1."""
     parts = [exact(part) for part in (b, c, d)]
@@ -83,7 +66,9 @@ def _exact_parts(b: float, c: float, d: float) -> tuple[sympy.Rational, ...]:
 
 
 def scca_factor(b: Any, d: Any, pi: Any = _pi) -> Any:
-    """Return Ca of the family, for symbols or numbers: with it a law comes to 1/2 in the middle.
+    """Return Ca of the law with these b and d; c is what they leave of 1.
+
+    They are symbols, numbers or arrays, and so is pi. With it a law comes to 1/2 in the middle.
 
     >>> scca_factor(0, 0)
     4

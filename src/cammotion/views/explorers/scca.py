@@ -11,7 +11,6 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.laws.scca_family import (
     LEAST_CA,
     NAMED_PARTS,
-    acceleration_factor,
     scca_factor,
     zone_expression,
 )
@@ -148,7 +147,7 @@ def _level(factor: float) -> Line:
 def _level_words() -> Iterator[tuple[str, float, float]]:
     """Return where the lines of one Ca are labelled: where c is to d as 3 to 7."""
     of_b = np.linspace(0, 1, 201)
-    factors = acceleration_factor(of_b, 0.7 * (1 - of_b))
+    factors = scca_factor(of_b, 0.7 * (1 - of_b), np.pi)
     for level in _LEVELS[1:]:
         at = np.interp(level, factors, of_b)
         across, up = _place(at, 0.3 * (1 - at))
