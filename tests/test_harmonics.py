@@ -118,6 +118,11 @@ def test_a_number_of_harmonics_that_there_is_not(number: float) -> None:
         cm.harmonics(CAM).rebuilt(number, 0)  # type: ignore[arg-type]
 
 
+def test_what_is_left_is_left_of_a_table() -> None:
+    with pytest.raises(cm.InputError, match="residual_mm is given table=5: give a CamTable"):
+        cm.harmonics(CAM).residual_mm(3, 5)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize("derivative", [3, -1, 1.5, "a", np.array([0, 1])])
 def test_a_derivative_that_there_is_not(derivative: Any) -> None:
     with pytest.raises(cm.InputError, match=r"^The derivative "):

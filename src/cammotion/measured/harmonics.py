@@ -84,6 +84,7 @@ class Harmonics(Alike):
         mean = self.mean_mm if order == 0 else 0.0
         return plain(mean + waves @ (self.amplitude_mm[first] * rank**order))
 
+    @checked
     def residual_mm(self, number: int, table: CamTable) -> Floats:
         """Return what `number` harmonics leave of a table, in mm at each of its points."""
         return np.asarray(table.position_mm - self.rebuilt(number, table.angle_deg))
