@@ -158,7 +158,6 @@ def test_the_heading_of_curves_is_no_formula(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("law", "match"),
     [
-        (MotionLaw(3, x), r"^The name of a law is 3, which no cell"),  # type: ignore[arg-type]
         (MotionLaw("blank ", x), r"^The name of a law is 'blank ', which no cell"),
         (MotionLaw("x" * 10**5, x), r"^The name of a law is 'x{56}\.\.\., which no cell"),
         (MotionLaw("\ud800", x), r"holds half a character, which no file can keep"),

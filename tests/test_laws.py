@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -205,6 +206,14 @@ def test_no_constant_velocity_is_the_law_itself() -> None:
         MotionLaw("slow", x**3).with_constant_velocity(0.5)
     with pytest.raises(cm.InputError, match="share of constant velocity is 1"):
         CYCLOIDAL.with_constant_velocity(1)
+
+
+@pytest.mark.parametrize("name", [None, 5, ["cubic"]])
+def test_the_name_of_a_law_is_a_text(name: Any) -> None:
+    with pytest.raises(cm.InputError, match="give a text in quotes"):
+        cm.MotionLaw(name, x)
+    with pytest.raises(cm.InputError, match="give a text in quotes"):
+        cm.law_from_points([0, 0.3, 0.6, 1], [0, 0.2, 0.7, 1], name=name)
 
 
 def test_polynomials_from_their_boundary_values() -> None:

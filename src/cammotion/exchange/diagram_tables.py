@@ -133,9 +133,9 @@ def _in_full(law: MotionLaw) -> list[str]:
     return [name_cell(part) for part in wrap(text, _LONGEST, break_on_hyphens=False)]
 
 
-def _cell(what: str, name: Any) -> str:
+def _cell(what: str, name: str) -> str:
     """Return the name of a motion or a law as a cell; raise InputError for what fits in none."""
-    if not isinstance(name, str) or len(name) >= _LONGEST or name != name.rstrip():
+    if len(name) >= _LONGEST or name != name.rstrip():
         raise InputError(
             f"The name of a {what} is {shorten(name)}, which no cell of a table gives back: give "
             "it a text without blanks at its end, shorter than a page."

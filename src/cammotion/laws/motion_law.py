@@ -51,8 +51,8 @@ class MotionLaw(Alike):
 
     `also_called` lists its other names in the field; `curve` is S over x, to reckon with. (`s` may
     be given as a `Curve`; its expression is made when it is asked for.) A law cannot be changed.
-    Raises InputError for what is no expression in x alone, and unless S, V, A and J are real and
-    finite.
+    Raises InputError for a name that is no text, for what is no expression in x alone, and unless
+    S, V, A and J are real and finite.
 
     >>> parabola_up = MotionLaw("square", x**2)
     >>> parabola_up.v
@@ -67,6 +67,8 @@ class MotionLaw(Alike):
     made_of = ("name", "curve")
 
     def __init__(self, name: str, s: sympy.Expr | Curve, also_called: tuple[str, ...] = ()) -> None:
+        if not isinstance(name, str):
+            raise InputError(f"The name of a law is {shorten(name)}: give a text in quotes.")
         curve = s if isinstance(s, Curve) else Curve(read(*zone) for zone in cut(name, s))
         known = {"name": name, "curve": curve, "also_called": also_called}
         self.__dict__.update(known if s is curve else known | {"s": s})
