@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from cammotion.alike import Alike
 from cammotion.arguments import called
 from cammotion.laws.curve import Curve, mirrored
-from cammotion.laws.reader import Zone, cut, read, write
+from cammotion.laws.reader import cut, read, write
 from cammotion.laws.series import Series
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import (
@@ -79,7 +79,7 @@ class MotionLaw(Alike):
     @cached_property
     def s(self) -> sympy.Expr:
         """The dimensionless displacement S, an expression in x."""
-        return write(self._zones)
+        return self._derived(0)
 
     @property
     def v(self) -> sympy.Expr:
@@ -276,12 +276,9 @@ class MotionLaw(Alike):
         middle = next(piece for piece in self.curve.pieces if piece.high >= _HALF)
         return sympy.diff(middle.expression, x).xreplace({x: _HALF}).doit()
 
-    @cached_property
-    def _zones(self) -> tuple[Zone, ...]:
-        return tuple(Zone(piece.expression, piece.low, piece.high) for piece in self.curve.pieces)
-
     def _derived(self, order: int) -> sympy.Expr:
-        return write((sympy.diff(s, x, order), low, high) for s, low, high in self._zones)
+        pieces = self.curve.pieces
+        return write((sympy.diff(p.expression, x, order), p.low, p.high) for p in pieces)
 
     def _peak(self, derivative: int) -> float:
         """Return the largest magnitude of a curve, infinity where the one before it jumps."""
