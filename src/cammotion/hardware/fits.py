@@ -21,6 +21,7 @@ from cammotion.hardware.iso_286 import (
     SYMMETRIC,
     UPPER,
 )
+from cammotion.machine.kinematics import UM_PER_MM
 from cammotion.quantities import InputError, Quantity, keep_numbers, one_of, shorten
 
 Kind = Literal["clearance", "transition", "interference"]
@@ -147,12 +148,12 @@ class Limits:
     @property
     def largest_mm(self) -> float:
         """The largest size that is good, in mm."""
-        return self.diameter_mm + self.upper_um / 1000
+        return self.diameter_mm + self.upper_um / UM_PER_MM
 
     @property
     def smallest_mm(self) -> float:
         """The smallest size that is good, in mm."""
-        return self.diameter_mm + self.lower_um / 1000
+        return self.diameter_mm + self.lower_um / UM_PER_MM
 
 
 def limits_of(designation: str) -> Limits:

@@ -28,7 +28,7 @@ _RADIUS = Quantity("radius", "mm", example=80)
 SECONDS_PER_HOUR = 3600
 SECONDS_PER_MINUTE = MINUTES_PER_HOUR = 60
 DEG_PER_TURN = 360
-MM_PER_M = 1000
+MM_PER_M = UM_PER_MM = 1000
 STANDARD_GRAVITY = 9.80665  # m/s2, by definition
 
 

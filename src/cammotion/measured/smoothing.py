@@ -12,7 +12,7 @@ from cammotion.arguments import checked
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.measured.cam_table import ANGLE, DERIVATIVE, CamTable
 from cammotion.measured.differences import ERROR
-from cammotion.measured.smoother import AnyPoints, EvenCycle, Smoother, chosen_amount, score
+from cammotion.measured.smoother import AnyPoints, EvenCycle, Smoother, chosen_amount
 from cammotion.quantities import Floats, Numbers, Quantity, plain
 
 AMOUNT = Quantity("amount of smoothing", "", example=1e-6, high=1e12, low_included=True)
@@ -24,15 +24,13 @@ class SmoothedTable(Alike):
 
     `position_mm` are its positions in mm at the table's angles, `error_mm` the root mean square of
     the reading error in mm that the points themselves suggest: what was smoothed away, over the
-    root of the share of it that noise would lose too; 0 without smoothing. `score_mm2` is the score
-    of generalised cross-validation in mm2.
+    root of the share of it that noise would lose too; 0 without smoothing.
     """
 
     table: CamTable
     amount: float
     position_mm: Floats
     error_mm: float
-    score_mm2: float
     _smoother: Smoother = field(repr=False, compare=False)
 
     def __repr__(self) -> str:
@@ -117,7 +115,7 @@ def smoothed(table: CamTable, amount: float | None = None) -> SmoothedTable:
     left = np.sum((table.position_mm - positions) ** 2)
     freedom = np.sum(1 - 1 / (1 + taken * smoother.eigenvalues))
     error = float(np.sqrt(left / freedom)) if freedom else 0.0
-    return SmoothedTable(table, taken, positions, error, score(smoother, modes, taken), smoother)
+    return SmoothedTable(table, taken, positions, error, smoother)
 
 
 def _smoother(table: CamTable) -> Smoother:

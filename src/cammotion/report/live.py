@@ -6,7 +6,7 @@ from html import escape
 import sympy as sp
 
 from cammotion.laws.catalogue import as_law
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.own import Machine
 from cammotion.views.live.explore import explore
 from cammotion.views.live.parts import Control, Line, Panel, Point, Say
@@ -27,7 +27,7 @@ def live_figure(machine: Machine) -> str:
     if not moves:
         return ""
     move = max(moves, key=lambda one: as_law(one.law).Ca * abs(one.change_mm) / one.angle_deg**2)
-    law, way = as_law(move.law), abs(move.change_mm) / 1000
+    law, way = as_law(move.law), abs(move.change_mm) / MM_PER_M
     B, at, N = sp.symbols("B at N", positive=True)  # noqa: N806 - the symbols of the lessons
     peak = law.Ca * way / (B / DEG_PER_TURN * 3600 / N) ** 2
     low = _NARROWEST * move.angle_deg

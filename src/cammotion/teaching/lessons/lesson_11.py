@@ -11,13 +11,12 @@ from cammotion.hardware.fits import (
     size_step_mm,
     tolerance_unit,
 )
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, UM_PER_MM
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import turn_by_play
 
-UM_PER_MM = 1000
 _KEY_GRADE = 9
 _NO_MORE = 0.004  # than what an answer may be off
 _A_MICROMETRE_IS_WRONG = 0.001  # what an answer of some hundred of them may be off

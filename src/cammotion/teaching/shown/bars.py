@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from cammotion.machine.kinematics import cycle_time, peak_acceleration
+from cammotion.machine.kinematics import UM_PER_MM, cycle_time, peak_acceleration
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.shown.frame import (
     DIE,
@@ -70,7 +70,7 @@ def turn_by_play(asked_deg: Measure, radius_mm: Measure) -> Shows:
 
     def show(machine: MillAndDie, play_um: float) -> Shown:
         asked = asked_deg(machine)
-        made = math.degrees(play_um / 1000 / radius_mm(machine))
+        made = math.degrees(play_um / UM_PER_MM / radius_mm(machine))
         said = _compare(made, asked, "farther than", "just as far as", "less far than")
         names = (f"how far the cam may turn: {asked:g} deg", "how far your play lets it turn")
         return _draw_bars(

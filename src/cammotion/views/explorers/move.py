@@ -8,7 +8,7 @@ from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
-from cammotion.machine.kinematics import STANDARD_GRAVITY, Move
+from cammotion.machine.kinematics import MM_PER_M, STANDARD_GRAVITY, Move
 from cammotion.views.explorers.moving import ALPHA, LARGEST, control
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
@@ -38,7 +38,7 @@ def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> Li
     known[own.name] = own
     s, v, a, c_a = choice("motion law", {name: (q.s, q.v, q.a, q.Ca) for name, q in known.items()})
     t_m = sp.Symbol("t_m")
-    stroke = h_m / 1000
+    stroke = h_m / MM_PER_M
     at = {x: ALPHA / B_m}
     curves = h_m * s.xreplace(at), stroke / t_m * v.xreplace(at), stroke / t_m**2 * a.xreplace(at)
     widest = max(_WIDEST_DEG, reference.angle_deg)

@@ -11,7 +11,7 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError
 from cammotion.views.live.expressions import as_expression
@@ -89,7 +89,7 @@ class Moving:
     def by_rad(self, order: int) -> sp.Expr:
         """Return a derivative of the position by the cam angle, in mm/rad or mm/rad²."""
         per_rad = SECONDS_BY_DEG_AND_RATE * 180 / sp.pi  # the rate at which a second takes a rad
-        return 1000 * self._over_parts(order, per_rad)
+        return MM_PER_M * self._over_parts(order, per_rad)
 
     def peak(self, rate: Any) -> sp.Expr:
         """Return the largest acceleration in m/s², by the factors Ca of the laws."""
