@@ -19,8 +19,9 @@ from test_claims import says
 
 import cammotion as cm
 from cammotion.teaching.example import EXAMPLE
-from cammotion.teaching.fit_numbers import FIT_CHOICES
+from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import NAMELESS
 
 TABLE = json.loads((Path(__file__).parent / "data" / "iso_286.json").read_text("utf-8"))
 TABLE = TABLE["rf-tolerance"]
@@ -51,6 +52,13 @@ def test_the_width_test_finds_eight_lines_and_misses_one() -> None:
         if line.upper_um - line.lower_um != width(line)
     }
     assert found == WRONG.keys()
+
+
+def test_each_shaft_has_the_key_of_its_diameter() -> None:
+    """By DIN 6885-1: the width of a key, and up to which diameter of a shaft it is taken."""
+    up_to_mm = {17: 5, 22: 6, 30: 8, 38: 10, 44: 12, 50: 14, 58: 16, 65: 18}
+    for shaft_mm, key_mm in (FitNumbers().shaft, NAMELESS.fits.shaft, *FIT_CHOICES["shaft"]):
+        assert key_mm == next(key for most, key in up_to_mm.items() if shaft_mm <= most)
 
 
 def test_a_line_that_no_table_could_have_is_refused() -> None:

@@ -70,6 +70,15 @@ def test_a_saved_picture_is_cut_to_what_is_drawn(tmp_path: Path) -> None:
         assert all(edge.min() == 1 for edge in edges), ax.get_ylabel()
 
 
+def test_a_picture_that_was_taken_is_closed() -> None:
+    ax = blank_axes(2, 2)
+    assert plt.get_fignums()
+    png, words = pictures.taken(ax)
+    assert png.startswith(PNG)
+    assert words == describe(ax.figure)  # type: ignore[arg-type]
+    assert not plt.get_fignums()
+
+
 def test_a_timing_diagram_is_told_with_its_moves_and_overlaps() -> None:
     design = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram
     words = words_of(cm.plot_timing(design))
