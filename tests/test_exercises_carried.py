@@ -218,16 +218,21 @@ def test_without_an_earlier_answer_a_ratio_is_told_first() -> None:
     assert "With a wrong answer to 03.2 this would be right. These are both ways" in said
 
 
-@pytest.mark.usefixtures("work")
-def test_a_known_slip_of_the_earlier_answer_says_more_than_its_number() -> None:
-    machine = cm.variant("")
+def slip_of_03_3(words: str, machine: MillAndDie) -> tuple[Slip, float, float]:
+    """Return a slip of 03.3, what it leads to, and what that leads to in 03.4."""
     earlier, later = EXERCISES["03.3"], EXERCISES["03.4"]
     assert isinstance(earlier, NumberExercise)
     assert isinstance(later, NumberExercise)
-    slip = next(slip for slip in earlier.slips if "way round" in slip.reason)
+    slip = next(slip for slip in earlier.slips if words in slip.reason)
     given = slip.leads_to(machine)
+    return slip, given, later.goes_on_from["03.3"](machine, given)
+
+
+@pytest.mark.usefixtures("work")
+def test_a_known_slip_of_the_earlier_answer_says_more_than_its_number() -> None:
+    slip, given, answer = slip_of_03_3("way round", cm.variant(""))
     cm.check("03.3", given)
-    said = cm.check("03.4", later.goes_on_from["03.3"](machine, given)).text
+    said = cm.check("03.4", answer).text
     assert slip.reason in said
     assert "With a wrong answer to 03.3" in said
 
@@ -235,18 +240,25 @@ def test_a_known_slip_of_the_earlier_answer_says_more_than_its_number() -> None:
 @pytest.mark.usefixtures("work")
 def test_the_wrong_answer_that_was_given_comes_before_others_that_lead_to_the_number() -> None:
     """By these numbers slips of 01.1 and of 03.3 lead to the same answer to 03.4."""
-    machine = cm.variant("Chloe")
-    earlier, later = EXERCISES["03.3"], EXERCISES["03.4"]
-    assert isinstance(earlier, NumberExercise)
-    assert isinstance(later, NumberExercise)
-    slip = next(slip for slip in earlier.slips if "sine counts in degrees" in slip.reason)
-    answer = later.goes_on_from["03.3"](machine, slip.leads_to(machine))
+    slip, given, answer = slip_of_03_3("sine counts in degrees", cm.variant("Chloe"))
     assert "More than one way" in cm.check("03.4", answer).text
-    cm.check("03.3", slip.leads_to(machine))
+    cm.check("03.3", given)
     said = cm.check("03.4", answer).text
     assert said.startswith(f"03.4: Not yet. {WITH_WRONG}03.3")
     assert slip.reason in said
     assert "More than one way" not in said
+
+
+@pytest.mark.usefixtures("work")
+def test_a_wrong_answer_that_was_given_is_told_beside_a_slip_with_the_same_number() -> None:
+    """Who answers 120 to 01.1 comes to 0.392 in 01.3, near the ratio of the strokes alone."""
+    cm.variant("")
+    assert "ratio of the strokes alone" in cm.check("01.3", 0.392).text
+    cm.check("01.1", 120)
+    said = cm.check("01.3", 0.392).text
+    assert said.startswith("01.3: Not yet. More than one way leads to this number. ")
+    assert f"{WITH_WRONG}01.1 this would be right. While the die is down" in said
+    assert "ratio of the strokes alone" in said
 
 
 @pytest.mark.usefixtures("work")

@@ -128,6 +128,11 @@ def test_a_slip_is_known_by_three_digits_where_they_are_further_off_than_the_tol
     assert "too small" in say(simple(3.719, 1.0249), 1.03)
 
 
+def test_a_number_with_too_few_digits_is_not_called_a_slip() -> None:
+    """1.318 and 1.296 are both 1.3."""
+    assert "give three digits" in say(simple(1.31824, 1.2963), 1.3)
+
+
 def test_a_slip_that_leads_to_the_right_number_does_not_count() -> None:
     assert is_right(simple(0.737, 0.737), 0.74)
 

@@ -107,7 +107,10 @@ def test_the_rule_of_three_is_one_phase() -> None:
     for n, factor in ((10, 2), (10.5, 3.24), (11, 4)):
         during, _ = peak("constant acceleration", n, 0.0)
         assert during / 4 == pytest.approx(factor, abs=5e-3)
-    assert says("10", "it is 2 at 10 swings, 3.24 at 10.5 and 4 at 11")
+    assert says("10", "2 at 10 swings, 3.24 at 10.5 and 4 at 11")
+    many = [peak("cycloidal", n, 0.0)[0] / (2 * math.pi) for n in (40, 100.25, 400.5)]
+    assert all(1 < times < 1 + 2 / n for times, n in zip(many, (40, 100.25, 400.5), strict=True))
+    assert says("10", "The 1.06 is up to 1.30, and tends to 1 with many swings")
 
 
 def test_jumps_decide_who_stays_on_top() -> None:

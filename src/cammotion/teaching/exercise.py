@@ -177,14 +177,13 @@ class NumberExercise(Exercise):
         off = abs(given - right)
         slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)
         if is_same(given, slip):
-            return _all_that_lead_to(given, slip, wrong)
+            return self._all_that_lead_to(given, slip, machine)
         is_to_most = is_rounded(float(f"{given:.{MOST}g}"), right, MOST)  # though nearly round
         has_few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
-        is_slip = self._is_about(given, slip) and abs(given - slip) < off
-        if has_few and not is_to_most and (off <= MOST_OFF * abs(right) or not is_slip):
+        if has_few and not is_to_most:
             return _TOO_FEW.format(_DIGITS[digits])
-        if is_slip:
-            return _all_that_lead_to(given, slip, wrong)
+        if self._is_about(given, slip) and abs(given - slip) < off:
+            return self._all_that_lead_to(given, slip, machine)
         return "" if self._is(given, right) else self._explain(given, machine, wrong)
 
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
@@ -192,23 +191,48 @@ class NumberExercise(Exercise):
         right = self.solution(machine)
         ratios = (said for r, said in self.ratios.items() if self._is_about(given, r * right))
         carried = self._leading_to(self.carried, given, machine)
-        brought = self._leading_to(self.brought, given, machine)
-        numbers = {number for slip in brought for number in slip.through}
-        known_too = (slip.reason for slip in carried if not numbers.isdisjoint(slip.through))
         rounded = in_one(
             reason
             for value, reason in wrong.items()
             if is_rounded(given, value, FEWEST) and abs(given - value) <= MOST_OFF * abs(value)
         )
         return (
-            in_one(known_too)
-            or in_one(slip.reason for slip in brought)
+            in_one(self._brought_along(given, machine))
             or self._in_g(given, right)
             or next(ratios, "")
             or in_one(slip.reason for slip in carried)
             or rounded
             or self._far(given, right)
         )
+
+    def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> str:
+        """Return why a number is wrong that is a slip's: all reasons that it may have."""
+        wrong = _known(self, machine).wrong
+        alike = [
+            value
+            for value in wrong
+            if is_same(value, slip)
+            or any(is_rounded(given, value, digits) for digits in range(FEWEST + 1, MOST + 1))
+        ]
+        nearest_first = sorted(
+            alike, key=lambda value: (not is_same(value, slip), abs(given - value))
+        )
+        reasons = (wrong[value] for value in nearest_first)
+        return in_one([*self._brought_along(given, machine), *reasons])
+
+    def _brought_along(self, given: float, machine: MillAndDie) -> list[str]:
+        """Return what is said if a wrong answer of this learner leads to a number.
+
+        Where that was a known slip, it is its reason.
+        """
+        brought = self._leading_to(self.brought, given, machine)
+        numbers = {number for slip in brought for number in slip.through}
+        known = [
+            slip.reason
+            for slip in self._leading_to(self.carried, given, machine)
+            if not numbers.isdisjoint(slip.through)
+        ]
+        return known or [slip.reason for slip in brought]
 
     def _leading_to(
         self, slips: Iterable[Carried], given: float, machine: MillAndDie
@@ -283,18 +307,6 @@ def _known(exercise: NumberExercise, machine: MillAndDie) -> _Known:
         if math.isfinite(value) and not is_same(value, right):
             wrong[value] = in_one([wrong[value], reason]) if value in wrong else reason
     return _Known(right, wrong, digits_needed(right, wrong))
-
-
-def _all_that_lead_to(given: float, slip: float, wrong: Mapping[float, str]) -> str:
-    """Return why a number is wrong that is a slip's, and all reasons where it is also another's."""
-    alike = [
-        value
-        for value in wrong
-        if is_same(value, slip)
-        or any(is_rounded(given, value, digits) for digits in range(FEWEST + 1, MOST + 1))
-    ]
-    nearest_first = sorted(alike, key=lambda value: (not is_same(value, slip), abs(given - value)))
-    return in_one(wrong[value] for value in nearest_first)
 
 
 @dataclass(frozen=True, kw_only=True)

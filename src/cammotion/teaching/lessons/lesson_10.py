@@ -3,8 +3,6 @@
 import cmath
 import math
 
-import numpy as np
-
 from cammotion.dynamics.chain import two_masses
 from cammotion.dynamics.springs import natural_frequency, springs_in_series
 from cammotion.laws.catalogue import LAWS
@@ -125,12 +123,16 @@ def _modes(m: MillAndDie, *, swap_m: bool = False, swap_k: bool = False) -> tupl
 
 
 def _rod_alone(m: MillAndDie) -> float:
-    """Return the lower frequency with k1 for k1 + k2 in the matrix, NaN where there is none."""
+    """Return the lower frequency with k1 for k1 + k2 in the matrix, NaN where there is none.
+
+    It is that of a push rod so much softer.
+    """
     f = m.follower
-    stiffnesses = [[f.k1_N_per_mm, -f.k2_N_per_mm], [-f.k2_N_per_mm, f.k2_N_per_mm]]
-    masses = [[f.m1_kg], [f.m2_kg]]
-    square = min(np.linalg.eigvals(MM_PER_M * np.divide(stiffnesses, masses)).real)
-    return math.sqrt(square) / (2 * math.pi) if square > 0 else math.nan
+    if f.k1_N_per_mm <= f.k2_N_per_mm:
+        return math.nan
+    softer = f.k1_N_per_mm - f.k2_N_per_mm
+    chain = two_masses(f.m1_kg, f.m2_kg, k1_N_per_mm=softer, k2_N_per_mm=f.k2_N_per_mm)
+    return float(chain.natural_Hz[0])
 
 
 def _row(m: MillAndDie) -> float:
