@@ -158,6 +158,18 @@ def test_a_measured_cam_moves_as_its_smoothed_table(law: str, noise: float) -> N
     )
 
 
+@pytest.mark.parametrize("seed", [3171, 3317, 3567, 3718, 3825])
+def test_a_table_that_turns_back_by_a_little_just_before_it_dwells(seed: int) -> None:
+    """It ends less than six errors from where it turned before; a move between would be nothing."""
+    widths = 60, 20, 80
+    noise = np.random.default_rng(seed).normal(0, 1e-4, ANGLES.size)
+    smooth = cm.smoothed(table(lift(ANGLES, 0, widths, "3-4-5") + noise))
+    cam = cm.motion_from_table("die", smooth)
+    assert all(abs(move.change_mm) > 6 * smooth.error_mm for move in cam.moves)
+    off = cam.position_mm(AT) - np.asarray(smooth.at(AT, 900))
+    assert np.abs(off).max() < 12 * smooth.error_mm
+
+
 @pytest.mark.parametrize("noise", [0.001, 0.03, 0.3])
 def test_a_measured_cam_that_turns_slowly_does_not_dwell(noise: float) -> None:
     wave = 25 - 25 * np.cos(np.radians(ANGLES))

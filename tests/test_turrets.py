@@ -147,6 +147,23 @@ def test_two_dies_that_hold_a_turret_at_two_stops_at_once() -> None:
     assert math.isfinite(least_by_trying(Turret(85.28, still, later)))
 
 
+def test_a_turret_that_can_only_stand_where_near_and_away_meet() -> None:
+    """At the tenth of a pitch that the one calls near and the other away it keeps to both."""
+    duties = (
+        Duty(-170.59, -18.19, 14.348, False),
+        Duty(51.393, 65.869, 14.348, False),
+        Duty(-160.281, -103.42, 14.348, True),
+    )
+    turret = Turret(-143.48, ((-286.236, -227.886, 252.93),), duties)
+    assert least_by_trying(turret) == math.inf
+    found = solve_turret(turret, cells=90)
+    assert found.bound <= found.reached
+    assert least_by_trying(turret, may_touch=True) <= found.reached
+    both = np.linspace(-159, -104, 50)
+    off = np.mod(found.motion.position_mm(both) - 252.93, 143.48)
+    assert np.minimum(off, 143.48 - off) == pytest.approx(14.348, abs=1e-5)
+
+
 def test_a_turret_of_one_stop_and_a_travel_within_the_turn_in_which_it_begins() -> None:
     """From 0 to 100 mm while it goes from 37 to 397 deg, and so at 0 mm at 37 deg."""
     parts = cm.rise(50, over_deg=75), cm.rise(50, over_deg=75), cm.dwell(210)

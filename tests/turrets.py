@@ -20,6 +20,8 @@ from cammotion.rules.clearance import ClearanceRule
 Arc = tuple[float, float]
 ANGLES = np.linspace(0, 360, 1441)[:-1]
 """From the beginning of the first still arc."""
+TOUCHING = 1e-9
+"""By so much, in mm or deg, two bands or arcs may lie apart that have their ends in common."""
 
 
 @dataclass(frozen=True)
@@ -108,8 +110,12 @@ class Turret:
         return worst
 
 
-def least_by_trying(turret: Turret, nodes: int = 200) -> float:
-    """Return what no motion of the turret is below, in m/s2; infinite where there is none."""
+def least_by_trying(turret: Turret, nodes: int = 200, *, may_touch: bool = False) -> float:
+    """Return what no motion of the turret is below, in m/s2; infinite where there is none.
+
+    Where two duties have one place in common and no more, as "within 10 mm" and "beyond 10 mm",
+    there is a motion only if they `may_touch`: it stands there, to the last digit.
+    """
     if turret.asks_two_things():
         return math.inf
     begin = sum(turret.still[0][:2]) / 2  # an arc that goes on over it stands there on both sides
@@ -140,24 +146,30 @@ def least_by_trying(turret: Turret, nodes: int = 200) -> float:
             known = _places_over(span, turret)
             choices.append([(a, b) for a, b in bands if np.all((known >= a) & (known <= b))])
     best = math.inf
-    for chosen in _agreeing(spans, choices):
+    shared = -TOUCHING if may_touch else TOUCHING
+    for chosen in _agreeing(spans, choices, shared):
         low_mm, high_mm = np.full(nodes, -math.inf), np.full(nodes, math.inf)
         for here, (a, b) in zip(arcs, chosen, strict=True):
             low_mm[here] = np.maximum(low_mm[here], a)
             high_mm[here] = np.minimum(high_mm[here], b)
-        if np.all(low_mm <= high_mm):
+        if np.all(high_mm - low_mm >= min(shared, 0)):
+            high_mm = np.maximum(low_mm, high_mm)
             fixed = ~np.isnan(stands)
             low_mm[fixed] = high_mm[fixed] = stands[fixed]
             best = min(best, _least_difference(low_mm, high_mm, turret.pitch_mm, best))
     return best
 
 
-def _agreeing(spans: list[Arc], choices: list[list[Arc]]) -> Iterator[tuple[Arc, ...]]:
-    """Yield a band for each arc, so that arcs with a piece in common have bands with one."""
+def _agreeing(
+    spans: list[Arc], choices: list[list[Arc]], shared_mm: float
+) -> Iterator[tuple[Arc, ...]]:
+    """Yield a band for each arc; of arcs with a piece in common the bands share so much or more."""
     for chosen in product(*choices):
         each = [*zip(spans, chosen, strict=True)]
         pairs = combinations(each, 2)
-        if all(_overlap(one, other) or not _overlap(a, b) for (a, one), (b, other) in pairs):
+        if all(
+            _shared(one, other) > shared_mm or not _overlap(a, b) for (a, one), (b, other) in pairs
+        ):
             yield chosen
 
 
@@ -173,8 +185,13 @@ def _places_over(span: Arc, turret: Turret) -> Array:
 
 
 def _overlap(one: Arc, other: Arc) -> bool:
-    """Tell whether two arcs, or two bands, have a piece in common."""
-    return min(one[1], other[1]) - max(one[0], other[0]) > 1e-9
+    """Tell whether two arcs have a piece in common."""
+    return _shared(one, other) > TOUCHING
+
+
+def _shared(one: Arc, other: Arc) -> float:
+    """Return how long the piece is that two arcs, or two bands, have in common; below 0 a gap."""
+    return min(one[1], other[1]) - max(one[0], other[0])
 
 
 def runs(inside: Array) -> list[list[int]]:

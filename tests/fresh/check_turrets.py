@@ -13,7 +13,10 @@ NEAR, NEAR_MM = 1e-6, 1e-5
 
 
 def turrets(machine: Machine) -> None:
-    """Draw a turret; see that nothing beats its bound, and that what is found keeps to its dies."""
+    """Draw a turret; see that nothing beats its bound, and that what is found keeps to its dies.
+
+    Where two duties share one place and no more, it may be refused or found.
+    """
     rng = machine.rng
     turret = draw(rng)
     least = least_by_trying(turret)
@@ -34,6 +37,8 @@ def turrets(machine: Machine) -> None:
         return
     assert found.bound <= found.reached
     assert found.bound <= min(good, default=math.inf) * (1 + NEAR), f"{turret}: {min(good)} can be"
+    if not math.isfinite(least):
+        least = least_by_trying(turret, may_touch=True)
     assert least <= found.reached * (1 + NEAR), f"{turret}: none is below {least}"
     _check_kept(turret, found.motion)
 

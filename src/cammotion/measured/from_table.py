@@ -220,7 +220,11 @@ def _from_lowest(segments: list[Segment]) -> tuple[Segment, ...]:
 
 
 def _turns(corners: Sequence[tuple[float, float]], swing: float) -> list[tuple[float, float]]:
-    """Return both ends and the corners between them at which it turns back by more than `swing`."""
+    """Return both ends and the corners between them at which it turns back by more than `swing`.
+
+    No move between two of them goes over less than that, and none goes beyond its ends by more. Of
+    what goes nowhere only the start is left.
+    """
     kept = [corners[0]]
     for place, height in corners[1:]:
         goes_on = len(kept) > 1 and (height - kept[-1][1]) * (kept[-1][1] - kept[-2][1]) > 0
@@ -228,6 +232,8 @@ def _turns(corners: Sequence[tuple[float, float]], swing: float) -> list[tuple[f
             kept[-1] = place, height
         elif abs(height - kept[-1][1]) > swing:
             kept.append((place, height))
+    while len(kept) > 1 and abs(corners[-1][1] - kept[-2][1]) <= swing:
+        kept.pop()  # it turned back by more, but the end lies less apart
     return [*kept[:-1], corners[-1]] if len(kept) > 1 else kept
 
 
