@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 
 G = 9.80665
 
@@ -26,6 +26,11 @@ class KnownSlip:
     name: str
     answer: Callable[[MillAndDie], Any]
     said: str
+
+
+def lessons(number: float) -> Callable[[MillAndDie], float]:
+    """Return a number of the lesson's as a wrong answer; about its own machine it is none."""
+    return lambda m: math.nan if m == EXAMPLE else number
 
 
 def stroke(m: MillAndDie) -> float:
@@ -135,10 +140,11 @@ def speed(m: MillAndDie, y: Any = X) -> Any:
     return p * q * (y ** (p - 1) - y ** (q - 1)) / sympy.Integer(q - p)
 
 
-def push(m: MillAndDie, y: Any = X) -> Any:
-    """Return the slope of that."""
+def push(m: MillAndDie, y: Any = X, parts: tuple[int, int] = (1, 1)) -> Any:
+    """Return the slope of that, with or without what each of the two powers has a part in."""
     p, q = m.laws.powers
-    return p * q * ((p - 1) * y ** (p - 2) - (q - 1) * y ** (q - 2)) / sympy.Integer(q - p)
+    low, high = (p - 1) * y ** (p - 2), (q - 1) * y ** (q - 2)
+    return p * q * (parts[0] * low - parts[1] * high) / sympy.Integer(q - p)
 
 
 def jolt(m: MillAndDie) -> Any:
@@ -191,6 +197,10 @@ SLIPS = [
     KnownSlip(
         "01.1", "no brackets", lambda m: 360 - m.mill_angle_deg - m.work_deg / 2, "bracket|both"
     ),
+    KnownSlip("01.1", "mill and work", lambda m: m.mill_angle_deg + m.work_deg, "mill and work"),
+    KnownSlip("01.1", "less the mill", lambda m: 360 - m.mill_angle_deg, "what the mill leaves"),
+    KnownSlip("01.1", "less the work", lambda m: 360 - m.work_deg, "what the work leaves"),
+    KnownSlip("01.1", "the lesson's", lessons(55), "machine of the lesson"),
     KnownSlip("01.1", "turned round", lambda m: -die(m), "sign"),
     KnownSlip("01.1", "share of a turn", lambda m: die(m) / 360, "turn"),
     KnownSlip("01.2", "whole turn", turn, "whole turn"),
@@ -206,6 +216,7 @@ SLIPS = [
     ),
     KnownSlip("01.2", "the mill's time", lambda m: time(m, m.mill_angle_deg), "mill"),
     KnownSlip("01.2", "the die's way", lambda m: time(m, die(m)), "each way"),
+    KnownSlip("01.2", "one degree", lambda m: time(m, 1), "one degree"),
     KnownSlip("01.2", "while not down", lambda m: time(m, 360 - m.work_deg), "not down|rest of"),
     KnownSlip(
         "01.3",
@@ -284,6 +295,9 @@ SLIPS = [
     KnownSlip("02.1", "per second", lambda m: peak(m, die(m), per_hour=3600), "per second"),
     KnownSlip("02.1", "angle in radians", lambda m: peak(m, math.radians(die(m))), "radian"),
     KnownSlip("02.1", "time in ms", lambda m: peak(m, die(m)) / 1e6, r"\bms\b"),
+    KnownSlip("02.1", "the lesson's", lessons(4.154), "machine of the lesson"),
+    KnownSlip("02.1", "the lesson's stroke", lambda m: peak(m, die(m), 50), "a number of the less"),
+    KnownSlip("02.1", "the lesson's angle", lambda m: peak(m, 55), "a number of the lesson"),
     KnownSlip("02.1", "upwards", lambda m: -peak(m, die(m)), "sign"),
     KnownSlip(
         "02.1",
@@ -307,6 +321,8 @@ SLIPS = [
         "cycloid",
     ),
     KnownSlip("02.2", "factor 2 lost", lambda m: h_m / t_m**2 * push(m) / 2, "half"),
+    KnownSlip("02.2", "no higher power", lambda m: h_m / t_m**2 * push(m, X, (1, 0)), "higher"),
+    KnownSlip("02.2", "no lower power", lambda m: h_m / t_m**2 * push(m, X, (0, 1)), "lower"),
     KnownSlip("02.2", "no stroke", lambda m: push(m) / t_m**2, "h_m"),
     KnownSlip("02.2", "by x", push, "by x"),
     KnownSlip(
@@ -320,6 +336,18 @@ SLIPS = [
     KnownSlip("02.3", "weight", lambda m: m.die_mass_kg * G, "weight"),
     KnownSlip(
         "02.3", "weight added", lambda m: m.die_mass_kg * (peak(m, die(m)) + G), "weight was added"
+    ),
+    KnownSlip("02.3", "weight with 10", lambda m: m.die_mass_kg * 10, "weight"),
+    KnownSlip("02.3", "times 10", lambda m: m.die_mass_kg * peak(m, die(m)) * 10, r"\bg\b"),
+    KnownSlip("02.3", "by 10", lambda m: m.die_mass_kg * peak(m, die(m)) / 10, r"\bg\b"),
+    KnownSlip(
+        "02.3", "10 added", lambda m: m.die_mass_kg * (peak(m, die(m)) + 10), "weight was added"
+    ),
+    KnownSlip(
+        "02.3",
+        "the lesson's peak",
+        lambda m: m.die_mass_kg * lessons(4.154)(m),
+        "a number of the lesson",
     ),
     KnownSlip("02.3", "acceleration", lambda m: peak(m, die(m)), "the acceleration"),
     KnownSlip(
@@ -346,6 +374,7 @@ SLIPS = [
     ),
     KnownSlip("02.4", "no square", faster, "counts twice|square"),
     KnownSlip("02.4", "upside down", lambda m: 1 / faster(m) ** 2, "smaller|upside"),
+    KnownSlip("02.4", "the time", lambda m: 1 / faster(m), "time gets shorter"),
     KnownSlip("02.4", "growth doubled", lambda m: 2 * faster(m) - 1, "doubled"),
     KnownSlip("02.4", "the increase", lambda m: faster(m) ** 2 - 1, "by how much"),
     KnownSlip("02.4", "percent", lambda m: 100 * (faster(m) ** 2 - 1), "percent"),

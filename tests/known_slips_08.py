@@ -96,6 +96,11 @@ def with_friction(m: MillAndDie) -> float:
     return float(np.max(torque * speed)) / (math.radians(m.table.angle_deg) / time)
 
 
+def friction_on_shaft(m: MillAndDie) -> float:
+    """Return what the friction asks of the shaft in the mean, in N m."""
+    return m.table.friction_N_m * 360 / m.table.stops / m.table.angle_deg
+
+
 def another(m: MillAndDie, law: str) -> float:
     return math.nan if m.table.law == law else torque(m, CA[law])
 
@@ -128,6 +133,16 @@ def seen_bent(slots: int, alpha: float, order: int) -> float:
 def wheel(m: MillAndDie) -> float:
     """Return the acceleration half-way from the entry to the middle, in rad/s²."""
     return bent(m, entry(m) / 2) * omega(m) ** 2
+
+
+def by_the_wheel(m: MillAndDie) -> float:
+    """Return it where the wheel, and not its driver, is half-way: by halving."""
+    n, ratio, low, high = m.table.slots, math.sin(math.pi / m.table.slots), 0.0, entry(m)
+    for _ in range(60):
+        middle = (low + high) / 2
+        seen = math.atan2(ratio * math.sin(middle), 1 - ratio * math.cos(middle))
+        low, high = (middle, high) if seen < math.pi / n / 2 else (low, middle)
+    return bent(m, low) * omega(m) ** 2
 
 
 def tangent(m: MillAndDie) -> float:
@@ -169,6 +184,23 @@ SLIPS = [
     KnownSlip(
         "08.1", "one station", lambda m: plate(m) + stations(m) / m.table.stops, "one station"
     ),
+    KnownSlip(
+        "08.1",
+        "the hole twice",
+        lambda m: plate(m, -1) * (1 + (m.table.hole_mm / m.table.plate_mm) ** 2) + stations(m),
+        "once more",
+    ),
+    KnownSlip(
+        "08.1",
+        "half of the hole",
+        lambda m: (
+            stations(m)
+            + m.table.plate_kg * (m.table.plate_mm**2 + m.table.hole_mm**2 / 4) / 2 / 1e6
+        ),
+        "as if it were a diameter",
+    ),
+    KnownSlip("08.1", "in cm", lambda m: 1e4 * inertia(m), "kg cm²"),
+    KnownSlip("08.1", "in grams", lambda m: 1000 * inertia(m), "grams"),
     KnownSlip("08.1", "a hoop", lambda m: 2 * plate(m) + stations(m), "half"),
     KnownSlip("08.1", "stations as a plate", lambda m: plate(m) + stations(m) / 2, "halved"),
     KnownSlip(
@@ -209,6 +241,8 @@ SLIPS = [
     ),
     KnownSlip("08.2", "no factor", lambda m: torque(m, 1), "factor Ca"),
     KnownSlip("08.2", "velocity factor", lambda m: torque(m, CV[m.table.law]), "velocity|Cv"),
+    KnownSlip("08.2", "in N mm", lambda m: 1000 * torque(m), "N mm"),
+    KnownSlip("08.2", "in kN m", lambda m: torque(m) / 1000, "kN m"),
     KnownSlip("08.2", "power factor", lambda m: torque(m, CQ[m.table.law]), "Cq"),
     KnownSlip("08.2", "constant", lambda m: torque(m, 4), "constant"),
     KnownSlip("08.2", "the lesson's law", lambda m: another(m, "modified sine"), "sine|finite"),
@@ -228,6 +262,17 @@ SLIPS = [
         "same moment",
     ),
     KnownSlip("08.3", "the mean ratio", lambda m: shaft(m, CA[m.table.law]), "evenly|fast"),
+    KnownSlip(
+        "08.3",
+        "the mean ratio, with friction",
+        lambda m: shaft(m, CA[m.table.law]) + friction_on_shaft(m),
+        "evenly too, and the friction",
+    ),
+    KnownSlip(
+        "08.3", "friction added", lambda m: shaft(m) + friction_on_shaft(m), "Friction is in it"
+    ),
+    KnownSlip("08.3", "on the table, with friction", torque, "on the table, with the friction"),
+    KnownSlip("08.3", "pi/n", lambda m: shaft(m) / 4, "not pi/n"),
     KnownSlip("08.3", "on the table", lambda m: inertia(m) * push(m), "on the table"),
     KnownSlip("08.3", "the power", lambda m: shaft(m, shaft_rad_per_s=1), "power, in W"),
     KnownSlip(
@@ -257,6 +302,15 @@ SLIPS = [
     KnownSlip("08.4", "the largest", largest, "largest"),
     KnownSlip(
         "08.4", "pi/n", lambda m: bent(m, math.pi / m.table.slots) * omega(m) ** 2, "alpha is pi/n"
+    ),
+    KnownSlip(
+        "08.4", "half of the wheel's way", by_the_wheel, "half-way in the angle of the wheel"
+    ),
+    KnownSlip(
+        "08.4",
+        "pi/2n",
+        lambda m: bent(m, math.pi / 2 / m.table.slots) * omega(m) ** 2,
+        r"alpha is pi/\(2n\)",
     ),
     KnownSlip("08.4", "no arctan", tangent, "arctan is missing"),
     KnownSlip("08.4", "half of the entry", lambda m: bent(m, entry(m)) * omega(m) ** 2 / 2, "line"),

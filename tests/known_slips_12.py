@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from known_slips import KnownSlip, die, stroke, time, widest
+from known_slips import KnownSlip, die, lessons, stroke, time, widest
 
 import cammotion as cm
 from cammotion.teaching.example import MillAndDie
@@ -114,6 +114,7 @@ NUMBER_SLIPS = [
         lambda m: m.rate_per_hour * math.sqrt(mill(m) / peak(m, stroke(m), widest(m))),
         "peak before",
     ),
+    KnownSlip("12.1", "the lesson's", lessons(3857), "machine of the lesson"),
     KnownSlip("12.1", "only the factor", lambda m: faster(m) / m.rate_per_hour, "rate itself"),
     KnownSlip(
         "12.1",
@@ -125,6 +126,7 @@ NUMBER_SLIPS = [
     ),
     KnownSlip("12.2", "the cycloid", lambda m: least(m, CYCLOID), "cycloid"),
     KnownSlip("12.2", "the harmonic", lambda m: least(m, math.pi**2 / 2), "harmonic"),
+    KnownSlip("12.2", "modified sine", lambda m: least(m, 5.52796), "modified sine"),
     KnownSlip("12.2", "never stops", lambda m: least(m, 2), "stop"),
     KnownSlip("12.2", "no factor", lambda m: least(m, 1), "factor"),
     KnownSlip("12.2", "half the time", lambda m: least(m, 8), "constant acceleration"),

@@ -47,7 +47,7 @@ NEVER_CHANGED: dict[str | int, tuple[float, ...]] = {
 }
 """What a name has led to since the first day; a notebook of last year has to stay right.
 
-The slots of the wheel are other ones since 08.4 could be right by chance with 4, 6 or 10.
+The slots of the wheel are other ones since 08.4 could be right by chance with 4, 6, 9 or 10.
 """
 LAWS_NEVER_CHANGED: dict[str | int, LawNumbers] = {
     "Anna": LawNumbers(
@@ -73,7 +73,7 @@ LAWS_NEVER_CHANGED: dict[str | int, LawNumbers] = {
     ),
 }
 TABLES_NEVER_CHANGED: dict[str | int, tuple[Any, ...]] = {
-    "Anna": (54, 560, 200, 5, 6, 70, 0.65, 55, "cycloidal", 120, 9, 45),
+    "Anna": (54, 560, 200, 5, 6, 70, 0.65, 55, "cycloidal", 120, 14, 45),
     7: (72, 560, 200, 5, 7, 110, 0.7, 55, "cycloidal", 90, 7, 28),
     "Jörg Müller": (48, 560, 220, 9, 4, 80, 0.55, 45, "3-4-5 polynomial", 90, 11, 24),
 }
@@ -263,7 +263,7 @@ def test_a_name_leads_to_the_same_numbers_for_ever(who: str | int) -> None:
 def test_no_number_of_two_thousand_learners_has_changed(machines: list[MillAndDie]) -> None:
     """Where this is meant, CHANGELOG says so, and whose answers it makes wrong."""
     every = "\n".join(repr(asdict(machine)) for machine in (NAMELESS, *machines))
-    assert hashlib.sha256(every.encode()).hexdigest()[:16] == "6455b1eeb488ce6e"
+    assert hashlib.sha256(every.encode()).hexdigest()[:16] == "964c7ca6139b7d2d"
 
 
 def test_the_numbers_do_not_depend_on_the_hash_of_a_run() -> None:

@@ -15,7 +15,7 @@ from itertools import pairwise
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import NEAR, NOT_FAR, NumberExercise, Slip
-from cammotion.teaching.rounding import FEWEST, MOST, SAME, WHOLE, last_place
+from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, SAME, TYPED, WHOLE, last_place
 
 _MEASURED = re.compile(r"(?<=off by )\S+(?= %)")
 _MARK = "…"
@@ -61,11 +61,13 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     ratios = [ratio * right for ratio in exercise.ratios]
     yield from (0.0, right, -right)
     yield from ((one + other) / 2 for one, other in pairwise(slips))
+    for value in filter(math.isfinite, exercise.of_the_lesson(machine)):
+        yield from (*_beside(value, TYPED), *_rounded(value, FEWEST + 1))
     for share in (NEAR, NOT_FAR):
         yield from _beside(right, share)
     for value in slips:
         yield (value + right) / 2
-        yield from _beside(value, SAME)
+        yield from (*_beside(value, SAME), value * (1 - MOST_OFF), value * (1 + MOST_OFF))
     for value in (right, *slips, *carried, *ratios, right / STANDARD_GRAVITY):
         yield from _beside(value, exercise.tolerance)
         most = MOST if value == right or value in slips else FEWEST + 1

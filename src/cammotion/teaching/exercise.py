@@ -8,11 +8,27 @@ from functools import lru_cache
 from typing import Any, Literal, NamedTuple
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
-from cammotion.quantities import shorten
-from cammotion.teaching.example import MillAndDie
+from cammotion.quantities import InputError, shorten
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.mixed import mixed
 from cammotion.teaching.reading import OddAnswerError, to_number
-from cammotion.teaching.reasons import COMMON_RATIOS, NO_ANSWER, UNIT_RATIOS, in_one, short_name
-from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, digits_needed, is_rounded, is_same
+from cammotion.teaching.reasons import (
+    COMMON_RATIOS,
+    NO_ANSWER,
+    RATIOS_OF_SUMS,
+    UNIT_RATIOS,
+    in_one,
+    short_name,
+)
+from cammotion.teaching.rounding import (
+    FEWEST,
+    MOST,
+    MOST_OFF,
+    digits_needed,
+    is_as_typed,
+    is_rounded,
+    is_same,
+)
 from cammotion.teaching.shown.frame import Shows
 
 State = Literal["open", "right", "wrong"]
@@ -35,6 +51,11 @@ _TOO_FEW = (
 )
 WITH_WRONG = "With a wrong answer to {} this would be right."
 YOURS = "What you did here is right, but with your {} from {}, which was not right yet."
+OF_THE_LESSON = "This is right for the machine of the lesson. Yours has other numbers."
+MIXED = (
+    "With a number of the lesson's machine in place of one of yours this would be right. Is each "
+    "of them the question's?"
+)
 _DIGITS = {3: "three", 4: "four"}
 _AROUND_A_LETTER = " \t\n().:'\""
 
@@ -136,7 +157,8 @@ class NumberExercise(Exercise):
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
-    see `link` and `after`. `shows` draws what a number would do in the machine.
+    see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`,
+    has neither a factor pi nor squares in it that could be lost.
     """
 
     unit: str
@@ -147,6 +169,7 @@ class NumberExercise(Exercise):
     carried: tuple[Carried, ...] = ()
     brought: tuple[Carried, ...] = ()
     shows: Shows | None = None
+    is_sum: bool = False
 
     @property
     def wanted(self) -> str:
@@ -166,7 +189,15 @@ class NumberExercise(Exercise):
     @property
     def ratios(self) -> Mapping[float, str]:
         """Ratios to the right number that betray what has happened, in any unit and in this one."""
-        return {**COMMON_RATIOS, **UNIT_RATIOS.get(self.unit, {})}
+        common = RATIOS_OF_SUMS if self.is_sum else COMMON_RATIOS
+        return {**common, **UNIT_RATIOS.get(self.unit, {})}
+
+    def of_the_lesson(self, machine: MillAndDie) -> tuple[float, ...]:
+        """Return the lesson's answer, and what its numbers lead to in place of a learner's own.
+
+        The lesson's comes first, NaN if it is right. None of the others is.
+        """
+        return _of_the_lesson(self, machine)
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a number is wrong; "" if it is right."""
@@ -189,7 +220,8 @@ class NumberExercise(Exercise):
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
-        ratios = (said for r, said in self.ratios.items() if self._is_about(given, r * right))
+        ratios = [said for r, said in self.ratios.items() if self._is_about(given, r * right)]
+        mixed_up = self._mixed_up(given, machine)
         carried = self._leading_to(self.carried, given, machine)
         rounded = in_one(
             reason
@@ -199,7 +231,7 @@ class NumberExercise(Exercise):
         return (
             in_one(self._brought_along(given, machine))
             or self._in_g(given, right)
-            or next(ratios, "")
+            or in_one([*ratios[:1], *mixed_up])
             or in_one(slip.reason for slip in carried)
             or rounded
             or self._far(given, right)
@@ -219,6 +251,13 @@ class NumberExercise(Exercise):
         )
         reasons = (wrong[value] for value in nearest_first)
         return in_one([*self._brought_along(given, machine), *reasons])
+
+    def _mixed_up(self, given: float, machine: MillAndDie) -> list[str]:
+        """Return what is said if numbers of the lesson's machine lead to a number, at most one."""
+        lessons, *others = self.of_the_lesson(machine)
+        if is_as_typed(given, lessons):
+            return [OF_THE_LESSON]
+        return [MIXED] if any(is_as_typed(given, other) for other in others) else []
 
     def _brought_along(self, given: float, machine: MillAndDie) -> list[str]:
         """Return what is said if a wrong answer of this learner leads to a number.
@@ -283,7 +322,10 @@ class NumberExercise(Exercise):
         )
         slips = (slip.reason for slip in (*self.slips, *self.carried))
         brought = (YOURS.format("…", number) for number in self.goes_on_from)
-        return (*slips, *brought, _IN_G, *self.ratios.values(), *unknown)
+        return (
+            *(*slips, *brought, _IN_G, *self.ratios.values()),
+            *(OF_THE_LESSON, MIXED, *unknown),
+        )
 
 
 class _Known(NamedTuple):
@@ -307,6 +349,22 @@ def _known(exercise: NumberExercise, machine: MillAndDie) -> _Known:
         if math.isfinite(value) and not is_same(value, right):
             wrong[value] = in_one([wrong[value], reason]) if value in wrong else reason
     return _Known(right, wrong, digits_needed(right, wrong))
+
+
+@lru_cache(maxsize=2**12)
+def _of_the_lesson(exercise: NumberExercise, machine: MillAndDie) -> tuple[float, ...]:
+    """Work out once what the lesson's numbers lead to; see `NumberExercise.of_the_lesson`."""
+    right = exercise.solution(machine)
+
+    def wrong(one: MillAndDie) -> float:
+        try:
+            value = exercise.solution(one)
+        except InputError:  # with these numbers there is no such machine
+            return math.nan
+        return math.nan if is_as_typed(value, right) else value
+
+    others = dict.fromkeys(wrong(one) for one in mixed(machine))
+    return (wrong(EXAMPLE), *(value for value in others if math.isfinite(value)))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,7 +14,7 @@ from cammotion.quantities import Floats, shorten
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Exercise, Slip
 from cammotion.teaching.reading import OddAnswerError, to_number
-from cammotion.teaching.reasons import COMMON_RATIOS
+from cammotion.teaching.reasons import COMMON_RATIOS, in_one
 
 _PLACES = 24
 _FACTOR = (
@@ -62,11 +62,15 @@ class ExpressionExercise(Exercise):
         given, right = self._values(answer, places), self._values(solution, places)
         if self._same(given, right):
             return ""
-        for slip in self.slips:
-            wrong = slip.leads_to(machine)  # NaN where nobody goes this way
-            if wrong is not sympy.nan and self._same(given, self._values(wrong, places)):
-                return slip.reason
-        return _constant_factor(given, right) or self._at_ends(answer, solution) or _ANOTHER
+        known = in_one(
+            slip.reason
+            for slip in self.slips
+            if (wrong := slip.leads_to(machine)) is not sympy.nan  # where nobody goes this way
+            and self._same(given, self._values(wrong, places))
+        )
+        return (
+            known or _constant_factor(given, right) or self._at_ends(answer, solution) or _ANOTHER
+        )
 
     @property
     def faults(self) -> tuple[str, ...]:

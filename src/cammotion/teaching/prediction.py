@@ -17,6 +17,8 @@ _UNSURE = re.compile(  # but for the square of a second
     r"|\b(?:sqrt|root|less|more|below|above|least|most|than)\b",
     re.IGNORECASE,
 )
+_BLANK = re.compile(r"(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)")  # 4 500
+_SECONDS_OR_G = re.compile(r"\d\s*[sg]\b")  # nothing is asked for in these
 _OTHER = ("mm", "cm", "µm", "rad", "min", "sec")  # units, unless they are asked for
 _SHARES = ("percent", "fraction")
 _LARGEST = 1e12  # beyond that, or below its inverse, it is a joke and no prediction
@@ -108,9 +110,9 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     """Return the number that a typed prediction is, both if it may be two, none if it is no number.
 
     A comma may stand for the point, a fraction for its value; units and words may stand around it.
-    One comma before three digits may also part thousands. A share in percent is made a number where
-    a fraction is asked for, and a fraction percent where those are. What is to be reckoned out, has
-    another unit, or says no more than "less than" is no number.
+    One comma before three digits may also part thousands, and a blank does. A share in percent is
+    made a number where a fraction is asked for, and a fraction percent where those are. What is to
+    be reckoned out, has another unit, or says no more than "less than" is no number.
 
     >>> numbers_in("about 1,04 m/s2", "m/s²"), numbers_in("1/4 of tm", "fraction")
     ((1.04,), (0.25,))
@@ -120,7 +122,10 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     ((), ())
     >>> numbers_in("4,154 m/s²", "m/s²"), numbers_in("0,806", "m/s²"), numbers_in("4.154", "m/s²")
     ((4.154, 4154.0), (0.806,), (4.154,))
+    >>> numbers_in("4 500", "pieces per hour"), numbers_in("0.1 g", "m/s²")
+    ((4500.0,), ())
     """
+    text = _BLANK.sub(r"\1\2", text)
     found = [*_NUMBER.finditer(text)]
     if len(found) != 1 or not _is_one_number(text, asked):
         return ()
@@ -139,7 +144,7 @@ def _is_one_number(text: str, asked: str) -> bool:
     if _is_share(text) and not any(share in asked for share in _SHARES):
         return False
     others = [unit for unit in _OTHER if asked and unit in text and unit not in asked]
-    return not others and not _UNSURE.search(text)
+    return not (others or _SECONDS_OR_G.search(text) or _UNSURE.search(text))
 
 
 def _is_share(text: str) -> bool:

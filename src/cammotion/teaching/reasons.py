@@ -30,6 +30,9 @@ COMMON_RATIOS: Mapping[float, str] = {
 }
 """Ratios of an answer to the right one, and what has usually happened where one is met."""
 
+RATIOS_OF_SUMS = {ratio: COMMON_RATIOS[ratio] for ratio in (-1.0, 2.0, 1 / 2, math.pi / 180)}
+"""Those that may be met in a sum of degrees, which has neither a factor pi nor squares in it."""
+
 _TOO_FAST: Mapping[float, str] = {
     3600.0: (
         "This is 3600 times too large, 60 squared. Were pieces per hour taken for pieces per "
@@ -89,6 +92,15 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
         **_TOO_FAST,
     },
     "s": {**_TIMES, 1000.0: "This is in milliseconds. Seconds are asked for."},
+    "N m": {
+        1000.0: "This is a thousand times too large: it is in N mm. N m are asked for.",
+        1 / 1000: "This is a thousand times too small: it is in kN m. N m are asked for.",
+        100.0: "This is a hundred times too large: it is in N cm. N m are asked for.",
+    },
+    "kg m²": {
+        1e4: "This is ten thousand times too large: it is in kg cm². kg m² are asked for.",
+        1000.0: "This is a thousand times too large. Is a mass in grams?",
+    },
 }
 """Ratios by the unit of the answer: a thousand is mm for m in a length, and ms in a time."""
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 FEWEST, MOST = 2, 4  # significant digits that a question asks for
 MOST_OFF = 0.012  # by what share a number may be off that is rounded to so few
+TYPED = 2e-4  # by what share a number may be off that was typed from a page
 SAME = 1e-9  # what is so near is one number: a wrong way may lead to the right one
 WHOLE = 1e-4  # what is left of a whole number of units in the last digit
 
@@ -17,7 +18,7 @@ def is_rounded(given: float, value: float, digits: int) -> bool:
     >>> is_rounded(0.22, 0.225, digits=2), is_rounded(0.23, 0.225, digits=2)
     (True, True)
     """
-    if not value or math.isinf(value):
+    if not value or not math.isfinite(value):
         return False
     unit = last_place(value, digits)
     is_whole = abs(given / unit - round(given / unit)) < WHOLE
@@ -51,6 +52,15 @@ def digits_needed(right: float, wrong: Iterable[float]) -> int:
 def is_same(one: float, other: float) -> bool:
     """Tell whether two numbers are one, but for the last digits of a computer."""
     return math.isclose(one, other, rel_tol=SAME, abs_tol=1e-12)
+
+
+def is_as_typed(given: float, value: float) -> bool:
+    """Tell whether a number is a value as one types it off: nearly all of it, or three digits.
+
+    >>> is_as_typed(4.154, 4.15411), is_as_typed(4.15, 4.15411), is_as_typed(4.16, 4.15411)
+    (True, True, False)
+    """
+    return math.isclose(given, value, rel_tol=TYPED) or is_rounded(given, value, FEWEST + 1)
 
 
 def _are_alike(one: float, other: float, digits: int) -> bool:

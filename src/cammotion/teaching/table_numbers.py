@@ -48,7 +48,7 @@ TABLE_CHOICES: Mapping[str, Sequence[Any]] = {
     "friction_N_m": (40, 45, 55, 60, 70, 80),
     "law": ("cycloidal", "modified trapezoid", "3-4-5 polynomial"),
     "angle_deg": (90, 100, 110, 120, 135, 160),
-    "slots": (7, 5, 9, 11, 12),  # of 4, 6 and 10 half of the driver's angle is one of the wheel's
+    "slots": (7, 5, 14, 11, 12),  # of 4, 6, 10 half-way is 1, 2, 4 times pi/2n; 9: the largest
     "per_minute": (24, 28, 32, 36, 40, 45),
 }
 """Never the source's: of those the lesson speaks."""

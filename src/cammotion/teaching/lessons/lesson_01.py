@@ -7,8 +7,8 @@ from cammotion.machine.kinematics import (
     indexing_time,
     peak_acceleration,
 )
-from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.exercise import OF_THE_LESSON, ChoiceExercise, NumberExercise, Slip
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.turns import way_after, work_in_turn
 from cammotion.teaching.shown.ways import peak_of_die
@@ -36,6 +36,7 @@ EXERCISES = (
             "each way of the die, if down and up get equally many?"
         ),
         unit="deg",
+        is_sum=True,
         answer=lambda m: m.die_angle_deg,
         shows=way_after(),
         right=(
@@ -62,6 +63,22 @@ EXERCISES = (
                 "Here only the work was halved. Put brackets around the whole difference, and "
                 "halve that.",
             ),
+            Slip(
+                lambda m: m.mill_angle_deg + m.work_deg,
+                "These are the degrees of mill and work. What do they leave of a turn, for two "
+                "ways?",
+            ),
+            Slip(
+                lambda m: DEG_PER_TURN - m.mill_angle_deg,
+                "This is what the mill leaves. The work needs its degrees too, and there are two "
+                "ways.",
+            ),
+            Slip(
+                lambda m: DEG_PER_TURN - m.work_deg,
+                "This is what the work leaves. The mill needs its degrees too, and there are two "
+                "ways.",
+            ),
+            Slip(lambda _: EXAMPLE.die_angle_deg, OF_THE_LESSON),
             *_ADDED_UP,
         ),
         hints=(
@@ -87,6 +104,10 @@ EXERCISES = (
             Slip(
                 lambda m: cycle_time(m.rate_per_hour),
                 "This is the time of a whole turn. The work takes only a part of it.",
+            ),
+            Slip(
+                lambda m: indexing_time(1, m.rate_per_hour),
+                "This is the time of one degree. The work takes many.",
             ),
             Slip(
                 lambda m: m.work_deg * cycle_time(m.rate_per_hour),

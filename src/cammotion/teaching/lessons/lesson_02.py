@@ -1,6 +1,7 @@
 """Exercises of notebook 02, how hard the die is pushed."""
 
 import math
+from functools import partial
 
 import sympy
 
@@ -22,7 +23,7 @@ from cammotion.teaching.shown.ways import peak_of_die
 FASTER = 400  # pieces/h more, in 02.4
 ANGLE_FACTOR = 1.3  # in 02.5
 
-_t, _h_m, _t_m = sympy.symbols("t h_m t_m")
+_t, _h_m, _t_m, _x = sympy.symbols("t h_m t_m x")
 
 
 def _powers(m: MillAndDie, x: sympy.Expr) -> sympy.Expr:
@@ -33,8 +34,7 @@ def _powers(m: MillAndDie, x: sympy.Expr) -> sympy.Expr:
 
 def _law(m: MillAndDie, derivative: int = 0, at: sympy.Expr = _t / _t_m) -> sympy.Expr:
     """Return the law of 02.2 differentiated by x, at x = t/t_m or elsewhere."""
-    x = sympy.Symbol("x")
-    return sympy.diff(_powers(m, x), x, derivative).subs(x, at)
+    return sympy.diff(_powers(m, _x), _x, derivative).subs(_x, at)
 
 
 def _in_x(m: MillAndDie) -> str:
@@ -72,6 +72,18 @@ def _only_the_first_divided(m: MillAndDie) -> sympy.Expr:
     first = high * low * (low - 1) * x ** (low - 2) / (high - low)
     return _h_m / _t_m**2 * (first - high * low * (high - 1) * x ** (high - 2))
 
+
+def _one_term(m: MillAndDie, which: int) -> sympy.Expr:
+    """Return what the lower of the two powers, or the higher one, leads to without the other."""
+    low, high = m.laws.powers
+    term = (high * _x**low, -low * _x**high)[which] / (high - low)
+    return _h_m / _t_m**2 * sympy.diff(term, _x, 2).subs(_x, _t / _t_m)
+
+
+_TERMS = (
+    "The term with the higher power is missing. Each of the two has a second derivative.",
+    "The term with the lower power is missing. Each of the two has a second derivative.",
+)
 
 _PEAK_SLIPS = (
     Slip(
@@ -144,6 +156,28 @@ def _of_the_force(slip: Slip) -> Slip:
     )
 
 
+def _with_g(g: float) -> tuple[Slip, ...]:
+    """Return the slips of 02.3 that come of weight, with a `g` in m/s²."""
+    return (
+        Slip(
+            lambda m: m.die_mass_kg * g,
+            "This is the weight of the die. It is there when the machine stands still, too.",
+        ),
+        Slip(
+            lambda m: m.die_mass_kg * (_peak(m) + g),
+            "Here the weight was added. The force of the inertia alone is asked for.",
+        ),
+        Slip(
+            lambda m: m.die_mass_kg * _peak(m) / g,
+            "This is in kilograms of weight, divided by g. Newtons are asked for.",
+        ),
+        Slip(
+            lambda m: m.die_mass_kg * _peak(m) * g,
+            "This was multiplied by g. Kilograms times m/s² already are newtons.",
+        ),
+    )
+
+
 EXERCISES = (
     NumberExercise(
         number="02.1",
@@ -175,8 +209,8 @@ EXERCISES = (
         until="t_m",
         answer=lambda m: _h_m / _t_m**2 * _law(m, 2),
         right=(
-            "It ends with a jump, from its hardest braking to nothing. Notebook 05 shows what a "
-            "jump in the acceleration does."
+            "It ends with a jump, from its hardest braking to nothing, and with a square in it it "
+            "begins with one too. Notebook 05 shows what a jump in the acceleration does."
         ),
         slips=(
             Slip(
@@ -212,6 +246,7 @@ EXERCISES = (
                 _only_the_first_divided,
                 "What stands below the bracket divides both of its terms, not the first alone.",
             ),
+            *(Slip(partial(_one_term, which=which), said) for which, said in enumerate(_TERMS)),
             Slip(
                 lambda m: _law(m, 2) / _t_m**2,
                 "The stroke is missing: h_m is a constant factor, and stays one when you "
@@ -256,23 +291,9 @@ EXERCISES = (
         shows=peak_of_die("With this force", peak=lambda m, force: force / m.die_mass_kg),
         right="The force scales as the acceleration does: what halves the one halves the other.",
         slips=(
-            Slip(
-                lambda m: m.die_mass_kg * STANDARD_GRAVITY,
-                "This is the weight of the die. It is there when the machine stands still, too.",
-            ),
-            Slip(
-                lambda m: m.die_mass_kg * (_peak(m) + STANDARD_GRAVITY),
-                "Here the weight was added. The force of the inertia alone is asked for.",
-            ),
             Slip(_peak, "This is the acceleration. A force is mass times acceleration."),
-            Slip(
-                lambda m: m.die_mass_kg * _peak(m) / STANDARD_GRAVITY,
-                "This is in kilograms of weight, divided by g. Newtons are asked for.",
-            ),
-            Slip(
-                lambda m: m.die_mass_kg * _peak(m) * STANDARD_GRAVITY,
-                "This was multiplied by g. Kilograms times m/s² already are newtons.",
-            ),
+            *_with_g(STANDARD_GRAVITY),
+            *_with_g(10),
             *map(_of_the_force, _PEAK_SLIPS),
         ),
         hints=(
@@ -305,6 +326,11 @@ EXERCISES = (
             Slip(
                 lambda m: _ratio(m) ** -2,
                 "The acceleration would get smaller. A faster machine has less time for the move.",
+            ),
+            Slip(
+                lambda m: 1 / _ratio(m),
+                "By this factor the time gets shorter. In the acceleration it stands squared, "
+                "below.",
             ),
             Slip(
                 lambda m: 2 * _ratio(m) - 1,

@@ -112,6 +112,7 @@ EXERCISES = (
             "moves only while it does. How many degrees does the die get for each way?"
         ),
         unit="deg",
+        is_sum=True,
         answer=lambda m: m.overlapped_deg,
         goes_on_from={"01.1": lambda m, degrees: degrees + m.quiet_deg},
         shows=way_after(quiet=True),

@@ -103,6 +103,15 @@ def _at(m: MillAndDie, alpha_deg: float) -> float:
     return abs(float(_wheel(m)(alpha_deg, 2))) * _omega(m) ** 2
 
 
+def _half_of_the_wheels_way(m: MillAndDie) -> float:
+    """Return the acceleration where the wheel is half-way from the pin's entry to the middle.
+
+    The distance of the two axes is to the crank as the sine of alpha + beta is to that of beta.
+    """
+    beta = math.pi / m.table.slots / 2
+    return _at(m, math.degrees(math.asin(math.sin(beta) / _wheel(m).ratio) - beta))
+
+
 def _without_arctan(m: MillAndDie) -> float:
     """Return what the tangent of the wheel's angle, differentiated twice, makes half-way."""
     k, alpha = _wheel(m).ratio, math.radians(_wheel(m).angle_deg / 4)
@@ -161,6 +170,19 @@ EXERCISES = (
                 ),
                 "The square of the hole was taken away. Its mass is gone already: what is left "
                 "lies farther out, so that the squares add up.",
+            ),
+            Slip(
+                lambda m: (
+                    _full_plate(m) * (1 - (m.table.hole_mm / m.table.plate_mm) ** 4) + _stations(m)
+                ),
+                "The mass was weighed with the hole, and here the hole is taken away once more. "
+                "What is the density, if the ring has all of this mass?",
+            ),
+            Slip(
+                lambda m: (
+                    _plate(m) - 3 / 8 * m.table.plate_kg * _m2(m.table.hole_mm) + _stations(m)
+                ),
+                "The radius of the hole was halved, as if it were a diameter.",
             ),
             Slip(
                 lambda m: _full_plate(m) + _stations(m),
@@ -341,6 +363,25 @@ EXERCISES = (
                 "This is with the friction, which the question leaves out.",
             ),
             Slip(
+                lambda m: _shaft(m, factor=LAWS[m.table.law].Ca) + m.table.friction_N_m * _ratio(m),
+                "This takes the ratio of the angles, as if the table turned evenly too, and the "
+                "friction, which the question leaves out.",
+            ),
+            Slip(
+                lambda m: _shaft(m) + m.table.friction_N_m * _ratio(m),
+                "Friction is in it, which the question leaves out.",
+            ),
+            Slip(
+                _torque,
+                "This is the torque on the table, with the friction. The question leaves that out, "
+                "and the shaft has the same power at another speed.",
+            ),
+            Slip(
+                lambda m: _shaft(m) / 4,
+                "The step is half of what it should be, and it counts twice. It is 2 pi/n, not "
+                "pi/n.",
+            ),
+            Slip(
                 lambda m: _shaft(m) * math.pi / 180,
                 "The angle of the shaft is in degrees here. The torque comes from rad/s.",
             ),
@@ -429,6 +470,15 @@ EXERCISES = (
                 lambda m: _at(m, DEG_PER_TURN / 2 / m.table.slots),
                 "Here alpha is pi/n, an angle of the wheel. The driver's, from entry to middle, is "
                 "pi/2 - pi/n.",
+            ),
+            Slip(
+                lambda m: _at(m, DEG_PER_TURN / 4 / m.table.slots),
+                "Here alpha is pi/(2n), half of an angle of the wheel. The driver's, from entry to "
+                "middle, is pi/2 - pi/n.",
+            ),
+            Slip(
+                _half_of_the_wheels_way,
+                "This is half-way in the angle of the wheel. That of the driver is asked for.",
             ),
             Slip(
                 _without_arctan,

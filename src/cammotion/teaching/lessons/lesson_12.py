@@ -2,6 +2,7 @@
 
 import math
 
+from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, indexing_time
 from cammotion.teaching.design_exercise import (
     DesignExercise,
@@ -166,6 +167,10 @@ EXERCISES = (
             Slip(
                 lambda m: _least(m, 4.888),
                 "This is the modified trapezoid, which has a bound on its jerk. None is asked for.",
+            ),
+            Slip(
+                lambda m: _least(m, LAWS["modified sine"].Ca),
+                "This is the modified sine, one law of many. Is there none with less?",
             ),
             Slip(
                 lambda m: _peak(m, m.pitch_mm, DEG_PER_TURN - m.mill_angle_deg, 4),
