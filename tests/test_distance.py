@@ -76,7 +76,7 @@ def test_any_two_parts(
     )
 
 
-@pytest.mark.parametrize("start", [100.11, 1000.11, -700.11])
+@pytest.mark.parametrize("start", [100.11, 0.11, 1000.11, -700.11])
 def test_a_peak_that_is_narrower_than_any_step_is_seen(start: float) -> None:
     still = cm.motion("a", cm.dwell(360), start_mm=45)
     machine = make_diagram(still, part("b", start, 0.02))

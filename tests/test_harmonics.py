@@ -30,7 +30,7 @@ def test_known_waves_are_found(number: int, start: float) -> None:
     assert found.rebuilt(17, places) == pytest.approx(12 + sum_of(waves, places))
 
 
-@pytest.mark.parametrize("number", [8, 9, 36, 101])
+@pytest.mark.parametrize("number", [8, 9, 10, 36, 101])
 def test_all_harmonics_together_are_the_points(number: int) -> None:
     y = np.random.default_rng(number).normal(size=number)
     table = cm.CamTable(turn(number, 3.0), y, is_cycle=True)

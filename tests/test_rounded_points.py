@@ -160,12 +160,14 @@ def test_a_monotone_law_says_what_its_rounding_does() -> None:
     law = quietly(PLACES, ROUNDED, fit="monotone")
     assert law.rounding.bound > law.rounding.rms > 40
     errors = 1e-4 * np.random.default_rng(8).uniform(-1, 1, (361, 1000))  # half a step, as drawn
-    errors[[0, -1]] = 0
+    in_turn = 1e-4 * (-1) ** np.arange(361)
+    errors[[0, -1]] = in_turn[[0, -1]] = 0
     sides = np.concatenate([PLACES[5:-5] - 1e-9, PLACES[5:-5] + 1e-9])
     bends = [
         PchipInterpolator(PLACES, ways, axis=0).derivative(2)(sides)
-        for ways in (ROUNDED[:, None] + errors, ROUNDED[:, None])
+        for ways in (ROUNDED[:, None] + errors, ROUNDED[:, None], (ROUNDED + in_turn)[:, None])
     ]
+    assert law.rounding.bound > np.abs(bends[2] - bends[1]).max() * 0.999
     rms = np.sqrt(np.mean(np.square(bends[0] - bends[1]), axis=1))
     assert law.rounding.rms == pytest.approx(rms.max(), rel=0.1)
     assert quietly(PLACES, CYCLOID, fit="monotone").rounding == (0, 0, 0)

@@ -14,8 +14,8 @@ class FitNumbers:
     11.3 a shaft of `turned_mm` has the `grade`; in 11.4 the key of the shaft is as wide as its
     second number. As they stand here they are those of the lesson.
 
-    >>> FitNumbers().pair, FitNumbers().shaft
-    (('H7', 'g6'), (40, 12))
+    >>> FitNumbers()
+    FitNumbers(shaft=(40, 12), lag_deg=0.01, bore_mm=40, pair=('H7', 'g6'), turned_mm=40, grade=6)
     """
 
     shaft: tuple[int, int] = (40, 12)

@@ -28,8 +28,8 @@ def drawn_peak(peak: float, *curves: ArrayLike) -> float:
 def round_down(value: float) -> float:
     """Return the largest of ... 1, 2, 5, 10, 20 ... that is not above a value, itself above 0.
 
-    >>> round_down(4.154)
-    2.0
+    >>> round_down(4.154), round_down(20.0)
+    (2.0, 20.0)
     """
     ticks = _ONE_TWO_FIVE.tick_values(value / 10, value)
     return float(max(tick for tick in ticks if tick <= value))
