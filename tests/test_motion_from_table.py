@@ -198,6 +198,10 @@ def test_what_is_no_motion() -> None:
     noise = np.random.default_rng(1).normal(0, 0.5, wave.size)
     with pytest.raises(cm.InputError, match=r"turns back \d+ times .* give what smoothed returns"):
         cm.motion_from_table("cam", table(wave + noise))
+    twice = np.sort([*ANGLES, 100.00001])
+    close = 25 - 25 * np.cos(np.radians(twice))
+    with pytest.raises(cm.InputError, match=r"points at 100 and 100.00001 deg, closer .* 180 deg"):
+        cm.motion_from_table("cam", table(close, twice))
     with pytest.raises(cm.InputError, match="shortest dwell is 0 deg"):
         cm.motion_from_table("cam", table(wave), least_dwell_deg=0)
 

@@ -19,7 +19,7 @@ _FARTHEST = 1.5  # strokes from the middle: s from -1 to 2
 _SLOPE = Quantity("velocity V at an end", "", example=0, low=-100.0, high=100.0, low_included=True)
 _STEP = Quantity("step of the points", "", example=0.001, high=1.0, low_included=True)
 FEWEST = 4  # points
-_NARROW = 1e-6  # between two points, at least
+NARROW = 1e-6  # between two points, at least
 _ROUNDING = 1e-12  # by so much the ends may miss 0 and 1
 _DIGITS = 9  # points with more are taken for exact
 _TABLE = 12  # fewer points are taken for chosen by hand
@@ -230,11 +230,11 @@ def _checked(x: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:
             )
         values[[0, -1]] = 0, 1
     steps = np.diff(places)
-    if np.min(steps) < _NARROW:
-        n = int(np.argmax(steps < _NARROW))
+    if np.min(steps) < NARROW:
+        n = int(np.argmax(steps < NARROW))
         raise InputError(
             f"The x of the points is {places[n + 1]:g} (at position {n + 1}) after {places[n]:g}; "
-            f"it has to rise by at least {_NARROW:g} from point to point: sort the points by x, "
+            f"it has to rise by at least {NARROW:g} from point to point: sort the points by x, "
             "and give each x once."
         )
     return places, ways

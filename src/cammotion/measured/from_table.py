@@ -19,7 +19,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.measured.cam_table import CamTable
-from cammotion.measured.from_points import FEWEST, MUCH, law_from_points
+from cammotion.measured.from_points import FEWEST, MUCH, NARROW, law_from_points
 from cammotion.measured.resting import Stay, eased
 from cammotion.measured.sampled_law import SampledLaw
 from cammotion.measured.smoothing import SmoothedTable
@@ -195,6 +195,7 @@ def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
         )
     for (low, start), (high, end) in pairwise(ends):
         at = np.array([low, *places[(places > low + near) & (places < high - near)], high])
+        _check_apart(at)
         while at.size < FEWEST:  # further points on the same spline
             widest = int(np.argmax(np.diff(at)))
             at = np.insert(at, widest + 1, (at[widest] + at[widest + 1]) / 2)
@@ -203,6 +204,17 @@ def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
         step = table.step_mm / abs(end - start)
         law = law_from_points(x, s, name=f"table, {low % DEG_PER_TURN:.6g} deg", step=min(step, 1))
         yield Segment(from_deg=low, to_deg=high, from_mm=start, to_mm=end, law=law)
+
+
+def _check_apart(at: Floats) -> None:
+    """Raise InputError for two points of a move that a law cannot tell from each other."""
+    n = int(np.argmin(np.diff(at)))
+    if at[n + 1] - at[n] < NARROW * (at[-1] - at[0]):
+        one, other = (f"{place % DEG_PER_TURN:.9g}" for place in at[n : n + 2])
+        raise InputError(
+            f"The table has points at {one} and {other} deg, closer to each other than a millionth "
+            f"of their move of {at[-1] - at[0]:.3g} deg: leave one of them out."
+        )
 
 
 def _from_lowest(segments: list[Segment]) -> tuple[Segment, ...]:
