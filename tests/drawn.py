@@ -22,8 +22,8 @@ from shafts import SHAFT
 from table_machine import table_machine
 
 import cammotion as cm
-from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.shown.choosing import show_answer
 from cammotion.views.live.figure import LiveFigure
 

@@ -6,9 +6,10 @@ from typing import Any
 import pytest
 
 from cammotion.teaching.example import EXAMPLE, MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import machine_for
 
 MACHINES = [EXAMPLE, machine_for(), *(machine_for(f"learner {n}") for n in range(5))]

@@ -9,7 +9,7 @@ from by_hand import ALL_SLIPS
 from judging import is_right
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import NumberExercise
+from cammotion.teaching.number_exercise import NumberExercise
 
 _ASKED = re.compile(r", to (three|four) digits$")
 _DIGITS = {"three": 3, "four": 4}

@@ -13,8 +13,8 @@ from judging import MACHINES, NUMBERS, number_id
 from machines import Array
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.shown import frame
 from cammotion.teaching.shown.choosing import show_answer
 from cammotion.teaching.shown.frame import DIE, Shown

@@ -17,8 +17,9 @@ from cammotion.teaching import session
 from cammotion.teaching.classroom.collect import read_class
 from cammotion.teaching.classroom.page import write
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, Slip
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.places import FILE, GRADING
 from cammotion.teaching.variants import machine_for
 

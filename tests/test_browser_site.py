@@ -12,8 +12,9 @@ from playwright.sync_api import Browser, Route, expect
 from site_pages import PAGES, ROOT, files, written
 from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
 
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise
 from cammotion.teaching.lessons import PREDICTIONS, find_exercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import NAMELESS
 
 BROKEN = """() => [...document.images].filter((image) => image.complete && !image.naturalWidth)

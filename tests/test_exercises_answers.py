@@ -16,8 +16,9 @@ from judging import MACHINES, each_exercise, each_number, is_right, reasons_of, 
 from known_slips import h_m
 
 from cammotion.teaching.example import EXAMPLE
-from cammotion.teaching.exercise import MIXED, OF_THE_LESSON, Exercise, NumberExercise
+from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import MIXED, OF_THE_LESSON, NumberExercise
 from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS, those_in
 from cammotion.teaching.rounding import is_as_typed
 

@@ -13,8 +13,9 @@ from judging import MACHINES, NUMBERS, is_right, number_id, say
 import cammotion as cm
 from cammotion.teaching.carried import after, link
 from cammotion.teaching.example import EXAMPLE, MillAndDie
-from cammotion.teaching.exercise import YOURS, NumberExercise, Slip
+from cammotion.teaching.exercise import Slip
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import YOURS, NumberExercise
 from cammotion.teaching.places import FILE
 from cammotion.teaching.reasons import short_name
 from cammotion.teaching.variants import machine_for

@@ -17,9 +17,10 @@ from judging import ACCELERATION, CHOICES, FORMULAS, NUMBERS
 from machines import examples
 
 from cammotion.teaching.example import EXAMPLE
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Verdict
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import machine_for
 
 MACHINE = machine_for("fuzz")

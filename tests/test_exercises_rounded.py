@@ -8,8 +8,9 @@ from judging import MACHINES, each_number, is_right, say
 
 import cammotion as cm
 from cammotion.teaching.example import EXAMPLE
-from cammotion.teaching.exercise import NumberExercise, Slip
+from cammotion.teaching.exercise import Slip
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.reasons import short_name
 
 

@@ -23,8 +23,8 @@ from shown import (
 import cammotion as cm
 from cammotion.teaching import session
 from cammotion.teaching.example import EXAMPLE, MillAndDie
-from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.places import GRADING, Place
 from cammotion.teaching.shown import frame
 from cammotion.teaching.shown.choosing import show_answer

@@ -5,7 +5,8 @@ import re
 import pytest
 from judging import MACHINES, each_choice, each_exercise, is_right, reasons_of, say
 
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise, Exercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import machine_for
 
 

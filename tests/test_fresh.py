@@ -14,7 +14,7 @@ import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
 from cammotion.measured.fits import Through
 from cammotion.teaching import again
-from cammotion.teaching.exercise import NumberExercise
+from cammotion.teaching.number_exercise import NumberExercise
 
 SEED, SOUND = "cam", range(6)
 Patch = tuple[object, str, Callable[[Any], Any]]

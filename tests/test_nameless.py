@@ -11,7 +11,7 @@ from judging import NUMBERS, is_right, number_id
 
 import cammotion as cm
 from cammotion.teaching.example import EXAMPLE, MillAndDie
-from cammotion.teaching.exercise import NumberExercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import NAMELESS
 
 NOTEBOOKS = Path(__file__).parent.parent / "notebooks"

@@ -16,9 +16,10 @@ from site_pages import LESSONS, NOTEBOOKS, PAGES, files, page, unpack
 from cammotion.site.cells import LAB_ONLY
 from cammotion.site.lessons import find_lessons
 from cammotion.teaching.design_exercise import DesignExercise
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import NAMELESS
 from cammotion.views.live.figure import MIME
 

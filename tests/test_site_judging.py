@@ -14,8 +14,9 @@ from site_pages import unpack
 from cammotion.site.answers import pack, packed_answers
 from cammotion.site.shared import host_module
 from cammotion.site.verdicts import Verdicts, table_of
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.variants import NAMELESS, drawn
 from cammotion.views.live.page import as_json

@@ -19,11 +19,11 @@ from cammotion.limits.widest import with_angle
 from cammotion.quantities import Floats
 from cammotion.rules.checks import find_violations
 from cammotion.teaching.example import EXAMPLE, MillAndDie
-from cammotion.teaching.exercise import NumberExercise
 from cammotion.teaching.fit_numbers import FIT_CHOICES, FitNumbers
 from cammotion.teaching.follower_numbers import FOLLOWER_CHOICES
 from cammotion.teaching.law_numbers import LawNumbers
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.table_numbers import TABLE_CHOICES
 from cammotion.teaching.variants import LAW_CHOICES, NAMELESS, machine_for
 

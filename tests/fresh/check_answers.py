@@ -18,7 +18,7 @@ from shown import (
 )
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import NumberExercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import machine_for
 from fresh.drawing import Machine
 

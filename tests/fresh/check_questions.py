@@ -12,8 +12,9 @@ import sympy
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.teaching import again
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise, Exercise
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import LAW_CHOICES, machine_for
 from fresh.drawing import Machine
 

@@ -10,7 +10,8 @@ from typing import Any
 
 from cammotion.site.verdicts import table_of
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise, Exercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.views.live.page import as_json
 

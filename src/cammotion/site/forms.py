@@ -6,7 +6,8 @@ from html import escape
 from bs4 import BeautifulSoup
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise
+from cammotion.teaching.exercise import ChoiceExercise, Exercise
+from cammotion.teaching.number_exercise import NumberExercise
 
 Render = Callable[[str], str]
 _SAID = '<p class="said" role="status"></p>'

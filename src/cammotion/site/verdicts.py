@@ -14,7 +14,8 @@ from itertools import pairwise
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import NEAR, NOT_FAR, NumberExercise, Slip
+from cammotion.teaching.exercise import Slip
+from cammotion.teaching.number_exercise import NEAR, NOT_FAR, NumberExercise
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, SAME, TYPED, WHOLE, last_place
 
 _MEASURED = re.compile(r"(?<=off by )\S+(?= %)")

@@ -15,9 +15,10 @@ from typing import Any
 
 from cammotion.quantities import InputError
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Verdict
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.messages import in_a_row
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.reasons import NO_ANSWER
 from cammotion.teaching.store import Record, Store, counts
 from cammotion.teaching.variants import drawn

@@ -5,14 +5,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import (
-    WITH_WRONG,
-    YOURS,
-    Carried,
-    Exercise,
-    GoingOn,
-    NumberExercise,
-)
+from cammotion.teaching.exercise import Exercise
+from cammotion.teaching.number_exercise import WITH_WRONG, YOURS, Carried, GoingOn, NumberExercise
 from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.store import Record
 

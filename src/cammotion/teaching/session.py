@@ -10,9 +10,10 @@ from cammotion.teaching.carried import after
 from cammotion.teaching.controls import ChoiceControl, PredictionControl
 from cammotion.teaching.design_exercise import DesignExercise
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, Exercise, NumberExercise, Verdict
+from cammotion.teaching.exercise import ChoiceExercise, Exercise, Verdict
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.messages import Feedback, Hint, Outcome, Progress, Question, Unseen
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.places import GRADING, find_place
 from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.shown.choosing import show_answer

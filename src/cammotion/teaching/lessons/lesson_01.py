@@ -8,7 +8,8 @@ from cammotion.machine.kinematics import (
     peak_acceleration,
 )
 from cammotion.teaching.example import EXAMPLE, MillAndDie
-from cammotion.teaching.exercise import OF_THE_LESSON, ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.number_exercise import OF_THE_LESSON, NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.turns import way_after, work_in_turn
 from cammotion.teaching.shown.ways import peak_of_die

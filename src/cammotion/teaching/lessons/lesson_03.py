@@ -5,7 +5,8 @@ import math
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, peak_acceleration
 from cammotion.teaching.example import QUIET_SHARE, MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.places import mill_before_stop, place_of_die
 from cammotion.teaching.shown.turns import way_after, widened_way

@@ -6,8 +6,9 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.limits.widest import with_angle
 from cammotion.machine.kinematics import DEG_PER_TURN, SECONDS_PER_HOUR, cycle_time, indexing_time
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, PLUS, law_in_degrees
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import turn_on_screen
 from cammotion.teaching.shown.places import depth_before_down

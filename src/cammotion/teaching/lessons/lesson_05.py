@@ -14,8 +14,9 @@ from cammotion.machine.kinematics import (
     peak_velocity,
 )
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import angle_with_the_same_peak
 from cammotion.teaching.shown.ways import peak_of_die

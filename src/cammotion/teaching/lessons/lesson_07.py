@@ -5,8 +5,9 @@ import math
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import peak_acceleration
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.cams import face_under_contact, push_at_mid_stroke
 

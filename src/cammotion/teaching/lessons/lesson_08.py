@@ -7,7 +7,8 @@ from cammotion.hardware.indexer import Indexer
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, SECONDS_PER_MINUTE
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import step_of_torque
 

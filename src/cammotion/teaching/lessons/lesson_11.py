@@ -13,7 +13,8 @@ from cammotion.hardware.fits import (
 )
 from cammotion.machine.kinematics import DEG_PER_TURN, UM_PER_MM
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import turn_by_play
 

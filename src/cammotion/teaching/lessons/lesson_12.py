@@ -12,7 +12,8 @@ from cammotion.teaching.design_exercise import (
     largest_peak,
 )
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import ChoiceExercise, NumberExercise, Slip
+from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 
 _CYCLOID, _HARMONIC = 2 * math.pi, math.pi**2 / 2

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import Exercise, NumberExercise
+from cammotion.teaching.exercise import Exercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.reading import to_number
 from cammotion.teaching.rounding import FEWEST, is_rounded
 from cammotion.teaching.shown.frame import Shown

@@ -1,0 +1,278 @@
+"""Exercises that ask for a number, and why a number is wrong."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from cammotion.machine.kinematics import STANDARD_GRAVITY
+from cammotion.quantities import InputError
+from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.exercise import Exercise, Slip, led_to
+from cammotion.teaching.mixed import mixed
+from cammotion.teaching.reading import to_number
+from cammotion.teaching.reasons import COMMON_RATIOS, RATIOS_OF_SUMS, UNIT_RATIOS, in_one
+from cammotion.teaching.rounding import (
+    FEWEST,
+    MOST,
+    MOST_OFF,
+    digits_needed,
+    is_as_typed,
+    is_rounded,
+    is_same,
+)
+from cammotion.teaching.shown.frame import Shows
+
+GoingOn = Callable[[MillAndDie, float], float]
+"""How an answer comes out of the answer to an earlier exercise."""
+NEAR, NOT_FAR = 0.02, 0.08  # so near it is the rounding, or most likely is
+_CLOSE = (
+    "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
+    "until the end."
+)
+_OFF = (
+    "Not far, but off by {} %. Was a number rounded on the way, or one read off wrongly? Keep all "
+    "digits until the end."
+)
+_SIGN_AND_SIZE = "The sign is wrong, and so is the size. Which way does it go?"
+_IN_G = "This is the acceleration in g. It is asked for in m/s²."
+_TOO_FEW = (
+    "With so few digits this cannot be told from an answer that went wrong: give {} digits at "
+    "least."
+)
+WITH_WRONG = "With a wrong answer to {} this would be right."
+YOURS = "What you did here is right, but with your {} from {}, which was not right yet."
+OF_THE_LESSON = "This is right for the machine of the lesson. Yours has other numbers."
+MIXED = (
+    "With a number of the lesson's machine in place of one of yours this would be right. Is each "
+    "of them the question's?"
+)
+_DIGITS = {3: "three", 4: "four"}
+
+
+@dataclass(frozen=True)
+class Carried(Slip):
+    """What an earlier exercise leads to in a later one, with the exercises that it goes through.
+
+    It is a slip there, or the wrong answer that a learner gave.
+    """
+
+    through: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class NumberExercise(Exercise):
+    """A number with a unit, right within `tolerance`, a share of it, where no slip is nearer.
+
+    It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
+    `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
+    then is with their slips, and `brought` what it is with wrong answers that this learner gave;
+    see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`,
+    has neither a factor pi nor squares in it that could be lost.
+    """
+
+    unit: str
+    answer: Callable[[MillAndDie], float]
+    slips: tuple[Slip, ...] = ()
+    tolerance: float = 0.004
+    goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
+    carried: tuple[Carried, ...] = ()
+    brought: tuple[Carried, ...] = ()
+    shows: Shows | None = None
+    is_sum: bool = False
+
+    @property
+    def wanted(self) -> str:
+        """What kind of answer is asked for, in words."""
+        return f"one number in {self.unit}" if self.unit else "one number"
+
+    def wanted_for(self, machine: MillAndDie) -> str:
+        """Return what is asked for, with the number of digits where two are too few."""
+        digits = _known(self, machine).digits
+        asked = f", to {_DIGITS[digits]} digits" if digits > FEWEST else ""
+        return f"{self.wanted}{asked}"
+
+    def solution(self, machine: MillAndDie) -> float:
+        """Return the right number for a machine."""
+        return float(led_to(self.answer, machine))
+
+    @property
+    def ratios(self) -> Mapping[float, str]:
+        """Ratios to the right number that betray what has happened, in any unit and in this one."""
+        common = RATIOS_OF_SUMS if self.is_sum else COMMON_RATIOS
+        return {**common, **UNIT_RATIOS.get(self.unit, {})}
+
+    def of_the_lesson(self, machine: MillAndDie) -> tuple[float, ...]:
+        """Return the lesson's answer, and what its numbers lead to in place of a learner's own.
+
+        The lesson's comes first, NaN if it is right. None of the others is.
+        """
+        return _of_the_lesson(self, machine)
+
+    def find_fault(self, answer: Any, machine: MillAndDie) -> str:
+        """Return why a number is wrong; "" if it is right."""
+        given = to_number(answer, self.wanted)
+        right, wrong, digits = _known(self, machine)
+        if any(is_rounded(given, right, more) for more in range(digits, MOST + 1)):
+            return ""
+        off = abs(given - right)
+        slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)
+        if is_same(given, slip):
+            return self._all_that_lead_to(given, slip, machine)
+        is_to_most = is_rounded(float(f"{given:.{MOST}g}"), right, MOST)  # though nearly round
+        has_few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
+        if has_few and not is_to_most:
+            return _TOO_FEW.format(_DIGITS[digits])
+        if self._is_about(given, slip) and abs(given - slip) < off:
+            return self._all_that_lead_to(given, slip, machine)
+        return "" if self._is(given, right) else self._explain(given, machine, wrong)
+
+    def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
+        """Say what has happened to a number that is neither right nor one of the slips."""
+        right = self.solution(machine)
+        ratios = [said for r, said in self.ratios.items() if self._is_about(given, r * right)]
+        mixed_up = self._mixed_up(given, machine)
+        carried = self._leading_to(self.carried, given, machine)
+        rounded = in_one(
+            reason
+            for value, reason in wrong.items()
+            if is_rounded(given, value, FEWEST) and abs(given - value) <= MOST_OFF * abs(value)
+        )
+        return (
+            in_one(self._brought_along(given, machine))
+            or self._in_g(given, right)
+            or in_one([*ratios[:1], *mixed_up])
+            or in_one(slip.reason for slip in carried)
+            or rounded
+            or self._far(given, right)
+        )
+
+    def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> str:
+        """Return why a number is wrong that is a slip's: all reasons that it may have."""
+        wrong = _known(self, machine).wrong
+        alike = [
+            value
+            for value in wrong
+            if is_same(value, slip)
+            or any(is_rounded(given, value, digits) for digits in range(FEWEST + 1, MOST + 1))
+        ]
+        nearest_first = sorted(
+            alike, key=lambda value: (not is_same(value, slip), abs(given - value))
+        )
+        reasons = (wrong[value] for value in nearest_first)
+        return in_one([*self._brought_along(given, machine), *reasons])
+
+    def _mixed_up(self, given: float, machine: MillAndDie) -> list[str]:
+        """Return what is said if numbers of the lesson's machine lead to a number, at most one."""
+        lessons, *others = self.of_the_lesson(machine)
+        if is_as_typed(given, lessons):
+            return [OF_THE_LESSON]
+        return [MIXED] if any(is_as_typed(given, other) for other in others) else []
+
+    def _brought_along(self, given: float, machine: MillAndDie) -> list[str]:
+        """Return what is said if a wrong answer of this learner leads to a number.
+
+        Where that was a known slip, it is its reason.
+        """
+        brought = self._leading_to(self.brought, given, machine)
+        numbers = {number for slip in brought for number in slip.through}
+        known = [
+            slip.reason
+            for slip in self._leading_to(self.carried, given, machine)
+            if not numbers.isdisjoint(slip.through)
+        ]
+        return known or [slip.reason for slip in brought]
+
+    def _leading_to(
+        self, slips: Iterable[Carried], given: float, machine: MillAndDie
+    ) -> list[Carried]:
+        return [slip for slip in slips if self._is(given, slip.leads_to(machine))]
+
+    def _is(self, given: float, value: float) -> bool:
+        return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)
+
+    def _is_about(self, given: float, value: float) -> bool:
+        return self._is(given, value) or is_rounded(given, value, FEWEST + 1)
+
+    def _in_g(self, given: float, right: float) -> str:
+        if self.unit == "m/s²" and self._is(given * STANDARD_GRAVITY, right):
+            return _IN_G
+        return ""
+
+    def _far(self, given: float, right: float) -> str:
+        """Say what there is to say of a number with no known history."""
+        off = abs(given - right) / abs(right)
+        if off <= NEAR:
+            return _CLOSE.format(f"{100 * off:.2g}")
+        if off <= NOT_FAR:
+            return _OFF.format(f"{100 * off:.2g}")
+        if given * right < 0:
+            return _SIGN_AND_SIZE
+        return self._too("large" if abs(given) > abs(right) else "small")
+
+    def _too(self, size: str) -> str:
+        return (
+            f'This is too {size}. Read the question once more; cm.hint("{self.number}") gives a '
+            "hint."
+        )
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """All that `find_fault` may return, with … in the place of a number that it measures.
+
+        Where it returns several in one they count as the first of them.
+        """
+        unknown = (
+            *map(_TOO_FEW.format, _DIGITS.values()),
+            _CLOSE.format("…"),
+            _OFF.format("…"),
+            _SIGN_AND_SIZE,
+            self._too("large"),
+            self._too("small"),
+        )
+        slips = (slip.reason for slip in (*self.slips, *self.carried))
+        brought = (YOURS.format("…", number) for number in self.goes_on_from)
+        return (
+            *(*slips, *brought, _IN_G, *self.ratios.values()),
+            *(OF_THE_LESSON, MIXED, *unknown),
+        )
+
+
+class _Known(NamedTuple):
+    """What an answer is held against: the right number, and the slips by what they lead to.
+
+    A slip that leads to the right number is none. `digits` are those that tell them apart.
+    """
+
+    right: float
+    wrong: Mapping[float, str]
+    digits: int
+
+
+@lru_cache(maxsize=2**12)
+def _known(exercise: NumberExercise, machine: MillAndDie) -> _Known:
+    """Work out once what each answer of a machine is held against."""
+    right = exercise.solution(machine)
+    found = [(float(slip.leads_to(machine)), slip.reason) for slip in exercise.slips]
+    wrong: dict[float, str] = {}
+    for value, reason in found:
+        if math.isfinite(value) and not is_same(value, right):
+            wrong[value] = in_one([wrong[value], reason]) if value in wrong else reason
+    return _Known(right, wrong, digits_needed(right, wrong))
+
+
+@lru_cache(maxsize=2**12)
+def _of_the_lesson(exercise: NumberExercise, machine: MillAndDie) -> tuple[float, ...]:
+    """Work out once what the lesson's numbers lead to; see `NumberExercise.of_the_lesson`."""
+    right = exercise.solution(machine)
+
+    def wrong(one: MillAndDie) -> float:
+        try:
+            value = exercise.solution(one)
+        except InputError:  # with these numbers there is no such machine
+            return math.nan
+        return math.nan if is_as_typed(value, right) else value
+
+    others = dict.fromkeys(wrong(one) for one in mixed(machine))
+    return (wrong(EXAMPLE), *(value for value in others if math.isfinite(value)))
