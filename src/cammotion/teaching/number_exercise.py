@@ -65,6 +65,7 @@ class Carried(Slip):
 class NumberExercise(Exercise):
     """A number with a unit, right within `tolerance`, a share of it, where no slip is nearer.
 
+    The lesson's own answer is right for nobody else, unless it is theirs to the digits asked for.
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
@@ -126,7 +127,10 @@ class NumberExercise(Exercise):
             return _TOO_FEW.format(_DIGITS[digits])
         if self._is_about(given, slip) and abs(given - slip) < off:
             return self._all_that_lead_to(given, slip, machine)
-        return "" if self._is(given, right) else self._explain(given, machine, wrong)
+        is_copied = self._mixed_up(given, machine) == [OF_THE_LESSON]
+        if self._is(given, right) and not is_copied:
+            return ""
+        return self._explain(given, machine, wrong)
 
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
