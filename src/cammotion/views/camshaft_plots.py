@@ -28,7 +28,7 @@ from cammotion.views.timing_plots import LEFT_INCHES, TICK_DEG, WIDTH_INCHES
 _TORQUE_INCHES, _FORCES_INCHES, _PAD_INCHES = 2.27, 2.0, 0.2
 _SAMPLES = 1441
 _BEFORE_DEG = 1e-6  # so near before a jump is just before it
-_NOTHING_N_m = 1e-9  # a torque below it is rounding
+_NOTHING_N_m, _ROUNDING = 1e-9, 1e-12  # a torque below it, or below so much of the peak, is none
 _LEVELS = {"mean": "-.", "rms": ":"}
 _EDGE_DEG = 60  # so near to an end of the turn a text over the peak would leave the picture
 
@@ -88,29 +88,27 @@ def _draw_torque(ax: Axes, shaft: Camshaft, places: Floats) -> None:
     ax.plot(places, torque, color="#000000", linewidth=2, label="torque")
     ax.fill_between(places, torque, color="#dddddd", zorder=1)
     ax.axhline(0, color="#000000", linewidth=0.8)
+    peak = shaft.peak_torque()
+    least = max(_NOTHING_N_m, _ROUNDING * abs(peak.value))
     levels = {"mean": shaft.mean_torque_N_m, "rms": shaft.rms_torque_N_m}
     for name, exact in levels.items():
-        value = _without_rounding(exact)
+        value = 0.0 if abs(exact) < least else exact
         level, style = np.full(places.shape, value), _LEVELS[name]
         said = f"{name} {_newton_metres(value)}"
         ax.plot(places, level, color="#333333", linewidth=1.4, linestyle=style, label=said)
-    peak = shaft.peak_torque()
     ax.plot(peak.at_deg, peak.value, "o", color="#000000", label="_peak")
     ax.margins(y=0.2)
-    if abs(peak.value) < _NOTHING_N_m:
+    at_peak = 0.0 if abs(peak.value) < least else peak.value
+    if not at_peak:
         ax.set_ylim(-1, 1)  # and no scale for what is rounding
     aside = 8 * ((peak.at_deg < _EDGE_DEG) - (peak.at_deg > DEG_PER_TURN - _EDGE_DEG))
-    said = f"{_newton_metres(peak.value)} at {peak.at_deg:.4g}°"
+    said = f"{_newton_metres(at_peak)} at {peak.at_deg:.4g}°"
     write(ax, said, (peak.at_deg, peak.value), offset=(aside, -16 if peak.value < 0 else 7))
     add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
 
 
 def _newton_metres(torque: float) -> str:
-    return f"{as_text(_without_rounding(torque), '.3g')} N m".replace("-", "−")
-
-
-def _without_rounding(torque: float) -> float:
-    return 0.0 if abs(torque) < _NOTHING_N_m else torque
+    return f"{as_text(torque, '.3g')} N m".replace("-", "−")
 
 
 def _places(shaft: Camshaft) -> Floats:

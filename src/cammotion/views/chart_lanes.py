@@ -17,7 +17,7 @@ from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.measured.inch import MM_PER_INCH
-from cammotion.quantities import as_text
+from cammotion.quantities import as_text, plural
 from cammotion.views.displacement import curve_angles, displacement
 from cammotion.views.ends import POINTS_PER_INCH
 from cammotion.views.names import (
@@ -30,7 +30,7 @@ from cammotion.views.names import (
     text_px,
     wrap,
 )
-from cammotion.views.scales import short_number, trimmed
+from cammotion.views.scales import from_to, short_number, trimmed
 
 _GRID_DEG, _NUMBERED_DEG = 10, 30
 FULL_MM = 14.0  # of a lane whose texts have their full size
@@ -41,6 +41,7 @@ MM_PER_POINT = MM_PER_INCH / POINTS_PER_INCH
 _APART_MM = 0.6  # between two angles
 _LEFT_MM, _RIGHT_MM = 37.0, 30.0  # of room for texts beside the lanes
 _BESIDE = 0.88  # of a lane is filled by them, if it is not too high
+_MORE = 2  # digits of a stroke than of a number at a scale: a workshop sets it by them
 _LEAST_NAME = 8  # columns of a name, which always have room
 
 
@@ -72,9 +73,9 @@ def beside(motion: Motion, peak: float, radius_mm: float | None) -> Beside:
     way = abs(motion.pitch_mm) if motion.is_indexing else high - low
     turned = "" if radius_mm is None else f" ({short_number(math.degrees(way / radius_mm))}°)"
     if motion.is_indexing:
-        stroke = f"{short_number(way)} mm{turned}, {motion.stops} stops"
+        stroke = f"{short_number(way, _MORE)} mm{turned}, {plural(motion.stops or 0, 'stop')}"
     else:
-        stroke = f"{short_number(low)} to {short_number(high)} mm{turned}"
+        stroke = f"{from_to(low, high, _MORE)} mm{turned}"
     return Beside(stroke, f"{as_text(peak, '.3g')} m/s²", _laws(motion))
 
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from cammotion.quantities import as_text
 
 _THOUSAND = 1000
+_ROUNDING = 1e-9  # of the ends of a range: it is none where it is no wider
 _ONE_TWO_FIVE = LogLocator(subs=(1, 2, 5))
 
 
@@ -44,11 +45,34 @@ def trimmed(value: float, digits: int) -> str:
     return f"{value:.{digits}f}".rstrip("0").rstrip(".")
 
 
-def short_number(value: float) -> str:
-    """Return a number for a scale.
+def short_number(value: float, more: int = 0) -> str:
+    """Return a number for a scale, with so many `more` digits than the three that are usual.
 
     >>> short_number(0.1111), short_number(-1000.4), short_number(94_923), short_number(-1e-12)
     ('0.111', '−1000', '94920', '0')
     """
     value = round(value, 10) or 0.0
-    return as_text(value, ".3g" if abs(value) < _THOUSAND else ".4g").replace("-", "−")
+    digits = more + (3 if abs(value) < _THOUSAND else 4)
+    return as_text(value, f".{digits}g").replace("-", "−")
+
+
+def more_digits(low: float, high: float) -> int:
+    """Return how many more digits than three tell the ends of a range apart, as three do from 0 on.
+
+    >>> more_digits(0, 50), more_digits(1000, 1050), more_digits(1000, 1000)
+    (0, 1, 0)
+    """
+    wide = high - low
+    if wide <= _ROUNDING * max(abs(low), abs(high)):
+        return 0
+    return max(0, math.floor(math.log10(max(abs(low), abs(high)) / wide)))
+
+
+def from_to(low: float, high: float, more: int = 0) -> str:
+    """Return the ends of a range for a scale, with as many digits as it takes to tell them apart.
+
+    >>> from_to(-50, 50), from_to(12345, 12350)
+    ('−50 to 50', '12345 to 12350')
+    """
+    more = max(more, more_digits(low, high))
+    return f"{short_number(low, more)} to {short_number(high, more)}"

@@ -16,7 +16,7 @@ from cammotion.views.animation.keyframes import CAMSHAFT, Trace
 from cammotion.views.lanes import SHARED_AXIS
 from cammotion.views.names import text_px
 from cammotion.views.plots import colour
-from cammotion.views.scales import short_number
+from cammotion.views.scales import more_digits, short_number
 
 LEFT_PX = 48  # for the scale
 GAP_PX, WIDEST_LABEL_PX = 7, 110  # beside the ends of the curves, and for what stands there
@@ -120,8 +120,9 @@ class Chart:
         zero = draw.Path(stroke=svg.INK, stroke_width=0.9, fill="none")
         if lane.low <= 0 <= lane.high:
             plot.append(zero.M(0, svg.px(lane.y(0))).h(svg.px(self.width)))
+        more = more_digits(lane.low, lane.high)
         for tick in lane.ticks:
-            text = short_number(tick)
+            text = short_number(tick, more)
             low = lane.top + lane.height
             y = min(max(lane.y(tick) + 4, lane.top + 10), low)  # within its own lane
             plot.append(svg.label(text, -6, y, size=svg.SMALL, text_anchor="end"))

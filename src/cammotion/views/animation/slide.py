@@ -13,7 +13,7 @@ from cammotion.rules.rule import Rule
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import trace_position
 from cammotion.views.plots import colour
-from cammotion.views.scales import short_number
+from cammotion.views.scales import more_digits, short_number
 
 SLIDE_PX = 124
 IN_ROW = 5
@@ -76,6 +76,7 @@ class Slide:
             length = 4 + 4 * (share % 0.5 == 0)
             ticks.M(svg.px(right), svg.px(_TOP + share * _TRACK)).h(-length)
         yield ticks.M(svg.px(right), _TOP).v(_TRACK)
+        more = more_digits(low, high)
         for value, y in ((high, _TOP), (low, _TOP + _TRACK))[: 2 if high > low else 1]:
-            text, at = short_number(value), (right - 11, y + 4)
+            text, at = short_number(value, more), (right - 11, y + 4)
             yield svg.label(text, *at, text_anchor="end", size=svg.SMALL)
