@@ -91,7 +91,7 @@ def test_own_laws_and_one_alone() -> None:
     )
     with pytest.raises(cm.InputError, match="no motion law"):
         cm.explore_follower(["cycloid"])
-    with pytest.raises(cm.InputError, match="nothing to choose from"):
+    with pytest.raises(cm.InputError, match="the laws are"):
         cm.explore_follower([])
 
 

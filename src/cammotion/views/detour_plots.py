@@ -12,7 +12,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import POSITION
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import Floats, InputError, shorten
 from cammotion.views.broken import BROKEN
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, labels, name_line
@@ -90,25 +90,41 @@ def plot_weight(
 
     `weight` is an expression in deg, and `span` the symbol in it and its ends in deg. Its area,
     which is shaded and counted positive on both sides of zero, times the peak acceleration is the
-    most that can be reached.
+    most that can be reached. Raises InputError for a span without a width, and for a weight that is
+    not a finite number all over it.
 
     >>> u = sp.Symbol("u")
     >>> plot_weight(65 - u, (u, 0, 130)).get_ylabel()
     'weight in deg'
     """
     symbol, low, high = span
-    places = np.linspace(float(low), float(high), 1041)
-    if weight.free_symbols - {symbol} or (not weight.is_extended_real and not weight.free_symbols):
+    if not low < high:
         raise InputError(
-            f"The weight is {shorten(weight)}: give a real expression in {symbol} alone."
+            f"The span of the weight goes from {low:g} to {high:g} deg: give the lower end first, "
+            f"for example ({symbol}, 0, 130)."
         )
-    heights = np.broadcast_to(sp.lambdify(symbol, weight)(places), places.shape)
+    places = np.linspace(float(low), float(high), 1041)
+    heights = _heights(weight, symbol, places)
     ax = styled(ax, f"{symbol} in deg", "weight in deg", (7.5, 2.4), layout="constrained")
     style_line(ax.plot(places, heights)[0], 0)
     ax.fill_between(places, heights, color=COLOURS[0], alpha=0.25, linewidth=0)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.set_xlim(low, high)
     return ax
+
+
+def _heights(weight: sp.Expr, symbol: sp.Symbol, places: Floats) -> Floats:
+    """Return a weight at these places; raise InputError where it is no finite number."""
+    heights = np.array(np.nan)
+    if not weight.free_symbols - {symbol} and not weight.atoms(sp.core.function.AppliedUndef):
+        with np.errstate(all="ignore"):
+            heights = np.asarray(sp.lambdify(symbol, weight)(places))
+    if heights.dtype.kind not in "if" or not np.isfinite(heights).all():
+        raise InputError(
+            f"The weight is {shorten(weight)}: give an expression in {symbol} alone that is a "
+            "finite real number everywhere in the span."
+        )
+    return np.broadcast_to(heights, places.shape)
 
 
 def _add_below(ax: Axes) -> Axes:

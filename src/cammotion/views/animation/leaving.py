@@ -117,8 +117,8 @@ def animate_follower(
 
     `flights` is what `follower_flights` returns. The gap is drawn `magnify` times as large, from 1
     on; without it so that it can be seen. `turn_s` is how long the turn takes in the SVG, in s.
-    Raises InputError for anything else, for less than one whole turn, and for a motion that no
-    roller's cam can give.
+    Raises InputError for anything else, for less than one whole turn, and for a motion that stands
+    still or that no roller's cam can give.
 
     >>> import cammotion as cm
     >>> load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=1, preload_N=30)
@@ -131,6 +131,12 @@ def animate_follower(
     if flights.turns < 1:
         raise InputError(
             f"The flights are those of {flights.turns:g} turns: ask for at least 1, to see one."
+        )
+    low, high = flights.motion.range_mm
+    if low == high:
+        raise InputError(
+            f"The motion '{flights.motion.name}' stands still, so that its follower never leaves "
+            "the cam: give the flights of one that moves."
         )
     times = _fitting(flights) if magnify is None else MAGNIFICATION.number(magnify)
     return FollowerAnimation(flights, times, TURN.number(turn_s))

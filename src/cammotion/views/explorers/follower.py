@@ -7,9 +7,9 @@ import sympy as sp
 
 from cammotion.arguments import checked
 from cammotion.dynamics.one_mass import OneMass, zeta
-from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
+from cammotion.views.law_plots import as_laws
 from cammotion.views.live.explore import explore
 from cammotion.views.live.expressions import NOW
 from cammotion.views.live.figure import LiveFigure
@@ -43,7 +43,7 @@ def explore_follower(
     >>> print(figure.text.splitlines()[0])
     cycloidal: largest |A| of the cam 6.28, of the mass 7.82, which is 1.24 times as much
     """
-    known = [as_law(law) for law in laws]
+    known = as_laws(laws)
     masses = [OneMass(law, n, damping_ratio) for law in known]
     curves = {law.name: _curves(law, mass) for law, mass in zip(known, masses, strict=True)}
     s, a, z, of_mass, c_a = choice("motion law", curves)
@@ -81,7 +81,7 @@ def explore_residual(
     >>> print(figure.text.splitlines()[1])
     just after the move its swing has |A| = 0.662, 0.105 percent of the stroke
     """
-    known = [as_law(law) for law in laws]
+    known = as_laws(laws)
     masses = [OneMass(law, n, zeta) for law in known]
     curves = {
         law.name: (_acceleration(law), mass.a, _left_behind(mass), law.Ca)
