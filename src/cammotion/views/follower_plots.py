@@ -23,7 +23,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, one_of
 from cammotion.views.ends import label_ends
 from cammotion.views.law_plots import as_laws
-from cammotion.views.names import as_label, labels
+from cammotion.views.names import add_legend_below, as_label, labels
 from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {
@@ -139,5 +139,5 @@ def plot_response(
     ax.plot(at, cam, label="cam", color="#000000", linewidth=1.4)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
-    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=4, frameon=False)
+    add_legend_below(ax, 4)
     return ax

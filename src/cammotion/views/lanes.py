@@ -19,7 +19,7 @@ from cammotion.views.displacement import curve_angles
 from cammotion.views.ends import POINTS_PER_INCH, inches
 from cammotion.views.names import as_label, labels, plain, printable, short_names, text_px
 from cammotion.views.plots import colour, dark, style_line, write
-from cammotion.views.scales import short_number
+from cammotion.views.scales import from_to
 
 SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
 LANE_INCHES = 0.36
@@ -71,7 +71,7 @@ def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None)
         if peaks is not None:
             ax.axhline(lane.transform((0, 0))[1], color="#999999", linewidth=0.8, zorder=1)
         infinite = peaks is not None and math.isinf(peaks[curve.number])
-        said = f"{short_number(low)} to {short_number(high)}{', peak ∞' if infinite else ''}"
+        said = f"{from_to(low, high)}{', peak ∞' if infinite else ''}"
         at = (1.01, bottom + LANE_SHARE / 2)
         ax.text(*at, said, fontsize=_SMALL, va="center", transform=ax.get_yaxis_transform())
     name_lanes(ax, [curve.label for curve in curves])

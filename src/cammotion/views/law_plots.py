@@ -10,11 +10,13 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.quantities import InputError, one_of, shorten
+from cammotion.quantities import InputError, as_text, one_of, shorten
+from cammotion.views.names import add_legend_below, labels, name_line
 from cammotion.views.plots import COLOURS, style_line, styled
 
 CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
 _PLACES = 1001
+_LONGEST = 60  # columns of a law with its other names
 _REST = 0.06  # of the time, drawn before the move and after it
 
 
@@ -36,12 +38,13 @@ def plot_laws(
     ax = styled(ax, "x = t/tm", CURVES[curve], (7.5, 4.6), layout="constrained")
     x = np.linspace(0, 1, _PLACES)
     at_rest = [(-_REST, 0), (0, 0)], [(1, int(curve == "S")), (1 + _REST, int(curve == "S"))]
-    for number, law in enumerate(drawn):
+    names = [full_name(law) for law in drawn]
+    for number, (law, label) in enumerate(zip(drawn, labels(names, _LONGEST), strict=True)):
         points = np.vstack([at_rest[0], np.column_stack([x, law(x, derivative)]), at_rest[1]])
-        style_line(ax.plot(*points.T, label=full_name(law))[0], number)
+        name_line(style_line(ax.plot(*points.T)[0], number), label, names[number])
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
-    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    add_legend_below(ax, 2)
     return ax
 
 
@@ -72,7 +75,7 @@ def plot_ranking(
     for bar, name in zip(bars, names, strict=True):
         if math.isinf(as_law(name).Cj):
             bar.set(facecolor="white", edgecolor=COLOURS[1], hatch="//")
-    ax.bar_label(bars, fmt="%.3f", padding=4)
+    ax.bar_label(bars, [as_text(peaks[name], "#.4g") for name in names], padding=4)
     ax.margins(x=0.12)
     ax.grid(visible=False, axis="y")
     return ax

@@ -14,9 +14,17 @@ from cammotion.measured.cam_table import CamTable
 from cammotion.measured.differences import ERROR, differences
 from cammotion.measured.inch import MM_PER_INCH
 from cammotion.measured.smoothing import SmoothedTable
-from cammotion.quantities import Floats, InputError, Quantity, one_of
+from cammotion.quantities import Floats, InputError, Quantity, as_text, one_of
 from cammotion.views.ends import POINTS_PER_INCH, apart
-from cammotion.views.names import text_px
+from cammotion.views.names import (
+    TITLE,
+    add_legend,
+    add_legend_below,
+    as_label,
+    labels,
+    name_line,
+    text_px,
+)
 from cammotion.views.plots import colour, style_line, styled
 
 METRES = {"m": 1.0, "in": MM_PER_INCH / MM_PER_M}
@@ -29,7 +37,8 @@ _TICKS = 12  # at most, of ranks
 _STEPS = (2, 5, 10, 20, 50, 100, 200, 500, 1000)  # of ranks from tick to tick
 _VALUE, _OVER, _APART = 9, 3, 11  # of a value in points: its size, how far it is over its bar and
 # from the middle of another one, where there are many bars
-_NAME, _ROW, _COLUMNS = 10, 20, 3  # of a legend: its names and a row of them in points
+_ROW, _COLUMNS = 20, 3  # of a legend: a row of it in points, and how many columns it has
+_LOW = 0.1  # a height below it is told with three digits, not with two decimals
 _HEADROOM = 0.2  # over the highest bar, of it
 
 
@@ -62,12 +71,12 @@ def plot_measured(
     ax = _axes(ax, "cam angle in deg", "acceleration", unit)
     if error_mm is not None:
         error_mm = ERROR.number(error_mm)
+    called = labels([*tables], TITLE)
     for number, (name, table) in enumerate(tables.items()):
         is_smooth = isinstance(table, SmoothedTable)
         curve = _curve(table, rate_per_hour, error_mm)
         angle, values, open_by = curve[0], curve[1] / METRES[unit], curve[2] / METRES[unit]
-        (line,) = ax.plot(angle, values, label=name)
-        style_line(line, number)
+        line = name_line(style_line(ax.plot(angle, values)[0], number), called[number], name)
         if is_smooth:
             low, high = values - open_by, values + open_by
             ax.fill_between(angle, low, high, color=colour(number), alpha=0.25, lw=0)
@@ -79,7 +88,7 @@ def plot_measured(
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0.01)
     ax.xaxis.set_major_locator(MultipleLocator(_EIGHTH))
-    ax.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False)
+    add_legend_below(ax, _COLUMNS)
     return ax
 
 
@@ -113,10 +122,12 @@ def plot_harmonics(
     wide = _WIDE / len(amplitudes)
     bars: list[_Bar] = []
     told: list[_Bar] = []
-    for number, (name, given) in enumerate(amplitudes.items()):
+    called = labels([*amplitudes], TITLE)
+    for number, (name, given) in enumerate(zip(called, amplitudes.values(), strict=True)):
         heights = np.ravel(_AMPLITUDE.array(given)) / METRES[unit]
         left = np.arange(1, heights.size + 1) - _WIDE / 2 + wide * (number + 0.5)
-        ax.bar(left, heights, wide, color=colour(number), label=name, hatch="//" if number else "")
+        style: dict[str, Any] = {"color": colour(number), "hatch": "//" if number else ""}
+        ax.bar(left, heights, wide, label=as_label(name), **style)
         these = [
             _Bar(rank, *bar) for rank, bar in enumerate(zip(left, heights, strict=True), start=1)
         ]
@@ -143,7 +154,8 @@ class _Bar(NamedTuple):
     @property
     def value(self) -> str:
         """What is said above it."""
-        return f"{self.rank}: {self.height:.2f}"
+        digits = "#.3g" if 0 < self.height < _LOW else ".2f"
+        return f"{self.rank}: {as_text(self.height, digits)}"
 
 
 _ABOVE: dict[str, Any] = {
@@ -161,7 +173,7 @@ def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: boo
     Dense bars are narrower than a value: those of neighbours are moved apart, and stand above all
     bars that they would hide.
     """
-    legend = ax.legend(fontsize=_NAME, loc="upper right")
+    legend = add_legend(ax, loc="upper right")
     wide, high = _laid_out(ax)
     long = max((text_px(bar.value, _VALUE) + _OVER for bar in told), default=0.0)
     if is_dense:
@@ -185,7 +197,7 @@ def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: boo
         rows = -(-len(legend.get_texts()) // _COLUMNS)
         ax.margins(y=_headroom(long, high - rows * _ROW))
         place: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1, 1)}
-        ax.legend(fontsize=_NAME, **place, ncols=_COLUMNS, frameon=False)
+        add_legend(ax, **place, ncols=_COLUMNS, frameon=False)
 
 
 def _headroom(long: float, high: float) -> float:

@@ -13,12 +13,14 @@ from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.font_manager import FontProperties, findfont, fontManager, get_font
+from matplotlib.legend import Legend
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
 MOST = 24  # columns of a name in a picture; an ideograph takes two
 TITLE = 48  # of a design, of which a legend holds fewer
 ELLIPSIS, MISSING = "…", "□"
+_LEGEND, _BELOW_POINTS = 10, 600  # the size of its names, and what they fill below a picture
 _FEW = 6  # so many names have room in a legend among curves
 _MARKS = 3  # more above and below one letter would run into the next line
 _BLANKS = "\u115f\u1160\u2800\u3164\uffa0"  # letters to Python, and nothing to be seen
@@ -71,8 +73,11 @@ def short_names(names: Sequence[str], most: int = MOST) -> list[str]:
 
 
 def labels(names: Sequence[str], most: int = MOST) -> list[str]:
-    """Return short names for a picture of Matplotlib, in letters that its fonts have."""
-    drawn = [_drawable(short(name, most)) for name in names]
+    """Return short names for a picture of Matplotlib, in letters that its fonts have.
+
+    What somebody calls by a number, as in {8: indexer}, has it as its name.
+    """
+    drawn = [_drawable(short(str(name), most)) for name in names]
     readable = [each if each.strip(f"{MISSING}{ELLIPSIS} ") else "" for each in drawn]
     return _distinct(readable, most)
 
@@ -95,16 +100,35 @@ def plain(*texts: Text) -> None:
 def name_line(line: Line2D, name: str, full_name: str) -> Line2D:
     """Give a line a short name for a legend, and for the words of the picture its full one."""
     line.set_label(as_label(name))
-    line.set_gid(full_name)
+    line.set_gid(str(full_name))
     return line
 
 
-def add_legend(ax: Axes, **place: Any) -> None:
-    """Add a legend, in which names stand as they are."""
+def add_legend(ax: Axes, **place: Any) -> Legend:
+    """Add a legend, in which names stand as they are, and return it."""
     _, names = ax.get_legend_handles_labels()
     if len(names) > _FEW and place.get("loc") == "upper right":  # no room among the curves
         place = {"loc": "upper left", "bbox_to_anchor": (1, 1), "frameon": False}
-    plain(*ax.legend(fontsize=10, **place).get_texts())
+    legend = ax.legend(fontsize=_LEGEND, **place)
+    plain(*legend.get_texts())
+    return legend
+
+
+def add_legend_below(ax: Axes, columns: int) -> None:
+    """Add a legend under axes of our usual width, in so many columns if its names are short."""
+    _, names = ax.get_legend_handles_labels()
+    below: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.16)}
+    add_legend(ax, **below, ncols=columns_below(names, columns), frameon=False)
+
+
+def columns_below(names: Iterable[str], columns: int) -> int:
+    """Return in how many columns names have room under axes, at most so many.
+
+    >>> columns_below(["die", "mill"], 2), columns_below(["die", 60 * "x"], 2)
+    (2, 1)
+    """
+    widest = max(text_px(name, _LEGEND) for name in names)
+    return max(1, min(columns, int(_BELOW_POINTS / widest)))
 
 
 def text_px(text: str, size: float, *, bold: bool = False) -> float:

@@ -2,7 +2,6 @@
 
 import base64
 import io
-import re
 from collections.abc import Iterable, Iterator
 from html import escape
 from typing import Any
@@ -15,10 +14,12 @@ from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
+from matplotlib.ticker import ScalarFormatter
 
 from cammotion.quantities import as_text
 from cammotion.views.names import printable
 from cammotion.views.paper import STYLE
+from cammotion.views.scales import more_digits
 
 _EDGE_INCHES = 0.1
 _QUICK = {"compress_level": 3}  # a cell that runs waits for it
@@ -95,11 +96,9 @@ def _sentences(ax: Axes) -> Iterator[str]:
     curves = [line for line in drawn if len(np.atleast_1d(line.get_xdata())) > _CURVE]
     if curves:
         yield f"Curves: {'; '.join(map(_range, curves))}."
-    ticks = [*ax.get_xticklabels(), *ax.get_yticklabels()]
-    bars = _words(tick for tick in ticks if not re.match(r"[-−\d.]+$|\$", tick.get_text()))
-    if ax.containers and bars:
+    if ax.containers and (bars := _bars(ax)):
         yield f"Bars: {'; '.join(bars)}."
-    marks = [str(patch.get_label()) for patch in ax.patches]
+    marks = [str(patch.get_label() or "") for patch in ax.patches]
     if named := [printable(mark) for mark in marks if mark and not mark.startswith("_")]:
         yield f"Marked: {'; '.join(named)}."
     words = _words(ax.texts)
@@ -107,12 +106,21 @@ def _sentences(ax: Axes) -> Iterator[str]:
         yield f"Written in it: {'; '.join(words)}."
 
 
+def _bars(ax: Axes) -> list[str]:
+    """Return the names under or beside bars: what stands at an axis that has no scale."""
+    named = (
+        a for a in (ax.xaxis, ax.yaxis) if not isinstance(a.get_major_formatter(), ScalarFormatter)
+    )
+    return _words(label for axis in named for label in axis.get_ticklabels())
+
+
 def _range(curve: Line2D) -> str:
     """Return the name of a curve, which it may not have, with its least and largest value."""
     low, high = (end(np.asarray(curve.get_ydata(), float)) + 0.0 for end in (np.nanmin, np.nanmax))
-    name = str(curve.get_gid() or curve.get_label())
-    name = "one" if name.startswith("_") else printable(name)
-    return f"{name} from {as_text(low, '.3g')} to {as_text(high, '.3g')}"
+    label = str(curve.get_label())
+    name = printable(curve.get_gid() or ("one" if label.startswith("_") else label))
+    digits = f".{3 + more_digits(low, high)}g"
+    return f"{name} from {as_text(low, digits)} to {as_text(high, digits)}"
 
 
 def _words(texts: Iterable[Text]) -> list[str]:

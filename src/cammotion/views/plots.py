@@ -103,7 +103,7 @@ def plot_curves(
         label_ends(ax, lines, [height for _, height in places], said)
         return ax
     for number, name in enumerate(said):
-        plain(write(ax, name, places[number], colour(number), offsets[number]))
+        write(ax, name, places[number], colour(number), offsets[number])
     return ax
 
 
@@ -184,7 +184,7 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
         write(ax, f"{angle:g}°: {as_text(peak, '#.3g')}", (angle, peak), offset=(8, 4))
     middle = np.sqrt(line.prod())
     on_line = (middle, law[0] * (line[0] / middle) ** 2)
-    write(ax, "slope $-2$:\ntwice the angle,\na quarter", on_line, COLOURS[1], offset=(-8, -54))
+    write(ax, "slope −2:\ntwice the angle,\na quarter", on_line, COLOURS[1], offset=(-8, -54))
     ax.set_xlim(line[0], line[1] * 1.25)
     _plain_ticks(ax)
     return ax
@@ -254,8 +254,8 @@ def write(
     color: str = "#000000",
     offset: tuple[float, float] = (0, 6),
 ) -> Annotation:
-    """Write a text beside a point, `offset` in points (1/72 inch), readable over curves."""
-    return ax.annotate(
+    """Write a text as it is beside a point, `offset` in points (1/72 inch), also over curves."""
+    written = ax.annotate(
         text,
         at,
         offset,
@@ -265,6 +265,8 @@ def write(
         ha="left" if offset[0] > 0 else "right" if offset[0] else "center",
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
     )
+    plain(written)
+    return written
 
 
 def _free_place(values: Floats) -> tuple[int, tuple[float, float]]:

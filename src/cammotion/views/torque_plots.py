@@ -8,12 +8,12 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.hardware.indexer import Indexer
 from cammotion.quantities import InputError, one_of
-from cammotion.views.names import MOST, TITLE, add_legend, labels, name_line
+from cammotion.views.names import TITLE, add_legend_below, columns_below, labels, name_line
 from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
 _PLACES = 1001
-_FEW_ROWS, _ROW_INCHES = 3, 0.2  # of the legend
+_COLUMNS, _FEW_ROWS, _ROW_INCHES = 2, 3, 0.2  # of the legend
 _REST = 0.06  # of the time, drawn before the index and after it
 
 
@@ -38,8 +38,7 @@ def plot_torque(
         )
     quantity = one_of("quantity", quantity, QUANTITIES)
     called = labels([*indexers], TITLE)
-    columns = 1 if max(map(len, called)) > MOST else 2
-    rows = -(-len(called) // columns)
+    rows = -(-len(called) // columns_below(called, _COLUMNS))
     height = 4.2 + _ROW_INCHES * max(rows - _FEW_ROWS, 0)
     ax = styled(ax, "x = t/tm", QUANTITIES[quantity], (7.5, height), layout="constrained")
     x = np.linspace(0, 1, _PLACES)
@@ -49,5 +48,5 @@ def plot_torque(
         name_line(style_line(ax.plot(*points.T)[0], number), called[number], name)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
-    add_legend(ax, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=columns, frameon=False)
+    add_legend_below(ax, _COLUMNS)
     return ax

@@ -1,6 +1,6 @@
 """The picture of two versions of a machine: their motions over one another, and what that cost."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -23,13 +23,14 @@ from cammotion.views.lanes import (
     room_inches,
 )
 from cammotion.views.named import readable
-from cammotion.views.names import as_label, labels, plain, printable, short
+from cammotion.views.names import as_label, labels, plain, printable
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import colour, mixed, style_axes
-from cammotion.views.scales import short_number
+from cammotion.views.scales import from_to
 from cammotion.views.timing_plots import TICK_DEG, WIDTH_INCHES
 
 _BAR_INCHES, _EDGES_INCHES, _GAP_INCHES = 0.3, 0.9, 0.75
+_LEAST_INCHES, _RIGHT_INCHES = 4.8, 1.3  # of the angles, and beside them for what is said
 _DRAWN = ("peak acceleration", "peak force", "peak torque", "rms torque")
 _BEFORE: dict[str, Any] = {"color": "#777777", "linestyle": (0, (4, 2)), "linewidth": 1.4}
 _FULL = 100  # per cent
@@ -56,15 +57,17 @@ def plot_comparison(comparison: Comparison) -> Axes:
     effects = [e for e in comparison.effects if e.what in _DRAWN and e.times is not None][:_MOST]
     lanes, bars = LANE_INCHES * len(names), _BAR_INCHES * max(len(effects), 1)
     below = bars + _GAP_INCHES if effects else 0.0
-    called = labels(names)
-    rows = [f"{short(effect.of)}, {effect.what}" for effect in effects]
-    left = room_inches([*called, *rows]) + 0.3
-    ax = blank_axes(WIDTH_INCHES, lanes + below + _EDGES_INCHES)
+    every = list(dict.fromkeys([*names, *(effect.of for effect in effects)]))
+    called = dict(zip(every, labels(every), strict=True))
+    rows = [f"{called[effect.of]}, {effect.what}" for effect in effects]
+    left = room_inches([*called.values(), *rows]) + 0.3
+    width = max(WIDTH_INCHES, left + _LEAST_INCHES + _RIGHT_INCHES)
+    ax = blank_axes(width, lanes + below + _EDGES_INCHES)
     ax.figure.subplots_adjust(
-        left=left / WIDTH_INCHES, right=1 - 1.3 / WIDTH_INCHES, top=0.95, bottom=0.1
+        left=left / width, right=1 - _RIGHT_INCHES / width, top=0.95, bottom=0.1
     )
     style_axes(ax, "cam angle in deg", "")
-    _draw_lanes(ax, before, after, names, called)
+    _draw_lanes(ax, before, after, called, names)
     if effects:
         axes = make_axes_locatable(ax).append_axes("bottom", size=bars, pad=_GAP_INCHES)
         _draw_bars(axes, effects, rows, names)
@@ -80,8 +83,8 @@ def _draw_lanes(
     ax: Axes,
     before: TimingDiagram,
     after: TimingDiagram,
+    called: Mapping[str, str],
     names: Sequence[str],
-    called: Sequence[str],
 ) -> None:
     for number, name in enumerate(names):
         versions = [d[name] if name in d.names else None for d in (before, after)]
@@ -97,10 +100,10 @@ def _draw_lanes(
                 line.set(**({"color": colour(number), "linewidth": 2} if is_after else _BEFORE))
                 said = f"{printable(name)} {'after' if is_after else 'before'}"
                 line.set_label(as_label(said))
-        said = f"{short_number(low)} to {short_number(high)} mm"
+        said = f"{from_to(low, high)} mm"
         at = (1.01, bottom + LANE_SHARE / 2)
         plain(ax.text(*at, said, fontsize=9, va="center", transform=ax.get_yaxis_transform()))
-    name_lanes(ax, called)
+    name_lanes(ax, [called[name] for name in names])
     ax.set_xlim(0, DEG_PER_TURN)
     ax.set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
 

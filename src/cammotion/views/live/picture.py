@@ -126,7 +126,7 @@ class _Drawn:
             size = 12 if point["drags"] else 7
             self.ax.plot(*at, "o", color=colour(point["colour"]), markersize=size)
             if point["name"]:
-                plain(write(self.ax, point["name"], at))
+                write(self.ax, point["name"], at)
         if self.panel["has_cursor"]:
             self.ax.axvline(self.clock, color="#555555", linewidth=1)
             for line in self.panel["lines"]:

@@ -1,0 +1,185 @@
+"""Pictures of what is called oddly, stands far from zero, is tiny, or stands still."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+import sympy as sp
+from machines import RULE, make_diagram, make_die, make_mill
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+
+import cammotion as cm
+from cammotion import x
+from cammotion.views.chart_lanes import beside
+from cammotion.views.ends import inches
+from cammotion.views.pictures import PictureFigure, describe
+
+mpl.use("agg")
+
+FORMULA, HIDDEN, LONG = "$x_1$", "_b", 200 * "W"
+TABLE = cm.Indexer(38.5, stops=8, time_s=0.75)
+ANGLES = np.arange(0.0, 360.0, 10.0)
+CAM = cm.CamTable(ANGLES, 25 - 25 * np.cos(np.radians(ANGLES)), is_cycle=True)
+
+
+@pytest.fixture(autouse=True)
+def _close_figures() -> Iterator[None]:
+    yield
+    plt.close("all")
+
+
+def words_of(ax: Axes) -> str:
+    """Draw the picture that holds axes, and return its words."""
+    assert isinstance(ax.figure, PictureFigure)
+    ax.figure.png()
+    return describe(ax.figure)
+
+
+def named(*names: str) -> list[cm.Motion]:
+    """Return motions that rise and return, one for each name."""
+    moves = cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=55), cm.dwell(150)
+    return [cm.motion(name, *moves) for name in names]
+
+
+def law(name: str) -> cm.MotionLaw:
+    return cm.MotionLaw(name, 3 * x**2 - 2 * x**3)
+
+
+@pytest.mark.parametrize(
+    "draw",
+    [
+        lambda name: cm.plot_laws([law(name)]),
+        lambda name: cm.plot_residual([law(name)]),
+        lambda name: cm.plot_torque({name: TABLE}),
+        lambda name: cm.plot_measured({name: CAM}, 900),
+        lambda name: cm.plot_clearance({name: make_diagram()}, RULE),
+        lambda name: cm.plot_timing(cm.TimingDiagram(named(name), 2000)),
+    ],
+)
+@pytest.mark.parametrize("name", [FORMULA, HIDDEN, LONG])
+def test_a_curve_is_called_by_its_name_whatever_that_is(
+    draw: Callable[[str], Axes], name: str
+) -> None:
+    ax = draw(name)
+    assert f"{name} from " in words_of(ax)
+    legend = ax.get_legend()
+    written = [*ax.texts, *(legend.get_texts() if legend else ())]
+    assert not any(text.get_parse_math() for text in written if "x_1" in text.get_text())
+
+
+@pytest.mark.parametrize("name", [FORMULA, HIDDEN, LONG])
+def test_the_legend_of_harmonics_has_their_names(name: str) -> None:
+    ax = cm.plot_harmonics({name: [3, 1], "other": [1, 2]})
+    words_of(ax)
+    legend = ax.get_legend()
+    assert legend is not None
+    (first, _) = legend.get_texts()
+    assert first.get_text().strip().startswith(name[:10])
+    assert not first.get_parse_math()
+
+
+def test_a_name_at_its_curve_is_no_formula() -> None:
+    words = words_of(cm.plot_timing(cm.TimingDiagram(named(FORMULA, "a$b"), 2000)))
+    assert "Written in it: $x_1$; a$b." in words
+
+
+def test_what_is_called_by_a_number_is_drawn() -> None:
+    assert "8 from " in words_of(cm.plot_torque({8: TABLE}))  # type: ignore[dict-item]
+
+
+def test_bars_are_told_whatever_they_are_called() -> None:
+    move = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    words = words_of(cm.plot_peaks([move, move], labels=[FORMULA, "1"]))
+    assert "Bars: $x_1$; 1." in words
+
+
+def test_what_has_no_name_in_a_cam_is_not_told() -> None:
+    cam = cm.RollerCam(make_die(), cm.TranslatingRoller(10), prime_radius_mm=160)
+    assert "Marked: cam; pitch curve; follower; prime circle 160 mm." in words_of(cm.plot_cam(cam))
+
+
+def test_the_bars_of_two_versions_are_called_as_their_lanes_and_apart() -> None:
+    long = [f"the lower left sealing jaw {n} of the second machine" for n in (1, 2)]
+    before = cm.TimingDiagram([*named(*long, "金")], 2000)
+    ax = cm.plot_comparison(cm.compare(before, cm.TimingDiagram(before.motions, 2500)))
+    below = ax.figure.axes[1]
+    rows = [text.get_text().removesuffix(", peak acceleration") for text in below.get_yticklabels()]
+    assert rows == [text.get_text() for text in ax.get_yticklabels()]
+    assert len({*rows}) == len(rows)
+
+
+def test_long_names_leave_room_for_the_angles_of_two_versions() -> None:
+    before = cm.TimingDiagram(named(LONG), 2000)
+    ax = cm.plot_comparison(cm.compare(before, cm.TimingDiagram(before.motions, 2500)))
+    assert inches(ax)[0] > 4.5
+
+
+def test_a_short_stroke_far_from_zero_is_told() -> None:
+    moves = cm.rise(5, over_deg=90), cm.dwell(180), cm.return_(5, over_deg=90)
+    far = [cm.motion(name, *moves, start_mm=12345) for name in "abcde"]
+    ax = cm.plot_timing(cm.TimingDiagram(far, 2000))
+    assert "a from 12345 to 12350;" in words_of(ax)
+    assert {text.get_text() for text in ax.texts} == {"12345 to 12350"}
+    slides = cm.animate(cm.TimingDiagram(far[:1], 2000)).svg
+    assert {">12345<", ">12350<"} <= {f">{part.split('<')[0]}<" for part in slides.split(">")}
+
+
+@pytest.mark.parametrize(("stroke_mm", "said"), [(123.4, "0 to 123.4 mm"), (50, "0 to 50 mm")])
+def test_a_chart_has_the_stroke_that_is_to_be_set(stroke_mm: float, said: str) -> None:
+    rise, back = cm.rise(stroke_mm, over_deg=90), cm.return_(stroke_mm, over_deg=90)
+    assert beside(cm.motion("die", rise, back, cm.dwell(180)), 1, None).stroke == said
+
+
+def test_a_chart_has_one_stop() -> None:
+    belt = cm.indexing_motion("belt", cm.rise(100, over_deg=150), cm.dwell(210), stops=1)
+    assert beside(belt, 1, None).stroke == "100 mm, 1 stop"
+
+
+def test_the_rounding_of_a_large_torque_is_no_mean() -> None:
+    diagram = cm.TimingDiagram([make_die(), make_mill()], 1e9)
+    shaft = cm.Camshaft(diagram, {name: cm.FollowerLoad(mass_kg=12) for name in diagram.names})
+    assert "mean 0 N m from 0 to 0" in words_of(cm.plot_camshaft(shaft))
+
+
+def test_small_peaks_and_harmonics_keep_their_digits() -> None:
+    ranking = cm.plot_ranking({"cycloidal": 0.000415, "simple harmonic": 0.000326})
+    assert [text.get_text() for text in ranking.texts] == ["0.0004150", "0.0003260"]
+    harmonics = cm.plot_harmonics({"cam": [5.14, 0.00412]})
+    assert [text.get_text() for text in harmonics.texts] == ["2: 0.00412", "1: 5.14"][::-1]
+
+
+u = sp.Symbol("u")
+
+
+@pytest.mark.parametrize(
+    ("weight", "span", "said"),
+    [
+        (1 / u, (0, 130), "1/u: give an expression in u alone that is a finite"),
+        (sp.sqrt(u - 50), (0, 130), "a finite real number everywhere"),
+        (sp.I * u, (0, 130), "a finite real number everywhere"),
+        (sp.Function("f")(u), (0, 130), r"weight is f\(u\)"),
+        (65 - u, (130, 0), "goes from 130 to 0 deg"),
+        (65 - u, (7, 7), "goes from 7 to 7 deg"),
+    ],
+)
+def test_a_weight_that_is_none_is_refused(
+    weight: sp.Expr, span: tuple[float, float], said: str
+) -> None:
+    with pytest.raises(cm.InputError, match=said):
+        cm.plot_weight(weight, (u, *span))
+
+
+def test_a_follower_that_stands_still_is_refused_at_once() -> None:
+    load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=1, preload_N=30)
+    flights = cm.follower_flights(cm.motion("gate", cm.dwell(360)), load, 3000)
+    with pytest.raises(cm.InputError, match="'gate' stands still"):
+        cm.animate_follower(flights)
+
+
+@pytest.mark.parametrize("explore", [cm.explore_follower, cm.explore_residual])
+def test_no_law_is_told_as_that(explore: Callable[[Any], Any]) -> None:
+    with pytest.raises(cm.InputError, match="the laws are"):
+        explore([])
