@@ -21,11 +21,10 @@ from notebook_lint import _svg_faults
 import cammotion as cm
 from cammotion.quantities import Floats
 from cammotion.views.animation import Animation, animate
-from cammotion.views.animation.charts import spread
 from cammotion.views.animation.keyframes import trace_acceleration
 from cammotion.views.animation.player import speeds_for
-from cammotion.views.animation.svg import wrapped
-from cammotion.views.names import text_px
+from cammotion.views.ends import apart
+from cammotion.views.names import text_px, wrap
 
 MILL, DIE = make_mill(), make_die()
 BEFORE = make_diagram(MILL, DIE)
@@ -482,7 +481,7 @@ def test_rules_may_come_one_by_one() -> None:
 
 def test_labels_keep_apart() -> None:
     for places in itertools.permutations([0.0, 1.0, 99.0, 100.0]):
-        moved_places = sorted(spread(places, 0, 100))
+        moved_places = sorted(apart(places, 14, 0, 100))
         assert min(np.diff(moved_places)) >= 14
         assert moved_places[0] >= 0
         assert moved_places[-1] <= 100
@@ -490,7 +489,7 @@ def test_labels_keep_apart() -> None:
 
 def test_lines_are_broken_between_words() -> None:
     text = "the die is 5.97 mm too deep at 134.96 deg"
-    lines = wrapped(text, 100, 12, most=9)
+    lines = wrap(text, 100, 12, most=9)
     assert " ".join(lines) == text
     assert len(lines) > 1
     assert all(text_px(line, 12) <= 100 for line in lines)

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
 
 from cammotion.quantities import Floats
 from cammotion.views.names import plain, text_px
@@ -65,22 +66,25 @@ def inches(ax: Axes) -> tuple[float, float]:
     return box.width * page.width / ax.figure.dpi, box.height * page.height / ax.figure.dpi
 
 
-def apart(shares: Floats, gap: float) -> Floats:
-    """Return heights in the same order, at least a gap apart and from 0 on, up to 1 if it holds.
+def apart(places: ArrayLike, gap: float, low: float = 0.0, high: float = 1.0) -> Floats:
+    """Return places in the same order, at least a gap apart, from low up to high if that holds them.
 
-    >>> apart(np.array([0.5, 0.5, 0.2]), 0.052).round(3)
+    >>> apart([0.5, 0.5, 0.2], 0.052).round(3)
     array([0.474, 0.526, 0.2  ])
     """
-    order = np.argsort(shares, kind="stable")
-    steps = np.arange(len(shares)) * gap
-    free = np.clip(shares[order], 0, 1) - steps  # which may not fall: pooled where they do
+    given = np.asarray(places, dtype=np.float64)
+    if not given.size:
+        return given
+    order = np.argsort(given, kind="stable")
+    steps = np.arange(given.size) * gap
+    free = np.clip(given[order], low, high) - steps  # which may not fall: pooled where they do
     pools: list[list[float]] = []
     for each in free:
         pools.append([each])
         while len(pools) > 1 and np.mean(pools[-2]) > np.mean(pools[-1]):
             pools[-2:] = [pools[-2] + pools[-1]]
     placed = np.concatenate([np.full(len(pool), np.mean(pool)) for pool in pools])
-    placed = np.clip(placed, 0, max(1 - steps[-1], 0)) + steps
+    placed = np.clip(placed, low, max(high - steps[-1], low)) + steps
     found = np.empty_like(placed)
     found[order] = placed
     return np.asarray(found)

@@ -182,9 +182,9 @@ def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: boo
     half = _VALUE / 2 * (right - left) / wide
     places = np.array([bar.x for bar in told])
     if is_dense:
-        near, room = left + half, right - left - 2 * half
-        gap = min(_APART / wide, 1 / len(told))
-        places = near + apart((places - near) / room, gap) * room
+        near, far = left + half, right - half
+        gap = min(_APART / wide, 1 / len(told)) * (far - near)
+        places = apart(places, gap, near, far)
     ends = [(bar.x + _WIDE / 2, bar.height) for bar in bars]
     for bar, x in zip(told, places, strict=True):
         hidden = [each.height for each in bars if is_dense and abs(each.x - x) < half]

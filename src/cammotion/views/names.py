@@ -149,11 +149,15 @@ def cut(text: str, width: float, size: float, *, bold: bool = False) -> str:
     return text
 
 
-def wrap(text: str, width: float, size: float, *, bold: bool = False) -> list[str]:
+def wrap(
+    text: str, width: float, size: float, *, bold: bool = False, most: int | None = None
+) -> list[str]:
     """Return a text in lines that are not wider than `width`, broken in a word only if need be.
 
-    >>> wrap("the upper-left jaw, 12 mm", 90, 10)
-    ['the upper-left', 'jaw, 12 mm']
+    Where that is more than `most` lines, the last one ends in an ellipsis.
+
+    >>> wrap("the upper-left jaw, 12 mm", 90, 10), wrap("the upper-left jaw", 90, 10, most=1)
+    (['the upper-left', 'jaw, 12 mm'], ['the upper-left…'])
     """
 
     def fits(line: str) -> bool:
@@ -165,6 +169,8 @@ def wrap(text: str, width: float, size: float, *, bold: bool = False) -> list[st
             if lines[-1] and not fits(lines[-1] + part):
                 lines.append("")
             lines[-1] += part
+    if most and len(lines) > most:
+        lines[most - 1 :] = [cut("".join(lines[most - 1 :]), width, size, bold=bold)]
     return [line.rstrip() for line in lines]
 
 

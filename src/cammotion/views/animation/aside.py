@@ -7,7 +7,8 @@ from typing import Any
 import drawsvg as draw
 
 from cammotion.views.animation import svg
-from cammotion.views.animation.charts import spread
+from cammotion.views.animation.charts import LABEL_PX
+from cammotion.views.ends import apart
 from cammotion.views.names import cut, text_px
 from cammotion.views.plots import colour
 
@@ -36,7 +37,7 @@ def _column(
     these: Sequence[Named], width: float, span: tuple[float, float], is_left: bool
 ) -> Iterable[Any]:
     way, edge = (1, _EDGE_PX) if is_left else (-1, width - _EDGE_PX)
-    for each, y in zip(these, spread([n.y for n in these], *span), strict=True):
+    for each, y in zip(these, apart([n.y for n in these], LABEL_PX, *span), strict=True):
         shown = cut(each.name, ASIDE_PX, svg.SMALL)
         end = edge + way * (text_px(shown, svg.SMALL) + _LINE_PX)
         line = draw.Path(stroke=colour(each.number), stroke_width=0.8, fill="none")

@@ -10,11 +10,11 @@ from matplotlib.ticker import MaxNLocator
 
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import CAMSHAFT, Trace
+from cammotion.views.ends import apart
 from cammotion.views.lanes import SHARED_AXIS
-from cammotion.views.names import text_px
+from cammotion.views.names import text_px, wrap
 from cammotion.views.plots import colour
 from cammotion.views.scales import more_digits, short_number
 
@@ -23,7 +23,7 @@ GAP_PX, WIDEST_LABEL_PX = 7, 110  # beside the ends of the curves, and for what 
 FLAT = 25  # so many times smaller than another, a curve is flat beside it
 HEADING_PX, TICKS_PX = 18, 18
 _TICK_DEG, _LABELLED_DEG = 30, 60
-_LABEL_PX = 14
+LABEL_PX = 14  # from one name at the ends of curves to the next
 
 
 @dataclass(frozen=True)
@@ -137,23 +137,21 @@ class Chart:
             text_px(curve.label, svg.NORMAL, bold=True) > WIDEST_LABEL_PX for curve in lane.curves
         )
         size, most = (svg.SMALL, 2) if is_long or lane.is_bare else (svg.NORMAL, 1)
-        pitch = _LABEL_PX * most
-        edge = 4 + (pitch - _LABEL_PX) / 2
-        places = spread(ends, lane.top + edge, lane.top + lane.height - edge, pitch)
+        pitch = LABEL_PX * most
+        edge = 4 + (pitch - LABEL_PX) / 2
+        places = apart(ends, pitch, lane.top + edge, lane.top + lane.height - edge)
         if lane.is_bare:
-            places = [lane.top + lane.height / 2]
+            places = np.array([lane.top + lane.height / 2])
         for curve, place in zip(lane.curves, places, strict=True):
             plot.extend(self._name(curve, place, size, most))
 
     def _name(self, curve: LabelledCurve, place: float, size: int, most: int) -> Iterable[Any]:
         """Write what stands at a curve's end about a height, in so many lines at most."""
-        lines = [curve.label]
-        if most > 1:
-            lines = svg.wrapped(curve.label, WIDEST_LABEL_PX, size, bold=True, most=most)
-        first = place + 4 - _LABEL_PX / 2 * (len(lines) - 1)
+        lines = wrap(curve.label, WIDEST_LABEL_PX, size, bold=True, most=most)
+        first = place + 4 - LABEL_PX / 2 * (len(lines) - 1)
         bold: dict[str, Any] = {"fill": svg.dark(curve.number), "font_weight": "bold"}
         for number, line in enumerate(lines):
-            at = self.width + GAP_PX, first + _LABEL_PX * number
+            at = self.width + GAP_PX, first + LABEL_PX * number
             yield svg.label(line, *at, width=WIDEST_LABEL_PX, size=size, **bold)
 
     def _draw_key(self) -> Iterable[Any]:
@@ -210,18 +208,3 @@ def _lane(curves: Sequence[LabelledCurve], top: float, height: float, bare: bool
     ticks = [low, high] if bare else [t for t in locator.tick_values(low, high) if low <= t <= high]
     room = 0.06 * (high - low)
     return Lane(curves, low - room, high + room, ticks, top, height, bare)
-
-
-def spread(
-    places: Sequence[float], low: float, high: float, pitch: float = _LABEL_PX
-) -> Floats | list[float]:
-    """Return the places moved apart, in order, to where labels do not cover each other."""
-    order = sorted(range(len(places)), key=lambda number: places[number])
-    moved = list(places)
-    for above, number in zip([None, *order], order, strict=False):
-        least = low if above is None else moved[above] + pitch
-        moved[number] = max(moved[number], least)
-    for below, number in zip([None, *order[::-1]], order[::-1], strict=False):
-        most = high if below is None else moved[below] - pitch
-        moved[number] = min(moved[number], most)
-    return moved

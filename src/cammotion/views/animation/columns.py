@@ -29,7 +29,7 @@ from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
-from cammotion.views.names import text_px
+from cammotion.views.names import printable, text_px, wrap
 from cammotion.views.scales import drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
@@ -203,7 +203,7 @@ class Layout:
             seen.append(svg.box(0, top, INNER_PX, ALARM_PX - 4, fill=svg.PALE_ALARM))
             alarm.append(seen)
             small: dict[str, Any] = {"size": svg.SMALL, "fill": svg.ALARM, "stroke": "none"}
-            lines = svg.wrapped(str(broken), INNER_PX - 8, svg.SMALL, most=2)
+            lines = wrap(printable(str(broken)), INNER_PX - 8, svg.SMALL, most=2)
             for line, y in zip(lines, (top + 13, top + 28), strict=False):
                 alarm.append(svg.label(line, 4, y, width=INNER_PX - 8, **small))
         return alarm

@@ -12,6 +12,7 @@ from cammotion.machine.motions import Motion
 from cammotion.rules.rule import Rule
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import trace_position
+from cammotion.views.names import wrap
 from cammotion.views.plots import colour
 from cammotion.views.scales import more_digits, short_number
 
@@ -28,7 +29,7 @@ class Slide:
         self.number, self.motion, self.width = number, motion, width
         self.names: Sequence[str] = [motion.name]
         room = self.width - 6
-        self._name_lines = svg.wrapped(motion.name, room, svg.SMALL, bold=True, most=_LINES)
+        self._name_lines = wrap(motion.name, room, svg.SMALL, bold=True, most=_LINES)
         self.height: float = SLIDE_PX + _LINE * max(len(self._name_lines) - 2, 0)
 
     @classmethod

@@ -17,7 +17,7 @@ from cammotion.quantities import Floats
 from cammotion.views import plots
 from cammotion.views.animation.keyframes import Trace
 from cammotion.views.broken import BROKEN
-from cammotion.views.names import cut, printable, text_px
+from cammotion.views.names import cut, printable
 from cammotion.views.plots import colour, dashes_of, mixed
 from cammotion.views.scales import trimmed
 
@@ -100,23 +100,6 @@ def line_style(number: int) -> dict[str, Any]:
         "stroke_dasharray": pattern or None,
         "fill": "none",
     }
-
-
-def wrapped(text: str, width: float, size: int, *, most: int, bold: bool = False) -> list[str]:
-    """Return the lines into which a text is broken to be no wider than `width` px.
-
-    Where that is more than `most` lines, the last one ends in an ellipsis.
-    """
-    lines = [""]
-    for word in printable(text).split():
-        longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and text_px(longer, size, bold=bold) > width:
-            lines.append(word)
-        else:
-            lines[-1] = longer
-    if len(lines) > most:
-        lines[most - 1 :] = [cut(" ".join(lines[most - 1 :]), width, size, bold=bold)]
-    return lines
 
 
 def label(
