@@ -18,12 +18,13 @@ from cammotion.views.lanes import (
     draw_lanes,
     draw_shared,
     room_inches,
+    show_turn,
 )
 from cammotion.views.named import readable
 from cammotion.views.names import add_legend, labels
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import style_axes, write
-from cammotion.views.timing_plots import LEFT_INCHES, TICK_DEG, WIDTH_INCHES
+from cammotion.views.timing_plots import LEFT_INCHES, WIDTH_INCHES
 
 _TORQUE_INCHES, _FORCES_INCHES, _PAD_INCHES = 2.27, 2.0, 0.2
 _SAMPLES = 1441
@@ -77,8 +78,7 @@ def plot_camshaft(shaft: Camshaft) -> Axes:
     else:
         draw_shared(forces, curves, is_named=True)
     _draw_torque(ax, shaft, places)
-    ax.set_xlim(0, DEG_PER_TURN)
-    ax.set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
+    show_turn(ax)
     forces.tick_params(axis="x", labelbottom=False)
     return ax
 

@@ -33,7 +33,7 @@ from cammotion.views.chart_lanes import (
 )
 from cammotion.views.chart_rules import BLOCK_MM, FIRST_MM, INDENT_MM, Block, lay_out
 from cammotion.views.named import readable
-from cammotion.views.names import TITLE, cut, labels, printable
+from cammotion.views.names import TITLE, by_name, cut, printable
 
 PAPERS = {"A4": 297.0, "A3": 420.0}  # their widths in mm, lying
 _WIDTH, _HEIGHT = 297.0, 210.0
@@ -113,7 +113,7 @@ def draw_chart(
     block = lay_out(
         find_clearances(diagram, rules),
         violations,
-        dict(zip(names, labels(names, TITLE), strict=True)),
+        by_name(names, TITLE),
         (split - _MARGIN - 2 * _BESIDE_RULES, _most_block(len(names))),
     )
     paper = Paper(

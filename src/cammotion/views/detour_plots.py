@@ -15,7 +15,7 @@ from cammotion.machine.segments import POSITION
 from cammotion.quantities import Floats, InputError, shorten
 from cammotion.views.broken import BROKEN
 from cammotion.views.named import labels_of
-from cammotion.views.names import TITLE, add_legend, labels, name_line
+from cammotion.views.names import TITLE, add_legend, by_name, name_line
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, styled, write
 
 Pair = tuple[float, float]
@@ -62,15 +62,14 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     size = 7.5, 5.4 if with_acceleration else 3.4
     ax = styled(ax, "", f"height y of the {labels_of(first)[name]} in mm", size)
     lower = _add_below(ax) if with_acceleration else ax
-    for number, (label, (title, design)) in enumerate(
-        zip(labels([*designs], TITLE), designs.items(), strict=True)
-    ):
+    called = by_name(designs, TITLE)
+    for number, (title, design) in enumerate(designs.items()):
         way = design.position_mm(name, start + u) - design.position_mm(name, start)
         up = 1 if way[np.abs(way).argmax()] > 0 else -1
-        name_line(style_line(ax.plot(u, up * way)[0], number), label, title)
+        name_line(style_line(ax.plot(u, up * way)[0], number), called[title], title)
         if with_acceleration:
             acceleration = up * design.acceleration(name, start + u)
-            name_line(style_line(lower.plot(u, acceleration)[0], number), label, title)
+            name_line(style_line(lower.plot(u, acceleration)[0], number), called[title], title)
     _draw_corners(ax, corners)
     if usual_mm is not None:
         usual_mm = POSITION.number(usual_mm)

@@ -67,7 +67,7 @@ def inches(ax: Axes) -> tuple[float, float]:
 
 
 def apart(places: ArrayLike, gap: float, low: float = 0.0, high: float = 1.0) -> Floats:
-    """Return places in the same order, at least a gap apart, from low up to high if that holds them.
+    """Return places in the same order, a gap apart at least, from low on, up to high if it holds.
 
     >>> apart([0.5, 0.5, 0.2], 0.052).round(3)
     array([0.474, 0.526, 0.2  ])

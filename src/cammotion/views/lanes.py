@@ -22,6 +22,7 @@ from cammotion.views.plots import colour, dark, style_line, write
 from cammotion.views.scales import from_to
 
 SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lane each
+TICK_DEG = 30
 LANE_INCHES = 0.36
 LANE_SHARE = 0.75  # of a lane, that a curve fills
 _NAME, _SMALL = 11, 10  # the size of a name at its curve, and beside its lane, in points
@@ -72,8 +73,7 @@ def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None)
             ax.axhline(lane.transform((0, 0))[1], color="#999999", linewidth=0.8, zorder=1)
         infinite = peaks is not None and math.isinf(peaks[curve.number])
         said = f"{from_to(low, high)}{', peak ∞' if infinite else ''}"
-        at = (1.01, bottom + LANE_SHARE / 2)
-        ax.text(*at, said, fontsize=_SMALL, va="center", transform=ax.get_yaxis_transform())
+        say_beside(ax, bottom + LANE_SHARE / 2, said)
     name_lanes(ax, [curve.label for curve in curves])
 
 
@@ -98,6 +98,17 @@ def name_rows(ax: Axes) -> None:
     for number, text in enumerate(ax.get_yticklabels()):
         text.set_color(dark(number))
         plain(text)
+
+
+def say_beside(ax: Axes, y: float, said: str, size: float = _SMALL) -> None:
+    """Write to the right of axes, at a height that their vertical axis counts."""
+    plain(ax.text(1.01, y, said, fontsize=size, va="center", transform=ax.get_yaxis_transform()))
+
+
+def show_turn(ax: Axes) -> None:
+    """Let the horizontal axis be one turn, with a number every 30 deg."""
+    ax.set_xlim(0, DEG_PER_TURN)
+    ax.set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
 
 
 def room_inches(names: Iterable[str]) -> float:

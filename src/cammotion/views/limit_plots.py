@@ -16,7 +16,7 @@ from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
 from cammotion.quantities import Floats, InputError, Quantity
 from cammotion.views.named import labels_of
-from cammotion.views.names import TITLE, add_legend, labels, name_line, plain
+from cammotion.views.names import TITLE, add_legend, by_name, name_line, plain
 from cammotion.views.plots import COLOURS, styled
 from cammotion.whole.least_peak import LeastPeak
 
@@ -136,11 +136,11 @@ def plot_front(
     )
     ax.plot(*_columns(reached), color=BEST, linewidth=2)
     ax.lines[-1].set_label("the best that was found, any law")
-    for name, label in _labelled(curves or {}):
+    for name, label in by_name(curves or {}, TITLE).items():
         ax.plot(*_columns((curves or {})[name]), "--", color=NAMED, linewidth=2)
         name_line(ax.lines[-1], label, name)
     ax.plot([0, high], [0, high], ":", color=_DARK, label="both equally hard driven")
-    for name, label in _labelled(points or {}):
+    for name, label in by_name(points or {}, TITLE).items():
         point = (points or {})[name]
         ax.plot(*point, "o", color=NAMED)
         plain(ax.annotate(label, point, (8, 4), **_OFFSET))
@@ -174,7 +174,7 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
     """Write names to the right of points, from below upwards, none over another."""
     width, height = np.ptp(ax.get_xlim()), np.ptp(ax.get_ylim())
     placed: list[Pair] = []
-    for name, label in sorted(_labelled(points), key=lambda pair: points[pair[0]][1]):
+    for name, label in sorted(by_name(points, TITLE).items(), key=lambda pair: points[pair[0]][1]):
         x, y = points[name]
         near = [at[1] for at in placed if abs(at[0] - x) < _NEAR * width]
         level = max([y, *[at + _GAP * height for at in near]])
@@ -189,9 +189,3 @@ def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
             arrowprops={"arrowstyle": "-", "color": "#999999"},
         )
         plain(written)
-
-
-def _labelled(given: Iterable[str]) -> list[tuple[str, str]]:
-    """Return names, each with the short one that is written for it."""
-    names = [*given]
-    return [*zip(names, labels(names, TITLE), strict=True)]

@@ -21,7 +21,7 @@ from cammotion.views.names import (
     add_legend,
     add_legend_below,
     as_label,
-    labels,
+    by_name,
     name_line,
     text_px,
 )
@@ -71,12 +71,12 @@ def plot_measured(
     ax = _axes(ax, "cam angle in deg", "acceleration", unit)
     if error_mm is not None:
         error_mm = ERROR.number(error_mm)
-    called = labels([*tables], TITLE)
+    called = by_name(tables, TITLE)
     for number, (name, table) in enumerate(tables.items()):
         is_smooth = isinstance(table, SmoothedTable)
         curve = _curve(table, rate_per_hour, error_mm)
         angle, values, open_by = curve[0], curve[1] / METRES[unit], curve[2] / METRES[unit]
-        line = name_line(style_line(ax.plot(angle, values)[0], number), called[number], name)
+        line = name_line(style_line(ax.plot(angle, values)[0], number), called[name], name)
         if is_smooth:
             low, high = values - open_by, values + open_by
             ax.fill_between(angle, low, high, color=colour(number), alpha=0.25, lw=0)
@@ -122,12 +122,12 @@ def plot_harmonics(
     wide = _WIDE / len(amplitudes)
     bars: list[_Bar] = []
     told: list[_Bar] = []
-    called = labels([*amplitudes], TITLE)
-    for number, (name, given) in enumerate(zip(called, amplitudes.values(), strict=True)):
+    called = by_name(amplitudes, TITLE)
+    for number, (name, given) in enumerate(amplitudes.items()):
         heights = np.ravel(_AMPLITUDE.array(given)) / METRES[unit]
         left = np.arange(1, heights.size + 1) - _WIDE / 2 + wide * (number + 0.5)
         style: dict[str, Any] = {"color": colour(number), "hatch": "//" if number else ""}
-        ax.bar(left, heights, wide, label=as_label(name), **style)
+        ax.bar(left, heights, wide, label=as_label(called[name]), **style)
         these = [
             _Bar(rank, *bar) for rank, bar in enumerate(zip(left, heights, strict=True), start=1)
         ]

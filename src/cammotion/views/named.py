@@ -7,7 +7,7 @@ from typing import TypeVar
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.quantities import InputError
 from cammotion.rules.rule import Rule
-from cammotion.views.names import labels, printable, short_names
+from cammotion.views.names import by_name, printable, short_names
 
 R = TypeVar("R", bound=Rule)
 
@@ -42,7 +42,7 @@ def short_rule(diagram: TimingDiagram, rule: R) -> R:
 
 def labels_of(diagram: TimingDiagram) -> dict[str, str]:
     """Return what each motion is called in a picture of Matplotlib, by its name."""
-    return dict(zip(diagram.names, labels(diagram.names), strict=True))
+    return by_name(diagram.names)
 
 
 def names_in_full(diagram: TimingDiagram, *names: str) -> list[str]:

@@ -82,6 +82,12 @@ def labels(names: Sequence[str], most: int = MOST) -> list[str]:
     return _distinct(readable, most)
 
 
+def by_name(names: Iterable[str], most: int = MOST) -> dict[str, str]:
+    """Return the label of each of several names, by the name."""
+    given = [*names]
+    return dict(zip(given, labels(given, most), strict=True))
+
+
 def as_label(name: str) -> str:
     """Return what to label a curve with: a name with _ before it is hidden from Matplotlib."""
     return f" {name}" if name.startswith("_") else name

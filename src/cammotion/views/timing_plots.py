@@ -30,13 +30,13 @@ from cammotion.views.lanes import (
     draw_shared,
     room_inches,
     say_infinite,
+    show_turn,
 )
 from cammotion.views.named import labels_of, readable
-from cammotion.views.names import TITLE, add_legend, labels, name_line
+from cammotion.views.names import TITLE, add_legend, by_name, labels, name_line
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import CURVES, colour, style_axes, style_line, styled, write
 
-TICK_DEG = 30
 BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4
 WIDTH_INCHES, LEFT_INCHES, RIGHT_INCHES = 9.0, 1.125, 0.9  # of a notebook's page, and its margins
 _TITLE_INCHES = 0.45  # beside the names of the rows, for what they show
@@ -91,7 +91,7 @@ def plot_timing(
     lower = [
         divider.append_axes("bottom", size=height, pad=0.2, sharex=ax) for height in heights[1:]
     ]
-    ax.set_xlim(0, DEG_PER_TURN)
+    show_turn(ax)
     _draw_curves(ax, diagram)
     draw_bars(bars, diagram.motions, names)
     for axis, row in zip(lower, rows, strict=True):
@@ -140,10 +140,11 @@ def plot_clearance(
     region = _forbidden_region(rule, ax)
     ax.add_patch(region)
     angles: dict[tuple[float, float], str] = {}
+    short = by_name(named, TITLE)
     for number, (name, diagram) in enumerate(named.items()):
         angles = _draw_path(ax, diagram, rule, number) or angles
         if any(named):
-            name_line(ax.lines[-2], labels([*named], TITLE)[number], name)
+            name_line(ax.lines[-2], short[name], name)
     for place, label in angles.items():  # the last path's; the others have theirs below or above
         write(ax, label, place, colour(number), offset=(-3, -17))
     if any(named):
@@ -230,7 +231,6 @@ def _shade(ax: Axes, bars: Axes, diagram: TimingDiagram, rules: tuple[Rule, ...]
 
 
 def _share_angle(*axes: Axes) -> None:
-    axes[0].set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
     for ax in axes[:-1]:
         ax.tick_params(axis="x", labelbottom=False)
     axes[-1].set_xlabel("cam angle in deg", fontsize=11)

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.hardware.indexer import Indexer
 from cammotion.quantities import InputError, one_of
-from cammotion.views.names import TITLE, add_legend_below, columns_below, labels, name_line
+from cammotion.views.names import TITLE, add_legend_below, by_name, columns_below, name_line
 from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
@@ -37,15 +37,15 @@ def plot_torque(
             '{"table": Indexer(38.5, stops=8, time_s=0.75)}.'
         )
     quantity = one_of("quantity", quantity, QUANTITIES)
-    called = labels([*indexers], TITLE)
-    rows = -(-len(called) // columns_below(called, _COLUMNS))
+    called = by_name(indexers, TITLE)
+    rows = -(-len(called) // columns_below(called.values(), _COLUMNS))
     height = 4.2 + _ROW_INCHES * max(rows - _FEW_ROWS, 0)
     ax = styled(ax, "x = t/tm", QUANTITIES[quantity], (7.5, height), layout="constrained")
     x = np.linspace(0, 1, _PLACES)
     for number, (name, indexer) in enumerate(indexers.items()):
         values = indexer.torque_N_m(x) if quantity == "torque" else indexer.power_W(x)
         points = np.column_stack([[-_REST, 0, *x, 1, 1 + _REST], [0, 0, *values, 0, 0]])
-        name_line(style_line(ax.plot(*points.T)[0], number), called[number], name)
+        name_line(style_line(ax.plot(*points.T)[0], number), called[name], name)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
     add_legend_below(ax, _COLUMNS)

@@ -10,7 +10,6 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.arguments import checked
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, as_text
 from cammotion.versions.comparison import Comparison, Effect
@@ -21,13 +20,15 @@ from cammotion.views.lanes import (
     lane_over,
     name_lanes,
     room_inches,
+    say_beside,
+    show_turn,
 )
 from cammotion.views.named import readable
-from cammotion.views.names import as_label, labels, plain, printable
+from cammotion.views.names import as_label, by_name, plain, printable
 from cammotion.views.pictures import blank_axes
 from cammotion.views.plots import colour, mixed, style_axes
 from cammotion.views.scales import from_to
-from cammotion.views.timing_plots import TICK_DEG, WIDTH_INCHES
+from cammotion.views.timing_plots import WIDTH_INCHES
 
 _BAR_INCHES, _EDGES_INCHES, _GAP_INCHES = 0.3, 0.9, 0.75
 _LEAST_INCHES, _RIGHT_INCHES = 4.8, 1.3  # of the angles, and beside them for what is said
@@ -35,6 +36,7 @@ _DRAWN = ("peak acceleration", "peak force", "peak torque", "rms torque")
 _BEFORE: dict[str, Any] = {"color": "#777777", "linestyle": (0, (4, 2)), "linewidth": 1.4}
 _FULL = 100  # per cent
 _MOST = 30  # bars
+_SAID = 9  # the size of what is said beside lanes and bars
 
 
 @checked
@@ -58,7 +60,7 @@ def plot_comparison(comparison: Comparison) -> Axes:
     lanes, bars = LANE_INCHES * len(names), _BAR_INCHES * max(len(effects), 1)
     below = bars + _GAP_INCHES if effects else 0.0
     every = list(dict.fromkeys([*names, *(effect.of for effect in effects)]))
-    called = dict(zip(every, labels(every), strict=True))
+    called = by_name(every)
     rows = [f"{called[effect.of]}, {effect.what}" for effect in effects]
     left = room_inches([*called.values(), *rows]) + 0.3
     width = max(WIDTH_INCHES, left + _LEAST_INCHES + _RIGHT_INCHES)
@@ -101,11 +103,9 @@ def _draw_lanes(
                 said = f"{printable(name)} {'after' if is_after else 'before'}"
                 line.set_label(as_label(said))
         said = f"{from_to(low, high)} mm"
-        at = (1.01, bottom + LANE_SHARE / 2)
-        plain(ax.text(*at, said, fontsize=9, va="center", transform=ax.get_yaxis_transform()))
+        say_beside(ax, bottom + LANE_SHARE / 2, said, _SAID)
     name_lanes(ax, [called[name] for name in names])
-    ax.set_xlim(0, DEG_PER_TURN)
-    ax.set_xticks(range(0, DEG_PER_TURN + 1, TICK_DEG))
+    show_turn(ax)
 
 
 def _curve(motion: Motion) -> tuple[Floats, Floats]:
@@ -125,7 +125,7 @@ def _draw_bars(
         ax.barh(row, share, 0.6, facecolor=face, edgecolor=edge)
         before, after = (as_text(value or 0.0, ".3g") for value in (effect.before, effect.after))
         said = f"{before} → {after} {effect.unit}"
-        plain(ax.text(1.01, row, said, fontsize=9, va="center", transform=ax.get_yaxis_transform()))
+        say_beside(ax, row, said, _SAID)
     ax.axvline(_FULL, color="#000000", linewidth=1)
     ax.set_yticks(range(len(rows)), rows)
     plain(*ax.get_yticklabels())

@@ -195,8 +195,17 @@ def timing_lanes(curves: Sequence[LabelledCurve], height: float) -> list[Lane]:
 def acceleration_lane(curves: Sequence[LabelledCurve], peak: float, height: float) -> Lane:
     """Return a lane that reaches as far up as down, for a peak that may be another design's."""
     top = 1.12 * (peak or 1.0)
-    ticks = MaxNLocator(4, steps=[1, 2, 5, 10]).tick_values(-top, top)
-    return Lane(curves, -top, top, [t for t in ticks if abs(t) < top], 0, height)
+    return Lane(curves, -top, top, round_ticks(-top, top), 0, height)
+
+
+def round_ticks(low: float, high: float) -> list[float]:
+    """Return about four round numbers from a low to a high value.
+
+    >>> round_ticks(-50, 130)
+    [-50.0, 0.0, 50.0, 100.0]
+    """
+    ticks = MaxNLocator(4, steps=[1, 2, 5, 10]).tick_values(low, high)
+    return [float(tick) for tick in ticks if low <= tick <= high]
 
 
 def _lane(curves: Sequence[LabelledCurve], top: float, height: float, bare: bool = False) -> Lane:
@@ -204,7 +213,6 @@ def _lane(curves: Sequence[LabelledCurve], top: float, height: float, bare: bool
     high = max(float(curve.trace.values.max()) for curve in curves)
     if low == high:
         low, high = low - 1, high + 1
-    locator = MaxNLocator(4, steps=[1, 2, 5, 10])
-    ticks = [low, high] if bare else [t for t in locator.tick_values(low, high) if low <= t <= high]
+    ticks = [low, high] if bare else round_ticks(low, high)
     room = 0.06 * (high - low)
     return Lane(curves, low - room, high + room, ticks, top, height, bare)

@@ -3,8 +3,6 @@
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from matplotlib.ticker import MaxNLocator
-
 from cammotion.machine.arcs import Arc
 from cammotion.quantities import Floats
 from cammotion.views.animation import svg
@@ -14,6 +12,7 @@ from cammotion.views.animation.charts import (
     Lane,
     draw_cursor,
     name_angle,
+    round_ticks,
 )
 from cammotion.views.animation.keyframes import Trace
 
@@ -62,6 +61,5 @@ def _force(curves: Curves) -> Lane:
 
 
 def _lane(curves: list[LabelledCurve], high: float) -> Lane:
-    ticks = MaxNLocator(4, steps=[1, 2, 5, 10]).tick_values(0, high)
     room = 0.06 * high
-    return Lane(curves, -room, high + room, [t for t in ticks if 0 <= t <= high], 0, _LANE_PX)
+    return Lane(curves, -room, high + room, round_ticks(0, high), 0, _LANE_PX)

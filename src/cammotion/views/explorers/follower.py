@@ -1,6 +1,6 @@
 """The explorers of the follower: a mass on a spring, driven through one rise and left alone."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -47,7 +47,6 @@ def explore_follower(
     masses = [OneMass(law, n, damping_ratio) for law in known]
     curves = {law.name: _curves(law, mass) for law, mass in zip(known, masses, strict=True)}
     s, a, z, of_mass, c_a = choice("motion law", curves)
-    law = next(iter(symbol for symbol in c_a.free_symbols), None)
     return explore(
         [
             _picture(*(each.xreplace({x: NOW}) for each in (s, z))),
@@ -56,7 +55,7 @@ def explore_follower(
         (x, 0, _END),
         {n: Control(low=0.5, high=15, step=0.1, start=start, name="swings during the move")},
         values={_SHOWN: sp.Max(1, (2 * sp.pi * n) ** 2 / _STIFF)},
-        says=list(_sentences(law or known[0].name, c_a, of_mass)),
+        says=list(_sentences(_chosen(c_a, known), c_a, of_mass)),
         clock=x,
         seconds=8,
         pin="Keep this one, dashed",
@@ -88,7 +87,6 @@ def explore_residual(
         for law, mass in zip(known, masses, strict=True)
     }
     a, of_mass, left, c_a = choice("motion law", curves)
-    law = next(iter(symbol for symbol in c_a.free_symbols), None)
     swings = _RARE + (_OFTEN - _RARE) * x / _END
     return explore(
         [
@@ -113,7 +111,7 @@ def explore_residual(
             ),
         },
         says=[
-            _peaks(law or known[0].name, c_a, of_mass),
+            _peaks(_chosen(c_a, known), c_a, of_mass),
             Say(
                 "just after the move its swing has |A| = {left:.3g}, {share:.3g} percent of the "
                 "stroke",
@@ -123,6 +121,11 @@ def explore_residual(
         pin="Keep this one, dashed",
         title="A mass on a spring, and what is left after its move",
     )
+
+
+def _chosen(c_a: sp.Expr, known: Sequence[MotionLaw]) -> Any:
+    """Return the symbol of the choice that a factor hangs on; of one law alone its name."""
+    return next(iter(c_a.free_symbols), known[0].name)
 
 
 def _left_behind(mass: OneMass) -> sp.Expr:

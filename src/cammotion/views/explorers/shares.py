@@ -15,12 +15,12 @@ from cammotion.views.explorers.moving import (
     heights,
     work_deg,
 )
+from cammotion.views.lanes import TICK_DEG
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Line, Panel, Say
 from cammotion.views.named import short_diagram
 from cammotion.views.plots import CURVES
-from cammotion.views.timing_plots import TICK_DEG
 
 _SHARED_DEG = DEG_PER_TURN - 2 * 10  # what is left at least for each way of the tool is 10 deg
 B_MILL, WORK = sp.symbols("B_mill work", positive=True)
