@@ -4,8 +4,8 @@ All of it is closed: the table is a sum of harmonics, and so are the reading err
 spline divides each by a number of its own, and its second derivative is straight between points.
 """
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -20,7 +20,7 @@ from cammotion.measured.smoother import EvenCycle
 from cammotion.quantities import Floats, InputError, one_of
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
-from cammotion.views.live.parts import Control, Line, Panel, Say, choice
+from cammotion.views.live.parts import REFERENCE, Control, Line, Panel, Say, choice
 from cammotion.views.measured_plots import METRES
 
 ERROR, EXPONENT, HARMONICS = sp.symbols("e q n", real=True)
@@ -52,12 +52,46 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
     at 180°: −0.159 m/s²
     random errors up to this size: ±0.028 m/s², root mean square
     """
-    number = _checked(table)
     unit = one_of("unit of length", unit, METRES)
-    is_inch = unit == "in"
-    small, mm = ("in", MM_PER_INCH) if is_inch else ("mm", 1.0)
-    turn = float(cycle_time(RATE.number(rate_per_hour)))
-    scale = (2 * np.pi / turn) ** 2 * (1 if is_inch else mm / MM_PER_M)  # of small/rad2
+    cycle = _cycle(table, float(cycle_time(RATE.number(rate_per_hour))), unit)
+    return explore(
+        _panels(cycle),
+        (_ANGLE, 0, DEG_PER_TURN),
+        _controls(cycle),
+        says=_sentences(cycle),
+        title="A measured cam",
+    )
+
+
+class _Cycle(NamedTuple):
+    """A table as the figure computes it: its waves and the errors', and what each rank becomes.
+
+    By its rank a wave has `kept` of its height when it is smoothed, `bends` is its acceleration
+    then, and `chords` that of the second differences. Lengths are in mm or in.
+    """
+
+    table: CamTable
+    unit: str
+    number: int
+    waves: Sequence[Any]
+    kept: Sequence[sp.Expr]
+    bends: Sequence[sp.Expr]
+    chords: Sequence[float]
+
+    @property
+    def is_inch(self) -> bool:
+        return self.unit == "in"
+
+    @property
+    def mm(self) -> float:
+        """How long the unit of its lengths is."""
+        return MM_PER_INCH if self.is_inch else 1.0
+
+
+def _cycle(table: CamTable, turn_s: float, unit: str) -> _Cycle:
+    number = _checked(table)
+    length_mm = MM_PER_INCH if unit == "in" else 1.0
+    scale = (2 * np.pi / turn_s) ** 2 * (1 if unit == "in" else 1 / MM_PER_M)  # of a length/rad2
     smoother, half = EvenCycle(number), number // 2 + 1
     kept = [
         sp.Heaviside(HARMONICS - rank + 0.5) / (1 + 10**EXPONENT * float(mu))
@@ -65,62 +99,66 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
     ]
     bends = [float(bend) * scale * part for bend, part in zip(smoother.bends, kept, strict=False)]
     chords = -((number / np.pi * np.sin(np.pi * np.arange(half) / number)) ** 2) * scale
-    waves = [(sp.Integer(1), _waves(table.position_mm / mm)), *_errors(number)]
-    lowest = int(np.argmin(differences(table, 1.0).acceleration))
-    low = _sum(waves, bends, sp.Integer(lowest))
-    twice = [*[2] * (half - 1), 1]  # but for the last rank, k and -k are two
-    squares = sp.Add(*(two * bend**2 for two, bend in zip(twice, bends, strict=True)))
-    missed = [1000 * (part - 1) for part in kept]
-    finest = table.step_mm / 2 or _USUAL_MM
-    return explore(
-        [
-            Panel(
-                lines=[
-                    Line(y=_joined(waves[:1], [*chords], number), role="reference"),
-                    Line(y=_joined(waves, bends, number), colour=0),
-                ],
-                y=f"acceleration in {unit}/s²",
-                x="cam angle in deg",
-                x_ticks=_TICK_DEG,
-                height=150,
-            ),
-            Panel(
-                lines=[Line(y=_joined(waves, missed, number), colour=1)],
-                y=f"difference in {'0.001 in' if is_inch else 'µm'}",
-                x="cam angle in deg",
-                x_ticks=_TICK_DEG,
-            ),
-        ],
-        (_ANGLE, 0, DEG_PER_TURN),
-        {
-            ERROR: Control(
-                low=0,
-                high=_STEPS * finest / mm,
-                step=finest / mm,
-                start=finest / mm,
-                name="reading error",
-                unit=small,
-            ),
-            EXPONENT: Control(
-                low=-7, high=-2, step=0.05, start=-7, name="smoothing, exponent", unit=""
-            ),
-            HARMONICS: Control(
-                low=1, high=half - 1, step=1, start=half - 1, name="harmonics", unit=""
-            ),
-        },
-        says=[
-            Say(
-                f"at {table.angle_deg[lowest]:g}°: "
-                + ("{low:.1f} in/s² = {si:.3f} m/s²" if is_inch else "{low:.3f} m/s²"),
-                {"low": low, "si": low * METRES[unit]} if is_inch else {"low": low},
-            ),
-            Say(
-                f"random errors up to this size: ±{{by:.{2 if is_inch else 3}f}} {unit}/s², "
-                "root mean square",
-                {"by": ERROR / sp.sqrt(3) * sp.sqrt(squares / number)},
-            ),
-        ],
-        title="A measured cam",
+    waves = [(sp.Integer(1), _waves(table.position_mm / length_mm)), *_errors(number)]
+    return _Cycle(table, unit, number, waves, kept, bends, [*chords])
+
+
+def _panels(cycle: _Cycle) -> list[Panel]:
+    """Return the acceleration, and below it how far the curve is from each reading."""
+    number, waves = cycle.number, cycle.waves
+    missed = [1000 * (part - 1) for part in cycle.kept]
+    across: dict[str, Any] = {"x": "cam angle in deg", "x_ticks": _TICK_DEG}
+    return [
+        Panel(
+            lines=[
+                Line(y=_joined(waves[:1], cycle.chords, number), role=REFERENCE),
+                Line(y=_joined(waves, cycle.bends, number), colour=0),
+            ],
+            y=f"acceleration in {cycle.unit}/s²",
+            height=150,
+            **across,
+        ),
+        Panel(
+            lines=[Line(y=_joined(waves, missed, number), colour=1)],
+            y=f"difference in {'0.001 in' if cycle.is_inch else 'µm'}",
+            **across,
+        ),
+    ]
+
+
+def _controls(cycle: _Cycle) -> dict[sp.Symbol, Control]:
+    finest, most = (cycle.table.step_mm / 2 or _USUAL_MM) / cycle.mm, cycle.number // 2
+    return {
+        ERROR: Control(
+            low=0,
+            high=_STEPS * finest,
+            step=finest,
+            start=finest,
+            name="reading error",
+            unit="in" if cycle.is_inch else "mm",
+        ),
+        EXPONENT: Control(
+            low=-7, high=-2, step=0.05, start=-7, name="smoothing, exponent", unit=""
+        ),
+        HARMONICS: Control(low=1, high=most, step=1, start=most, name="harmonics", unit=""),
+    }
+
+
+def _sentences(cycle: _Cycle) -> Iterator[Say]:
+    """Say how large the lowest acceleration is, and what random errors do to all of them."""
+    lowest = int(np.argmin(differences(cycle.table, 1.0).acceleration))
+    low = _sum(cycle.waves, cycle.bends, sp.Integer(lowest))
+    written = "{low:.1f} in/s² = {si:.3f} m/s²" if cycle.is_inch else "{low:.3f} m/s²"
+    yield Say(
+        f"at {cycle.table.angle_deg[lowest]:g}°: {written}",
+        {"low": low, "si": low * METRES[cycle.unit]} if cycle.is_inch else {"low": low},
+    )
+    twice = [*[2] * (len(cycle.bends) - 1), 1]  # but for the last rank, k and -k are two
+    squares = sp.Add(*(two * bend**2 for two, bend in zip(twice, cycle.bends, strict=True)))
+    yield Say(
+        f"random errors up to this size: ±{{by:.{2 if cycle.is_inch else 3}f}} {cycle.unit}/s², "
+        "root mean square",
+        {"by": ERROR / sp.sqrt(3) * sp.sqrt(squares / cycle.number)},
     )
 
 

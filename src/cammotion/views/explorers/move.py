@@ -1,6 +1,7 @@
 """The explorer of one move: rate, angle, stroke and law, over a reference that stays."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from typing import Any
 
 import sympy as sp
 
@@ -41,32 +42,51 @@ def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> Li
     stroke = h_m / MM_PER_M
     at = {x: ALPHA / B_m}
     curves = h_m * s.xreplace(at), stroke / t_m * v.xreplace(at), stroke / t_m**2 * a.xreplace(at)
+    return explore(
+        _panels(curves, reference),
+        (ALPHA, 0, B_m),
+        {
+            N: control("rate N", (500, 5000, 50), reference.rate_per_hour, "pieces/h"),
+            B_m: control("angle Bm", (20, _WIDEST_DEG, 1), reference.angle_deg),
+            h_m: control("stroke hm", (5, _LONGEST_MM, 1), reference.stroke_mm, "mm"),
+        },
+        says=_sentences(c_a * stroke / t_m**2, c_a, t_m, is_several=len(known) > 1),
+        pin="Pin this design as the reference",
+        title="One move, and what makes it hard",
+    )
+
+
+def _panels(curves: Iterable[sp.Expr], reference: Move) -> list[Panel]:
+    """Return displacement, velocity and acceleration, on axes that the reference fits into."""
     widest = max(_WIDEST_DEG, reference.angle_deg)
     longest = max(_LONGEST_MM, reference.stroke_mm)
-    low, high = own.curve.extremes
-    names = ("displacement", "velocity", "acceleration")
-    panels = [
+    low, high = as_law(reference.law).curve.extremes
+    heights = {"displacement": (longest * min(low, 0), longest * max(high, 1))}
+    return [
         Panel(
             lines=[Line(y=y, over=(0, B_m), name="your design")],
             y=CURVES[name],
             x="cam angle from the start of the move in deg",
             x_limits=(0, widest),
             x_ticks=20,
-            y_limits=(
-                (longest * min(low, 0), longest * max(high, 1)) if name == "displacement" else None
-            ),
+            y_limits=heights.get(name),
         )
-        for name, y in zip(names, curves, strict=True)
+        for name, y in zip(("displacement", "velocity", "acceleration"), curves, strict=True)
     ]
-    peak = c_a * stroke / t_m**2
+
+
+def _sentences(peak: sp.Expr, c_a: Any, t_m: sp.Symbol, *, is_several: bool) -> Iterator[Say]:
+    """Say what the design and the reference have, and how their peaks compare."""
     design = Say(
         "{whose}: tm = {t_m:.4g} s, a_max = {peak:.4g} m/s² = {in_g:.3g} g",
         {"whose": "your design", "t_m": t_m, "peak": peak, "in_g": peak / STANDARD_GRAVITY},
     )
     before = {name: pinned(value) for name, value in design.numbers.items() if name != "whose"}
-    ratio = Say(
+    yield design
+    yield Say(design.text, before | {"whose": "reference"})
+    yield Say(
         "ratio of the peaks: {ratio:.4g} = {rate:.4g} (rate, squared) × {angle:.4g} (angle, "
-        "squared) × {stroke:.4g} (stroke)" + " × {law:.4g} (law)" * (len(known) > 1),
+        "squared) × {stroke:.4g} (stroke)" + " × {law:.4g} (law)" * is_several,
         {
             "ratio": peak / pinned(peak),
             "rate": (N / pinned(N)) ** 2,
@@ -76,16 +96,4 @@ def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> Li
         },
         when=(peak < LARGEST) & (pinned(peak) < LARGEST),
         otherwise=Say("ratio of the peaks: none, since the velocity of a law jumps"),
-    )
-    return explore(
-        panels,
-        (ALPHA, 0, B_m),
-        {
-            N: control("rate N", (500, 5000, 50), reference.rate_per_hour, "pieces/h"),
-            B_m: control("angle Bm", (20, _WIDEST_DEG, 1), reference.angle_deg),
-            h_m: control("stroke hm", (5, _LONGEST_MM, 1), reference.stroke_mm, "mm"),
-        },
-        says=[design, Say(design.text, before | {"whose": "reference"}), ratio],
-        pin="Pin this design as the reference",
-        title="One move, and what makes it hard",
     )

@@ -1,5 +1,8 @@
 """The explorer of the timing diagram: one turn shared out between two mechanisms, in sequence."""
 
+from collections.abc import Iterator, Mapping
+from typing import Any
+
 import sympy as sp
 
 from cammotion.arguments import checked
@@ -51,25 +54,20 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     rate = diagram.rate_per_hour
     names = (mill.name, die.name)
     both = list(zip(names, (first, second), strict=True))
-    peaks = [moving.peak(rate) for _, moving in both]
+    over: dict[str, Any] = {"x_ticks": TICK_DEG, "height": 170}
     panels = [
         Panel(
             lines=[moving.line(name=name) for name, moving in both],
             y="displacement in mm",
             y_limits=heights(diagram.motions, (first, second)),
-            x_ticks=TICK_DEG,
-            height=170,
+            **over,
         ),
         Panel(
             lines=[Line(y=m.acceleration(rate), joints=m.joints, name=name) for name, m in both],
             y=CURVES["acceleration"],
-            x_ticks=TICK_DEG,
-            height=170,
+            **over,
         ),
     ]
-    moves = "{name}: moves over {angle:.5g} deg, a_max = {peak:.3f} m/s²"
-    ways = "{name}: moves over {angle:.5g} and {angle:.5g} deg, a_max = {peak:.3f} m/s²"
-    larger = "larger peak: {name}, {peak:.3f} m/s²"
     return explore(
         panels,
         ALPHA,
@@ -78,18 +76,24 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
             WORK: control(f"{die.name}: at work", (20, _SHARED_DEG - most, 1), work),
         },
         says=[
-            Say(moves, {"name": mill.name, "angle": B_MILL, "peak": peaks[0]}),
-            Say(ways, {"name": die.name, "angle": way, "peak": peaks[1]}),
-            Say(
-                larger,
-                {"name": mill.name, "peak": peaks[0]},
-                when=peaks[0] >= peaks[1],
-                otherwise=Say(larger, {"name": die.name, "peak": peaks[1]}),
+            *_sentences(
+                {"name": mill.name, "angle": B_MILL, "peak": first.peak(rate)},
+                {"name": die.name, "angle": way, "peak": second.peak(rate)},
             ),
             *full_names(diagram),
         ],
         title="One turn for two mechanisms",
     )
+
+
+def _sentences(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[Say]:
+    """Say over which angles both move and how hard, and which is the harder driven."""
+    peak = "a_max = {peak:.3f} m/s²"
+    yield Say(f"{{name}}: moves over {{angle:.5g}} deg, {peak}", first)
+    yield Say(f"{{name}}: moves over {{angle:.5g}} and {{angle:.5g}} deg, {peak}", second)
+    larger = "larger peak: {name}, {peak:.3f} m/s²"
+    is_first = first["peak"] >= second["peak"]
+    yield Say(larger, first, when=is_first, otherwise=Say(larger, second))
 
 
 def _check(diagram: TimingDiagram) -> None:
