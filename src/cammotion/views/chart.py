@@ -127,17 +127,21 @@ def draw_chart(
     )
     _frame(paper, (_MARGIN, _MARGIN), (_WIDTH - _MARGIN, _HEIGHT - _MARGIN))
     draw_grid(paper, _MARGIN, _WIDTH - _MARGIN)
-    called = lane_names(paper, names)
-    for number, motion in enumerate(diagram.motions):
-        peak = diagram.peak_acceleration(motion.name)
-        said = beside(motion, peak, radii_mm.get(motion.name))
-        draw_lane(paper, number, motion, called[number], said)
+    _draw_lanes(paper, diagram, radii_mm)
     for found in violations:
         rows = [names.index(name) for name in found.rule.motions]
         draw_violation(paper, rows, (found.start_deg, found.end_deg))
     _write_rules(paper, block, (_MARGIN, split))
     _write_title(paper, diagram, heading, (split, _WIDTH - _MARGIN))
     return ax.get_figure(root=True) or Figure()
+
+
+def _draw_lanes(paper: Paper, diagram: TimingDiagram, radii_mm: Mapping[str, float]) -> None:
+    called = lane_names(paper, diagram.names)
+    for number, motion in enumerate(diagram.motions):
+        peak = diagram.peak_acceleration(motion.name)
+        said = beside(motion, peak, radii_mm.get(motion.name))
+        draw_lane(paper, number, motion, called[number], said)
 
 
 def _most_block(lanes: int) -> float:

@@ -113,12 +113,7 @@ def plot_front(
     'peak acceleration of the die in m/s²'
     """
     results = [*found]
-    names = {each.parts for each in results}
-    if len(results) < 2 or len(names) > 1 or len(results[0].parts) != 2:  # noqa: PLR2004
-        raise InputError(
-            "A front is a curve of two mechanisms: give at least two results of least_peak for "
-            "the same two, for example with other limits at_most={'mill': 0.6}."
-        )
+    _check_front(results)
     low, high = (_END.number(end) for end in ends_m_per_s2)
     if low >= high:
         raise InputError(
@@ -147,6 +142,16 @@ def plot_front(
     ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
     add_legend(ax, loc="upper right")
     return ax
+
+
+def _check_front(results: Sequence[LeastPeak]) -> None:
+    """Raise InputError for what is not at least two results for the same two mechanisms."""
+    names = {each.parts for each in results}
+    if len(results) < 2 or len(names) > 1 or len(results[0].parts) != 2:  # noqa: PLR2004
+        raise InputError(
+            "A front is a curve of two mechanisms: give at least two results of least_peak for "
+            "the same two, for example with other limits at_most={'mill': 0.6}."
+        )
 
 
 _OFFSET: dict[str, Any] = {"textcoords": "offset points", "color": "#333333", "fontsize": 10}

@@ -3,6 +3,7 @@
 import re
 import string
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -126,6 +127,18 @@ class Describer:
         """Return the description of a button: the numbers of the controls and of the formulas."""
         sets = [[self._control_number(s), self.formula(e)] for s, e in button.sets.items()]
         return {"text": button.text, "sets": sets}
+
+    def clock(self, symbol: sp.Symbol, seconds: float) -> Description:
+        """Return the description of what Play moves: the variable, or a control."""
+        return {
+            "name": labelled(symbol.name).split(" in ")[0],
+            "control": None if symbol == self.variable else self._control_number(symbol),
+            "seconds": seconds,
+        }
+
+    def ends(self) -> list[int]:
+        """Return the formulas of where the variable begins and ends."""
+        return [self.formula(end) for end in self.span]
 
     def _line(self, number: int, line: Line) -> Description:
         y = as_curve(line.y)
@@ -269,31 +282,23 @@ def describe(  # noqa: PLR0913 - the parts of a figure, each once
     described = [
         [describer.panel(panel, _is_over_same(column)) for panel in column] for column in columns
     ]
-    clock_data = None
-    if clock is not None:
-        symbol, seconds = clock
-        is_variable = symbol == describer.variable
-        clock_data = {
-            "name": labelled(symbol.name).split(" in ")[0],
-            "control": None if is_variable else describer._control_number(symbol),
-            "seconds": seconds,
-        }
-        for panel in (panel for column in described for panel in column):
-            panel["has_cursor"] = is_variable and panel["is_over_variable"]
+    if clock is not None and clock[0] == describer.variable:
+        for panel in chain.from_iterable(described):
+            panel["has_cursor"] = panel["is_over_variable"]
     controls = [describer.control(s, c) for s, c in describer.controls.items()]
-    range_ = describer._formulas(describer.span)
+    ends = describer.ends()
     said = [describer.sentence(say) for say in sentences]
     pressed = [describer.button(button) for button in buttons]
     return {
         "version": 1,
         "title": str(title),
-        "range": range_,
+        "range": ends,
         "controls": controls,
         "columns": described,
         "shares": list(shares),
         "sentences": said,
         "buttons": pressed,
-        "clock": clock_data,
+        "clock": None if clock is None else describer.clock(*clock),
         "pin": pin,
         "quantities": describer.formulas.quantities,
         "formulas": describer.formulas.javascript,
