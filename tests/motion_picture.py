@@ -14,7 +14,7 @@ from table_machine import table_machine
 from test_animation import MACHINES
 
 import cammotion as cm
-from cammotion.views.animation import Animation
+from cammotion.views.animation.picture import Animation
 
 IMAGES = Path(__file__).parent.parent / "notebooks" / "images"
 PICTURE = IMAGES / "motion.svg"

@@ -20,8 +20,8 @@ from notebook_lint import _svg_faults
 
 import cammotion as cm
 from cammotion.quantities import Floats
-from cammotion.views.animation import Animation, animate
 from cammotion.views.animation.keyframes import trace_acceleration
+from cammotion.views.animation.picture import Animation, animate
 from cammotion.views.animation.player import speeds_for
 from cammotion.views.ends import apart
 from cammotion.views.names import text_px, wrap

@@ -18,14 +18,14 @@ from playwright.sync_api import Browser, Locator, Page, expect
 from test_animation import AFTER, BEFORE, COLLIDING, MACHINES
 
 import cammotion as cm
-from cammotion.views.animation import animate
+from cammotion.views.animation.picture import animate
 
 WORK = "work-animation-test"
 NOTEBOOK = "motion.ipynb"
 CELLS = (
     """\
 import cammotion as cm
-from cammotion.views.animation import animate
+from cammotion.views.animation.picture import animate
 mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
 die = cm.motion(
     "die",

@@ -14,7 +14,7 @@ from machines import RULE
 from test_animation import AFTER, BEFORE
 from test_browser_animation import PLACES, assert_at
 
-from cammotion.views.animation import animate
+from cammotion.views.animation.picture import animate
 
 PLAYER = animate({"no overlap": BEFORE, "overlap": AFTER}, rules=RULE).player()
 TRAITS = ("svg", "turn_s", "cycle_s", "speeds", "speed")

@@ -26,7 +26,7 @@ from test_animation import (
 
 import cammotion as cm
 from cammotion.quantities import Floats
-from cammotion.views.animation import animate
+from cammotion.views.animation.picture import animate
 
 SECOND = cm.motion(
     "second die",

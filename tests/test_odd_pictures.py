@@ -151,6 +151,25 @@ def test_small_peaks_and_harmonics_keep_their_digits() -> None:
     assert [text.get_text() for text in harmonics.texts] == ["2: 0.00412", "1: 5.14"][::-1]
 
 
+def test_harmonics_that_are_no_dictionary_are_refused_in_plain_words() -> None:
+    with pytest.raises(cm.InputError, match="for each name a number or a list of numbers"):
+        cm.plot_harmonics([1])  # type: ignore[arg-type]
+
+
+def test_the_swing_at_one_ratio_is_a_point() -> None:
+    assert cm.plot_residual("cycloidal", ratios=5).lines[0].get_marker() == "o"
+    assert cm.plot_residual("cycloidal", ratios=[4, 5]).lines[0].get_marker() == "None"
+
+
+def test_a_response_is_drawn_forwards_and_each_mass_once() -> None:
+    move = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+    response = cm.MoveResponse(cm.tuned_mass(12, 0.02), move)
+    for over in ((0, 0), (1, 0)):
+        with pytest.raises(cm.InputError, match=f"over {over[0]} to 0: give where to begin first"):
+            cm.plot_response(response, over=over)
+    assert words_of(cm.plot_response(response, masses=[1, 1])).count("mass from") == 1
+
+
 u = sp.Symbol("u")
 
 

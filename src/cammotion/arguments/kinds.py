@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from cammotion.arguments.calls import bind, called
 from cammotion.arguments.signatures import readable
@@ -251,6 +252,8 @@ def _once(words: str) -> str:
 
 def _words(hint: Any) -> str:
     """Return in words what may be given for a kind."""
+    if hint == ArrayLike:
+        return "a number or a list of numbers"
     origin, inside = typing.get_origin(hint), typing.get_args(hint)
     each = [_words(one) for one in inside if one not in (..., types.NoneType)]
     if origin in (types.UnionType, typing.Union):

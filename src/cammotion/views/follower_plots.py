@@ -75,7 +75,7 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     for number, law in enumerate(drawn):
         values = _values(law, at, quantity, damping_ratio, motion)
         line = style_line(ax.plot(at, values, label=as_label(law.name))[0], number)
-        line.set_linewidth(1.6)
+        line.set(linewidth=1.6, marker="o" if at.size == 1 else "None")
         lines.append(line)
         late = values[at >= at[0] + 0.85 * (at[-1] - at[0])]
         ends.append(float(late.max()))
@@ -125,13 +125,18 @@ def plot_response(
     low, high = response.span if over is None else over
     if is_move and over is None:
         high *= 1 + _AFTER
+    if not low < high:
+        raise InputError(
+            f"The response is to be drawn over {low:g} to {high:g}: give where to begin first, for "
+            f"example over={'(0, 0.3)' if is_move else '(90, 270)'}."
+        )
     across = "time t in s" if is_move else "cam angle in deg"
     ax = styled(ax, across, "acceleration in m/s²", (8.6, 4.4), layout="constrained")
     at = np.linspace(low, high, _PLACES)
     count = len(response.chain.masses_kg)
     asked = range(1, count + 1) if masses is None else masses
     numbers: list[Any] = _MASS.array(asked).ravel().tolist()
-    for number in sorted(numbers, reverse=True):  # the last mass swings most: it lies below
+    for number in sorted({*numbers}, reverse=True):  # the last mass swings most: it lies below
         name = "mass" if count == 1 else f"mass {number:g}"
         values = np.asarray(response.acceleration(at, number))
         style_line(ax.plot(at, values, label=name)[0], int(number)).set_linewidth(1.6)

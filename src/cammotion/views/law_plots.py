@@ -10,13 +10,13 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.quantities import InputError, as_text, one_of, shorten
+from cammotion.quantities import Floats, InputError, as_text, one_of, shorten
 from cammotion.views.names import add_legend_below, labels, name_line
 from cammotion.views.plots import COLOURS, style_line, styled
 
 CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
-_PLACES = 1001
 _LONGEST = 60  # columns of a law with its other names
+PLACES = np.linspace(0, 1, 1001)  # of the time of a move
 _REST = 0.06  # of the time, drawn before the move and after it
 
 
@@ -36,12 +36,11 @@ def plot_laws(
     curve = one_of("curve", curve, CURVES)
     derivative = [*CURVES].index(curve)
     ax = styled(ax, "x = t/tm", CURVES[curve], (7.5, 4.6), layout="constrained")
-    x = np.linspace(0, 1, _PLACES)
-    at_rest = [(-_REST, 0), (0, 0)], [(1, int(curve == "S")), (1 + _REST, int(curve == "S"))]
     names = [full_name(law) for law in drawn]
     for number, (law, label) in enumerate(zip(drawn, labels(names, _LONGEST), strict=True)):
-        points = np.vstack([at_rest[0], np.column_stack([x, law(x, derivative)]), at_rest[1]])
-        name_line(style_line(ax.plot(*points.T)[0], number), label, names[number])
+        values = law(PLACES, derivative)
+        line = ax.plot(*from_rest_to_rest(values, int(curve == "S")))[0]
+        name_line(style_line(line, number), label, names[number])
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
     add_legend_below(ax, 2)
@@ -79,6 +78,15 @@ def plot_ranking(
     ax.margins(x=0.12)
     ax.grid(visible=False, axis="y")
     return ax
+
+
+def from_rest_to_rest(values: Floats, end: float = 0.0) -> tuple[Floats, Floats]:
+    """Return x from before a move to after it, and a curve over it that has `values` at PLACES.
+
+    Before the move it is 0, after it the `end`: what is there at once is a jump.
+    """
+    x = np.concatenate([[-_REST, 0], PLACES, [1, 1 + _REST]])
+    return x, np.concatenate([[0, 0], values, [end, end]])
 
 
 def full_name(law: MotionLaw) -> str:

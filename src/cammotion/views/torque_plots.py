@@ -2,19 +2,17 @@
 
 from collections.abc import Mapping
 
-import numpy as np
 from matplotlib.axes import Axes
 
 from cammotion.arguments import checked
 from cammotion.hardware.indexer import Indexer
 from cammotion.quantities import InputError, one_of
+from cammotion.views.law_plots import PLACES, from_rest_to_rest
 from cammotion.views.names import TITLE, add_legend_below, by_name, columns_below, name_line
 from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
-_PLACES = 1001
 _COLUMNS, _FEW_ROWS, _ROW_INCHES = 2, 3, 0.2  # of the legend
-_REST = 0.06  # of the time, drawn before the index and after it
 
 
 @checked
@@ -41,11 +39,10 @@ def plot_torque(
     rows = -(-len(called) // columns_below(called.values(), _COLUMNS))
     height = 4.2 + _ROW_INCHES * max(rows - _FEW_ROWS, 0)
     ax = styled(ax, "x = t/tm", QUANTITIES[quantity], (7.5, height), layout="constrained")
-    x = np.linspace(0, 1, _PLACES)
     for number, (name, indexer) in enumerate(indexers.items()):
-        values = indexer.torque_N_m(x) if quantity == "torque" else indexer.power_W(x)
-        points = np.column_stack([[-_REST, 0, *x, 1, 1 + _REST], [0, 0, *values, 0, 0]])
-        name_line(style_line(ax.plot(*points.T)[0], number), called[name], name)
+        values = (indexer.torque_N_m if quantity == "torque" else indexer.power_W)(PLACES)
+        line = ax.plot(*from_rest_to_rest(values))[0]
+        name_line(style_line(line, number), called[name], name)
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
     add_legend_below(ax, _COLUMNS)
