@@ -138,6 +138,30 @@ def test_a_chart_has_one_stop() -> None:
     assert beside(belt, 1, None).stroke == "100 mm, 1 stop"
 
 
+@pytest.mark.parametrize("angle_deg", [0.01, 0.5, 1, 3])
+@pytest.mark.parametrize("start_deg", [0, 725.3])
+def test_a_short_move_is_drawn_as_hard_as_it_is(angle_deg: float, start_deg: float) -> None:
+    """At every half degree the acceleration of a move over one degree is 0."""
+    still = cm.dwell(180 - angle_deg)
+    moves = cm.rise(1, over_deg=angle_deg), still, cm.return_(1, over_deg=angle_deg), still
+    diagram = cm.TimingDiagram([cm.motion("pin", *moves, start_deg=start_deg)], 600)
+    ax = cm.plot_timing(diagram, rows=["acceleration"])
+    drawn = np.asarray(ax.figure.axes[-1].lines[0].get_ydata())
+    assert drawn.max() == pytest.approx(diagram.peak_acceleration("pin"), rel=0.01)
+    shaft = cm.Camshaft(diagram, {"pin": cm.FollowerLoad(mass_kg=1)})
+    torque = cm.plot_camshaft(shaft)
+    assert np.max(np.abs(torque.lines[0].get_ydata())) == pytest.approx(
+        abs(shaft.peak_torque().value), rel=0.01
+    )
+
+
+def test_a_map_reaches_to_where_a_motion_only_just_comes() -> None:
+    moves = cm.rise(50, over_deg=0.2), cm.dwell(0.1), cm.return_(50, over_deg=0.2), cm.dwell(359.5)
+    pin = cm.motion("die", *moves, start_deg=10.001)
+    ax = cm.plot_clearance(cm.TimingDiagram([make_mill(), pin], 2000), RULE)
+    assert ax.get_ylim()[1] > 50
+
+
 def test_the_rounding_of_a_large_torque_is_no_mean() -> None:
     diagram = cm.TimingDiagram([make_die(), make_mill()], 1e9)
     shaft = cm.Camshaft(diagram, {name: cm.FollowerLoad(mass_kg=12) for name in diagram.names})

@@ -11,6 +11,7 @@ from cammotion.drive.camshaft import Camshaft
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, as_text
+from cammotion.views.displacement import curve_angles
 from cammotion.views.lanes import (
     LANE_INCHES,
     SHARED_AXIS,
@@ -64,7 +65,7 @@ def plot_camshaft(shaft: Camshaft) -> Axes:
     style_axes(ax, "cam angle in deg", "torque in N m")
     forces = make_axes_locatable(ax).append_axes("top", size=high, pad=_PAD_INCHES, sharex=ax)
     style_axes(forces, "", "force in N")
-    places = _places(shaft)
+    places = np.union1d(_places(shaft), np.concatenate([*map(curve_angles, loaded)]))
 
     def force(motion: Motion, angles: Floats) -> Floats:
         return np.asarray(shaft.force_N(motion.name, angles))

@@ -8,6 +8,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
 
 SAMPLED_DEGS = np.linspace(0.0, DEG_PER_TURN, 721)
+_LEAST = 33  # places of a move
 
 
 def displacement(motion: Motion, angle_deg: ArrayLike) -> Floats:
@@ -28,8 +29,22 @@ def displacement(motion: Motion, angle_deg: ArrayLike) -> Floats:
 
 
 def curve_angles(motion: Motion) -> Floats:
-    """Return cam angles, 0 to 360 deg, close enough for a curve and with its corners in it."""
-    return np.union1d(SAMPLED_DEGS, np.mod(motion.turning_degs, DEG_PER_TURN))
+    """Return cam angles, 0 to 360 deg, close enough for a curve and with its corners in it.
+
+    A short move has as many as a longer one: its acceleration may be nothing at each half degree.
+
+    >>> import cammotion as cm
+    >>> parts = cm.rise(1, over_deg=0.5), cm.dwell(179.5), cm.return_(1, over_deg=180)
+    >>> int(np.sum(curve_angles(cm.motion("pin", *parts)) <= 0.5))
+    33
+    """
+    short = [
+        np.linspace(move.from_deg, move.to_deg, _LEAST)
+        for move in motion.moves
+        if move.angle_deg < _LEAST * SAMPLED_DEGS[1]
+    ]
+    corners = np.concatenate([motion.turning_degs, *short])
+    return np.union1d(SAMPLED_DEGS, np.mod(corners, DEG_PER_TURN))
 
 
 def _way_mm(motion: Motion, angle_deg: ArrayLike) -> Floats:

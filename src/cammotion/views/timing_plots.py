@@ -20,7 +20,7 @@ from cammotion.rules.conditions import Condition
 from cammotion.rules.rule import Rule
 from cammotion.views.bars import HATCHES, draw_bars
 from cammotion.views.broken import BROKEN, draw_broken
-from cammotion.views.displacement import SAMPLED_DEGS, curve_angles, displacement
+from cammotion.views.displacement import curve_angles, displacement
 from cammotion.views.lanes import (
     LANE_INCHES,
     SHARED_AXIS,
@@ -174,7 +174,8 @@ def _across(
 
 def _ends(designs: Mapping[str, TimingDiagram], name: str) -> tuple[float, float]:
     """Return from where to where a motion goes in all designs; from 0 on if that is not far."""
-    offsets = [diagram[name].offset_mm(SAMPLED_DEGS) for diagram in designs.values()]
+    motions = [diagram[name] for diagram in designs.values()]
+    offsets = [motion.offset_mm(curve_angles(motion)) for motion in motions]
     low, high = float(min(map(np.min, offsets))), float(max(map(np.max, offsets)))
     rounding = 1e-9 * (high - low)
     return 0.0 if -rounding <= low <= high - low else low, high
