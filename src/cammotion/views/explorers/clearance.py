@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import sympy as sp
 
@@ -15,15 +15,36 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, Quantity
 from cammotion.rules.checks import as_rules
 from cammotion.rules.clearance import ClearanceRule
-from cammotion.views.explorers.moving import ALPHA, Moving, Part, check_rests, heights
+from cammotion.views.explorers.moving import ALPHA, Moving, Part, check_rests, full_names, heights
 from cammotion.views.live.formulas import inverse, largest, place_of_largest
 from cammotion.views.live.parts import ALARM, REFERENCE, Box, Line, Panel, Say
+from cammotion.views.named import short_diagram, short_rule
 from cammotion.views.names import short
 from cammotion.views.timing_plots import describe_offset
 
 ROUNDING_MM = NOTHING = 1e-9  # and of a stroke
 _MAP_COLUMNS = 12  # of a name below the map, which is narrow
 LIMIT, OUT, IN = sp.symbols("limit out in", real=True)  # where the die is deep, the mill away
+
+
+class Linked(NamedTuple):
+    """A die and a mill that a rule links, under short names, and where the die would touch."""
+
+    diagram: TimingDiagram
+    rule: ClearanceRule
+    die: Motion
+    mill: Motion
+    contact_mm: float
+    in_full: list[Say]  # what the short names stand for
+
+
+def linked(diagram: TimingDiagram, rule: ClearanceRule, contact_mm: Any) -> Linked:
+    """Return what a rule links; raise InputError for a rule that cannot be explored."""
+    rule, contact = _checked(diagram, rule, contact_mm)
+    in_full = full_names(diagram, rule.when.motion, rule.only_while.motion)
+    diagram, rule = short_diagram(diagram), short_rule(diagram, rule)
+    die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
+    return Linked(diagram, rule, die, mill, contact, in_full)
 
 
 def die_over(die: Motion, angles: tuple[Any, Any], work: Any, start: Any = None) -> Moving:
@@ -90,13 +111,10 @@ def verdict(die: Motion, moving: Moving, rule: ClearanceRule) -> Say:
 
 
 def panels(
-    diagram: TimingDiagram,
-    rule: ClearanceRule,
-    moving: tuple[Moving, Moving],
-    before: tuple[Moving, Moving],
+    both: Linked, moving: tuple[Moving, Moving], before: tuple[Moving, Moving]
 ) -> list[list[Panel]]:
     """Return timing diagram and clearance map of mill and die, as they are and as they were."""
-    mill, die = diagram[rule.only_while.motion], diagram[rule.when.motion]
+    rule, mill, die = both.rule, both.mill, both.die
     moving_mill, moving_die = moving
     too_deep = moving_die.position() - LIMIT
     too_far = moving_mill.offset() - sp.Float(rule.only_while.limit_mm)
@@ -104,7 +122,7 @@ def panels(
     room = heights((mill, die), moving)
     return [
         [_timing({mill.name: moving_mill, die.name: moving_die}, before, broken, room)],
-        [_map(moving_mill, moving_die, diagram, rule, broken)],
+        [_map(both, moving_mill, moving_die, broken)],
     ]
 
 
@@ -134,20 +152,16 @@ def _timing(
     )
 
 
-def _map(
-    mill: Moving, die: Moving, diagram: TimingDiagram, rule: ClearanceRule, broken: Any
-) -> Panel:
+def _map(both: Linked, mill: Moving, die: Moving, broken: Any) -> Panel:
     """Return the panel of the clearance map, with the region that is forbidden."""
-    near, half = rule.only_while.limit_mm, abs(diagram[rule.only_while.motion].pitch_mm) / 2
-    lowest, highest = diagram[rule.when.motion].range_mm
+    near, half = both.rule.only_while.limit_mm, abs(both.mill.pitch_mm) / 2
+    lowest, highest = both.die.range_mm
     path = {"x": mill.offset(), "y": die.position(), "joints": [*mill.joints, *die.joints]}
     return Panel(
         lines=[Line(**path, colour=1), Line(**path, only_where=broken, role=ALARM)],
         boxes=[Box(low=near, y=(LIMIT, None), name="forbidden")],
-        y=describe_offset(diagram[rule.when.motion], rule.when.motion),
-        x=describe_offset(
-            diagram[rule.only_while.motion], short(rule.only_while.motion, _MAP_COLUMNS)
-        ),
+        y=describe_offset(both.die, both.die.name),
+        x=describe_offset(both.mill, short(both.mill.name, _MAP_COLUMNS)),
         x_limits=(0, min(half, max(8 * near, half / 20))),
         y_limits=(lowest, highest + (highest - lowest) / 10),
         height=300,
@@ -155,11 +169,7 @@ def _map(
     )
 
 
-def checked_contact(diagram: Any, rule: Any, contact_mm: Any) -> tuple[ClearanceRule, float]:
-    """Return the rule as the diagram spells its names, and where the die would touch.
-
-    Raises InputError for a rule that cannot be explored.
-    """
+def _checked(diagram: Any, rule: Any, contact_mm: Any) -> tuple[ClearanceRule, float]:
     (rule,) = as_rules(diagram, rule)
     contact = Quantity("position of contact", "mm", example=20, low=-math.inf).number(contact_mm)
     die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]

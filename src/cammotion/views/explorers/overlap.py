@@ -13,19 +13,18 @@ from cammotion.views.explorers.clearance import (
     LIMIT,
     NOTHING,
     OUT,
-    checked_contact,
     die_over,
+    linked,
     mill_over,
     panels,
     place_in,
     verdict,
     window,
 )
-from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, control, full_names, work_deg
+from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, control, work_deg
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Button, Say, choice
-from cammotion.views.named import short_diagram, short_rule
 
 _MARGINS_MM = 0, 1, 2, 3, 5
 _LEAST_DEG = 20
@@ -51,10 +50,8 @@ def explore_overlap(
     >>> print(figure.text.splitlines()[0])
     die: 124.84 deg, from 80.163 to 205 deg, a_max = 0.806 m/s² = 0.194 × 4.154
     """
-    rule, contact = checked_contact(diagram, rule, contact_mm)
-    in_full = full_names(diagram, rule.when.motion, rule.only_while.motion)
-    diagram, rule = short_diagram(diagram), short_rule(diagram, rule)
-    die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
+    both = linked(diagram, rule, contact_mm)
+    diagram, rule, die, mill, contact, in_full = both
     (down, up), (index,) = die.moves, mill.moves
     work = work_deg(die)
     most = (DEG_PER_TURN - work) / 2
@@ -76,7 +73,7 @@ def explore_overlap(
     }
     widest = sp.Piecewise((_WIDEST, least <= _WIDEST), (sp.nan, True))
     return explore(
-        panels(diagram, rule, (moving_mill, moving_die), before),
+        panels(both, (moving_mill, moving_die), before),
         ALPHA,
         controls,
         values=values,

@@ -13,18 +13,17 @@ from cammotion.rules.clearance import ClearanceRule
 from cammotion.views.explorers.clearance import (
     LIMIT,
     NOTHING,
-    checked_contact,
     die_over,
+    linked,
     mill_over,
     panels,
     verdict,
     window,
 )
-from cammotion.views.explorers.moving import ALPHA, Moving, control, full_names, work_deg
+from cammotion.views.explorers.moving import ALPHA, Moving, control, work_deg
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Say
-from cammotion.views.named import short_diagram, short_rule
 
 _LEAST_DEG, _MOST_DEG, _MOST_WORK_DEG = 20, 200, 140  # 200 + 140 + 20 are a turn
 RISE, RETURN, WORK = sp.symbols("rise return work", positive=True)
@@ -45,10 +44,8 @@ def explore_ways(diagram: TimingDiagram, rule: ClearanceRule) -> LiveFigure:
     >>> print(figure.text.splitlines()[0])
     die: rise 140 deg from 65 deg on, work 100 deg, return 120 deg, rest 0 deg
     """
-    rule, _ = checked_contact(diagram, rule, rule.when.limit_mm)
-    in_full = full_names(diagram, rule.when.motion, rule.only_while.motion)
-    diagram, rule = short_diagram(diagram), short_rule(diagram, rule)
-    die, mill = diagram[rule.when.motion], diagram[rule.only_while.motion]
+    both = linked(diagram, rule, rule.when.limit_mm)
+    diagram, rule, die, mill, _, in_full = both
     (down, up), (index,) = die.moves, mill.moves
     middle = (down.to_deg + up.from_deg) / 2
     moving_die = die_over(die, (RISE, RETURN), WORK, middle - WORK / 2 - RISE)
@@ -58,7 +55,7 @@ def explore_ways(diagram: TimingDiagram, rule: ClearanceRule) -> LiveFigure:
     spans = dict.fromkeys(ways, (_LEAST_DEG, _MOST_DEG, 0.5))
     ways[WORK], spans[WORK] = ("work", work_deg(die)), (_LEAST_DEG, _MOST_WORK_DEG, 1)
     return explore(
-        panels(diagram, rule, (moving_mill, moving_die), (moving_mill, as_it_was)),
+        panels(both, (moving_mill, moving_die), (moving_mill, as_it_was)),
         ALPHA,
         {
             symbol: replace(
