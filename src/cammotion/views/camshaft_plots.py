@@ -1,7 +1,5 @@
 """The picture of what the mechanisms ask of their camshaft: forces and torque over the turn."""
 
-from dataclasses import replace
-
 import numpy as np
 from matplotlib.axes import Axes
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
@@ -70,10 +68,7 @@ def plot_camshaft(shaft: Camshaft) -> Axes:
     def force(motion: Motion, angles: Floats) -> Floats:
         return np.asarray(shaft.force_N(motion.name, angles))
 
-    curves = [
-        replace(curve, angles=places, values=force(curve.motion, places))
-        for curve in curves_of(loaded, force)
-    ]
+    curves = curves_of(loaded, force, places)
     if in_lanes:
         draw_lanes(forces, curves, [0.0] * len(curves))
     else:

@@ -48,13 +48,15 @@ class Curve:
         return float(self.values.min()), float(self.values.max())
 
 
-def curves_of(motions: Sequence[Motion], values: Values) -> list[Curve]:
-    """Return the curve of each motion, with a name that is short and its own."""
+def curves_of(
+    motions: Sequence[Motion], values: Values, angles: Floats | None = None
+) -> list[Curve]:
+    """Return the curve of each motion, at its own angles or at these, with a short name."""
     named = zip(motions, labels([motion.name for motion in motions]), strict=True)
     found = []
     for number, (motion, label) in enumerate(named):
-        angles = curve_angles(motion)
-        found.append(Curve(number, motion, label, angles, np.asarray(values(motion, angles))))
+        at = curve_angles(motion) if angles is None else angles
+        found.append(Curve(number, motion, label, at, np.asarray(values(motion, at))))
     return found
 
 

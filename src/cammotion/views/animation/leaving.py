@@ -245,11 +245,11 @@ class _Picture:
 
     def _bursts(self) -> Iterable[Any]:
         """Draw a word while the follower is in the air, and a star where it lands."""
-        air = svg.seen_during(self._air, self.turn_s) if self._air else draw.Group()
         alarm: dict[str, Any] = {"fill": svg.ALARM, "font_weight": "bold"}
         if self._air:
+            air = svg.seen_during(self._air, self.turn_s)
             air.append(svg.label("in the air", 14, _HEADER + 12, size=svg.LARGE, **alarm))
-        yield air
+            yield air
         for flight in self.of.seen:
             lands = flight.lands_at_deg % DEG_PER_TURN
             hit = svg.seen_during(arcs([(lands, lands + _BURST_DEG)]), self.turn_s)
