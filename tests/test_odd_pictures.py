@@ -155,6 +155,17 @@ def test_a_short_move_is_drawn_as_hard_as_it_is(angle_deg: float, start_deg: flo
     )
 
 
+@pytest.mark.parametrize("over", [None, (100, 900)])
+def test_a_short_move_drives_a_follower_as_hard_as_it_is(over: tuple[float, float] | None) -> None:
+    moves = cm.rise(1, over_deg=0.5), cm.dwell(179.5), cm.return_(1, over_deg=0.5), cm.dwell(179.5)
+    pin = cm.motion("pin", *moves, start_deg=725.5)
+    response = cm.SteadyResponse(cm.tuned_mass(12, 0.05), pin, 60)
+    cam = cm.plot_response(response, over=over).lines[-2]
+    peak = cm.TimingDiagram([pin], 60).peak_acceleration("pin")
+    assert cam.get_label() == "cam"
+    assert np.max(cam.get_ydata()) == pytest.approx(peak, rel=0.01)
+
+
 def test_a_map_reaches_to_where_a_motion_only_just_comes() -> None:
     moves = cm.rise(50, over_deg=0.2), cm.dwell(0.1), cm.return_(50, over_deg=0.2), cm.dwell(359.5)
     pin = cm.motion("die", *moves, start_deg=10.001)

@@ -38,13 +38,18 @@ def curve_angles(motion: Motion) -> Floats:
     >>> int(np.sum(curve_angles(cm.motion("pin", *parts)) <= 0.5))
     33
     """
+    corners = np.concatenate([motion.turning_degs, within_short_moves(motion)])
+    return np.union1d(SAMPLED_DEGS, np.mod(corners, DEG_PER_TURN))
+
+
+def within_short_moves(motion: Motion) -> Floats:
+    """Return cam angles close enough for a curve in the moves of a motion that are short."""
     short = [
         np.linspace(move.from_deg, move.to_deg, _LEAST)
         for move in motion.moves
         if move.angle_deg < _LEAST * SAMPLED_DEGS[1]
     ]
-    corners = np.concatenate([motion.turning_degs, *short])
-    return np.union1d(SAMPLED_DEGS, np.mod(corners, DEG_PER_TURN))
+    return np.concatenate([np.empty(0), *short])
 
 
 def _way_mm(motion: Motion, angle_deg: ArrayLike) -> Floats:

@@ -16,11 +16,13 @@ from cammotion.dynamics.residual import (
     running_factor,
     running_residual,
 )
-from cammotion.dynamics.response import MoveResponse, Response
+from cammotion.dynamics.response import MoveResponse, Response, StartResponse, SteadyResponse
 from cammotion.laws.catalogue import LAWS
 from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, one_of
+from cammotion.views.displacement import within_short_moves
 from cammotion.views.ends import label_ends
 from cammotion.views.law_plots import as_laws
 from cammotion.views.names import add_legend_below, as_label, labels
@@ -132,7 +134,7 @@ def plot_response(
         )
     across = "time t in s" if is_move else "cam angle in deg"
     ax = styled(ax, across, "acceleration in m/s²", (8.6, 4.4), layout="constrained")
-    at = np.linspace(low, high, _PLACES)
+    at = _places(response, low, high)
     count = len(response.chain.masses_kg)
     asked = range(1, count + 1) if masses is None else masses
     numbers: list[Any] = _MASS.array(asked).ravel().tolist()
@@ -146,3 +148,14 @@ def plot_response(
     ax.margins(x=0)
     add_legend_below(ax, 4)
     return ax
+
+
+def _places(response: Response, low: float, high: float) -> Floats:
+    """Return times or cam angles close enough for a curve, also of a move that is short."""
+    even = np.linspace(low, high, _PLACES)
+    if not isinstance(response, StartResponse | SteadyResponse):
+        return even
+    turns = np.arange(low // DEG_PER_TURN, high // DEG_PER_TURN + 1) * DEG_PER_TURN
+    in_turn = np.mod(within_short_moves(response.motion), DEG_PER_TURN)
+    own = np.add.outer(turns, in_turn).ravel()
+    return np.union1d(even, own[(own > low) & (own < high)])
