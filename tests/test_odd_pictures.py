@@ -1,5 +1,6 @@
 """Pictures of what is called oddly, stands far from zero, is tiny, or stands still."""
 
+import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -164,6 +165,16 @@ def test_a_short_move_drives_a_follower_as_hard_as_it_is(over: tuple[float, floa
     peak = cm.TimingDiagram([pin], 60).peak_acceleration("pin")
     assert cam.get_label() == "cam"
     assert np.max(cam.get_ydata()) == pytest.approx(peak, rel=0.01)
+
+
+def test_a_follower_goes_up_in_a_short_move_as_its_cam_does() -> None:
+    moves = cm.rise(1, over_deg=0.5), cm.dwell(179.5), cm.return_(1, over_deg=90), cm.dwell(90)
+    load = cm.FollowerLoad(mass_kg=0.1, stiffness_N_per_mm=1, preload_N=3000)
+    drawn = cm.animate_follower(cm.follower_flights(cm.motion("pin", *moves), load, 60)).svg
+    (times,) = re.findall(
+        r'data-part="follower">\s*<animateTransform[^>]*keyTimes="([^"]*)"', drawn
+    )
+    assert sum(0 < float(time) < 0.5 / 360 for time in times.split(";")) > 30
 
 
 def test_a_map_reaches_to_where_a_motion_only_just_comes() -> None:

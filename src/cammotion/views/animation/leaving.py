@@ -30,6 +30,7 @@ from cammotion.views.animation.moving_picture import MovingPicture
 from cammotion.views.animation.picture import TURN
 from cammotion.views.animation.player import SHOWN_ANGLE
 from cammotion.views.animation.still import Still, stopped
+from cammotion.views.displacement import within_short_moves
 from cammotion.views.names import printable
 from cammotion.views.plots import colour
 
@@ -167,8 +168,8 @@ class _Picture:
         self.scale = _CAM_PX / (self.cam.prime_radius_mm + self.travel - roller.radius_mm)
         leaves = [end for flight in animation.seen for end in flight[:2]]
         even = np.arange(0, DEG_PER_TURN + _STEP_DEG / 2, _STEP_DEG)
-        seam = np.mod(motion.start_deg, DEG_PER_TURN)
-        self.angles: Floats = np.unique([*even, *np.mod(leaves, DEG_PER_TURN), seam])
+        own = np.mod([*leaves, motion.start_deg, *within_short_moves(motion)], DEG_PER_TURN)
+        self.angles: Floats = np.union1d(even, own)
         whole = animation.angle_of(self.angles)
         self.gap = np.asarray(animation.flights.gap_mm(whole)) * animation.magnify
         self.lift = np.asarray(motion.position_mm(whole)) - low
