@@ -177,6 +177,17 @@ def test_a_follower_goes_up_in_a_short_move_as_its_cam_does() -> None:
     assert sum(0 < float(time) < 0.5 / 360 for time in times.split(";")) > 30
 
 
+def test_a_detour_of_short_moves_is_as_hard_as_it_is() -> None:
+    moves = cm.rise(50, over_deg=0.5), cm.dwell(100), cm.return_(50, over_deg=0.5), cm.dwell(259)
+    diagram = cm.TimingDiagram([cm.motion("pin", *moves, start_deg=100)], 60)
+    corners = (50, 20), (120, 20)
+    ax = cm.plot_detour(
+        {"design": diagram}, "pin", still=(250, 60), corners=corners, with_acceleration=True
+    )
+    drawn = np.asarray(ax.figure.axes[-1].lines[0].get_ydata())
+    assert drawn.max() == pytest.approx(diagram.peak_acceleration("pin"), rel=0.01)
+
+
 def test_a_map_reaches_to_where_a_motion_only_just_comes() -> None:
     moves = cm.rise(50, over_deg=0.2), cm.dwell(0.1), cm.return_(50, over_deg=0.2), cm.dwell(359.5)
     pin = cm.motion("die", *moves, start_deg=10.001)

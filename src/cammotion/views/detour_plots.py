@@ -14,6 +14,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import POSITION
 from cammotion.quantities import Floats, InputError, shorten
 from cammotion.views.broken import BROKEN
+from cammotion.views.displacement import within_short_moves
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, by_name, name_line
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, styled, write
@@ -64,12 +65,14 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     lower = _add_below(ax) if with_acceleration else ax
     called = by_name(designs, TITLE)
     for number, (title, design) in enumerate(designs.items()):
-        way = design.position_mm(name, start + u) - design.position_mm(name, start)
+        own = np.mod(within_short_moves(design[name]) - start, DEG_PER_TURN)
+        at = np.union1d(u, own[own < span])
+        way = design.position_mm(name, start + at) - design.position_mm(name, start)
         up = 1 if way[np.abs(way).argmax()] > 0 else -1
-        name_line(style_line(ax.plot(u, up * way)[0], number), called[title], title)
+        name_line(style_line(ax.plot(at, up * way)[0], number), called[title], title)
         if with_acceleration:
-            acceleration = up * design.acceleration(name, start + u)
-            name_line(style_line(lower.plot(u, acceleration)[0], number), called[title], title)
+            acceleration = up * design.acceleration(name, start + at)
+            name_line(style_line(lower.plot(at, acceleration)[0], number), called[title], title)
     _draw_corners(ax, corners)
     if usual_mm is not None:
         usual_mm = POSITION.number(usual_mm)
