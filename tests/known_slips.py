@@ -198,6 +198,8 @@ SLIPS = [
         "01.1", "no brackets", lambda m: 360 - m.mill_angle_deg - m.work_deg / 2, "bracket|both"
     ),
     KnownSlip("01.1", "mill and work", lambda m: m.mill_angle_deg + m.work_deg, "mill and work"),
+    KnownSlip("01.1", "half of them", lambda m: (m.mill_angle_deg + m.work_deg) / 2, "half of wh"),
+    KnownSlip("01.1", "less each other", lambda m: m.mill_angle_deg - m.work_deg, "from the mill"),
     KnownSlip("01.1", "less the mill", lambda m: 360 - m.mill_angle_deg, "what the mill leaves"),
     KnownSlip("01.1", "less the work", lambda m: 360 - m.work_deg, "what the work leaves"),
     KnownSlip("01.1", "the lesson's", lessons(55), "machine of the lesson"),
@@ -216,6 +218,9 @@ SLIPS = [
     ),
     KnownSlip("01.2", "the mill's time", lambda m: time(m, m.mill_angle_deg), "mill"),
     KnownSlip("01.2", "the die's way", lambda m: time(m, die(m)), "each way"),
+    KnownSlip(
+        "01.2", "with the mill", lambda m: time(m, m.work_deg + m.mill_angle_deg), "together"
+    ),
     KnownSlip("01.2", "one degree", lambda m: time(m, 1), "one degree"),
     KnownSlip("01.2", "while not down", lambda m: time(m, 360 - m.work_deg), "not down|rest of"),
     KnownSlip(
@@ -236,6 +241,18 @@ SLIPS = [
         "angles upside down",
         lambda m: stroke(m) / m.pitch_mm * (die(m) / m.mill_angle_deg) ** 2,
         "upside down",
+    ),
+    KnownSlip(
+        "01.3",
+        "both ways' angle",
+        lambda m: peak(m, 2 * die(m)) / peak(m, m.mill_angle_deg, m.pitch_mm),
+        "twice the angle",
+    ),
+    KnownSlip(
+        "01.3",
+        "the work's angle",
+        lambda m: peak(m, m.work_deg) / peak(m, m.mill_angle_deg, m.pitch_mm),
+        "degrees of the work",
     ),
     KnownSlip("01.3", "strokes alone", lambda m: stroke(m) / m.pitch_mm, "strokes alone"),
     KnownSlip(
@@ -298,6 +315,9 @@ SLIPS = [
     KnownSlip("02.1", "the lesson's", lessons(4.154), "machine of the lesson"),
     KnownSlip("02.1", "the lesson's stroke", lambda m: peak(m, die(m), 50), "a number of the less"),
     KnownSlip("02.1", "the lesson's angle", lambda m: peak(m, 55), "a number of the lesson"),
+    KnownSlip("02.1", "the mill's way", lambda m: peak(m, die(m), m.pitch_mm), "way of the mill"),
+    KnownSlip("02.1", "the mill's angle", lambda m: peak(m, m.mill_angle_deg), "angle of the mill"),
+    KnownSlip("02.1", "the work's angle", lambda m: peak(m, m.work_deg), "degrees of the work"),
     KnownSlip("02.1", "upwards", lambda m: -peak(m, die(m)), "sign"),
     KnownSlip(
         "02.1",
@@ -347,7 +367,7 @@ SLIPS = [
         "02.3",
         "the lesson's peak",
         lambda m: m.die_mass_kg * lessons(4.154)(m),
-        "a number of the lesson",
+        "the lesson's answer to 02.1",
     ),
     KnownSlip("02.3", "acceleration", lambda m: peak(m, die(m)), "the acceleration"),
     KnownSlip(
@@ -374,6 +394,8 @@ SLIPS = [
     ),
     KnownSlip("02.4", "no square", faster, "counts twice|square"),
     KnownSlip("02.4", "upside down", lambda m: 1 / faster(m) ** 2, "smaller|upside"),
+    KnownSlip("02.4", "the root", lambda m: faster(m) ** 0.5, "root of the ratio"),
+    KnownSlip("02.4", "the share", lambda m: faster(m) - 1, "share the rate grows"),
     KnownSlip("02.4", "the time", lambda m: 1 / faster(m), "time gets shorter"),
     KnownSlip("02.4", "growth doubled", lambda m: 2 * faster(m) - 1, "doubled"),
     KnownSlip("02.4", "the increase", lambda m: faster(m) ** 2 - 1, "by how much"),

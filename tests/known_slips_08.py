@@ -9,7 +9,7 @@ from functools import cache
 
 import mpmath
 import numpy as np
-from known_slips import KnownSlip
+from known_slips import KnownSlip, lessons
 from known_slips_laws import CYCLOID, POLYNOMIAL, SINE, TRAPEZOID
 
 import cammotion as cm
@@ -241,6 +241,12 @@ SLIPS = [
     ),
     KnownSlip("08.2", "no factor", lambda m: torque(m, 1), "factor Ca"),
     KnownSlip("08.2", "velocity factor", lambda m: torque(m, CV[m.table.law]), "velocity|Cv"),
+    KnownSlip(
+        "08.2",
+        "the lesson's inertia",
+        lambda m: lessons(38.5 - 0.72)(m) * push(m) + m.table.friction_N_m,
+        "the lesson's answer to 08.1",
+    ),
     KnownSlip("08.2", "in N mm", lambda m: 1000 * torque(m), "N mm"),
     KnownSlip("08.2", "in kN m", lambda m: torque(m) / 1000, "kN m"),
     KnownSlip("08.2", "power factor", lambda m: torque(m, CQ[m.table.law]), "Cq"),

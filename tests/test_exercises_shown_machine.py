@@ -38,7 +38,7 @@ def own_machine(
         stops=machine.stops,
     )
     goes = [cm.rise(stroke(machine), over_deg=way), cm.dwell(work)]
-    goes += [cm.return_(stroke(machine), over_deg=way), *([cm.dwell(rest)] if rest > 0 else [])]
+    goes += [cm.return_(stroke(machine), over_deg=way), *([cm.dwell(rest)] if rest > 1e-9 else [])]
     return cm.TimingDiagram([mill, cm.motion("die", *goes, start_deg=start)], machine.rate_per_hour)
 
 

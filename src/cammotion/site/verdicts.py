@@ -62,8 +62,9 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     ratios = [ratio * right for ratio in exercise.ratios]
     yield from (0.0, right, -right)
     yield from ((one + other) / 2 for one, other in pairwise(slips))
-    for value in filter(math.isfinite, exercise.of_the_lesson(machine)):
-        yield from (*_beside(value, TYPED), *_rounded(value, FEWEST + 1))
+    lessons = filter(math.isfinite, exercise.of_the_lesson(machine))
+    for value in (*lessons, *slips, *carried, *ratios):
+        yield from (*_beside(value, TYPED), *_rounded(value, MOST))
     for share in (NEAR, NOT_FAR):
         yield from _beside(right, share)
     for value in slips:

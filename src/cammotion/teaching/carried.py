@@ -3,10 +3,18 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import Exercise
-from cammotion.teaching.number_exercise import WITH_WRONG, YOURS, Carried, GoingOn, NumberExercise
+from cammotion.teaching.number_exercise import (
+    WITH_LESSONS,
+    WITH_WRONG,
+    YOURS,
+    Carried,
+    GoingOn,
+    NumberExercise,
+)
 from cammotion.teaching.reading import number_or_none
 from cammotion.teaching.store import Record
 
@@ -14,7 +22,8 @@ from cammotion.teaching.store import Record
 def link(exercises: Iterable[Exercise]) -> dict[str, Exercise]:
     """Return exercises by their numbers; those that go on from earlier ones know their slips.
 
-    The earlier ones come first. An error is carried on over more than one exercise.
+    The earlier ones come first. An error is carried on over more than one exercise. The lesson's
+    answer to an earlier one is such a slip, too.
     """
     linked: dict[str, Exercise] = {}
     for exercise in exercises:
@@ -60,12 +69,18 @@ def _carry(exercise: NumberExercise, linked: dict[str, Exercise]) -> Iterator[Ca
     for number, going_on in exercise.goes_on_from.items():
         earlier = linked[number]
         if isinstance(earlier, NumberExercise):
+            lessons = _going_on(going_on, partial(_of_the_lesson, earlier))
+            yield Carried(lessons, WITH_LESSONS.format(number), (number,))
             for slip in earlier.slips:
                 said = f"{WITH_WRONG.format(number)} {slip.reason}"
                 yield Carried(_going_on(going_on, slip.answer), said, (number,))
             for before in earlier.carried:  # it names the exercise that it comes from
                 through = (*before.through, number)
                 yield Carried(_going_on(going_on, before.answer), before.reason, through)
+
+
+def _of_the_lesson(earlier: NumberExercise, _: MillAndDie) -> float:
+    return earlier.solution(EXAMPLE)
 
 
 def _going_on(

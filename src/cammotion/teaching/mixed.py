@@ -13,30 +13,27 @@ _TOGETHER = (("wait_mm", "pocket_mm", "gap_mm"), ("mill_angle_deg", "work_deg"))
 
 @lru_cache(maxsize=2**8)
 def mixed(machine: MillAndDie) -> tuple[MillAndDie, ...]:
-    """Return machines with one number of the lesson's, and the lesson's with one of theirs.
+    """Return machines with one of their numbers as the lesson's machine has it.
 
     >>> from cammotion.teaching.variants import machine_for
     >>> anna = machine_for("Anna")
     >>> any(one == replace(anna, work_deg=100) for one in mixed(anna))
     True
-    >>> any(one == replace(EXAMPLE, die_mass_kg=anna.die_mass_kg) for one in mixed(anna))
-    True
     """
-    return (*_with_one_of(machine, EXAMPLE), *_with_one_of(EXAMPLE, machine))
+    groups = [{name: getattr(EXAMPLE, name) for name in names} for names in _TOGETHER]
+    return (*_with_one_of(machine, EXAMPLE), *(replace(machine, **group) for group in groups))
 
 
-def _with_one_of(machine: MillAndDie, other: MillAndDie) -> Iterator[MillAndDie]:
-    yield from _with_one_field_of(machine, other)
-    for names in _TOGETHER:
-        yield replace(machine, **{name: getattr(other, name) for name in names})
-
-
-def _with_one_field_of(record: Any, other: Any) -> Iterator[Any]:
-    """Yield a record with one field as another has it, also in the records that it holds."""
-    for field in fields(record):
-        own, others = getattr(record, field.name), getattr(other, field.name)
-        if is_dataclass(own):
-            for inner in _with_one_field_of(own, others):
-                yield replace(record, **{field.name: inner})
-        elif field.compare and own != others:
-            yield replace(record, **{field.name: others})
+def _with_one_of(own: Any, others: Any) -> Iterator[Any]:
+    """Yield a value, a tuple or a record with one number of it as another of its kind has it."""
+    if is_dataclass(own):
+        for name in (field.name for field in fields(own) if field.compare):
+            for one in _with_one_of(getattr(own, name), getattr(others, name)):
+                yield replace(own, **{name: one})  # type: ignore[type-var]
+    elif isinstance(own, tuple) and len(own) == len(others):
+        for place in range(len(own)):
+            for one in _with_one_of(own[place], others[place]):
+                parts = [*own[:place], one, *own[place + 1 :]]
+                yield type(own)(*parts) if hasattr(own, "_fields") else tuple(parts)
+    elif own != others:
+        yield others

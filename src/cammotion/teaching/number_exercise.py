@@ -1,7 +1,7 @@
 """Exercises that ask for a number, and why a number is wrong."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -42,11 +42,12 @@ _TOO_FEW = (
     "least."
 )
 WITH_WRONG = "With a wrong answer to {} this would be right."
+WITH_LESSONS = "With the lesson's answer to {} in place of yours this would be right."
 YOURS = "What you did here is right, but with your {} from {}, which was not right yet."
 OF_THE_LESSON = "This is right for the machine of the lesson. Yours has other numbers."
 MIXED = (
-    "With a number of the lesson's machine in place of one of yours this would be right. Is each "
-    "of them the question's?"
+    "With a number of the lesson's machine in place of one of yours this would be right. Are all "
+    "the numbers that you put in those of your question?"
 )
 _DIGITS = {3: "three", 4: "four"}
 
@@ -105,7 +106,7 @@ class NumberExercise(Exercise):
         return {**common, **UNIT_RATIOS.get(self.unit, {})}
 
     def of_the_lesson(self, machine: MillAndDie) -> tuple[float, ...]:
-        """Return the lesson's answer, and what its numbers lead to in place of a learner's own.
+        """Return the lesson's answer, and what one of its numbers leads to in place of an own one.
 
         The lesson's comes first, NaN if it is right. None of the others is.
         """
@@ -119,14 +120,15 @@ class NumberExercise(Exercise):
             return ""
         off = abs(given - right)
         slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)
-        if is_same(given, slip):
-            return self._all_that_lead_to(given, slip, machine)
         is_to_most = is_rounded(float(f"{given:.{MOST}g}"), right, MOST)  # though nearly round
         has_few = any(is_rounded(given, right, fewer) for fewer in range(FEWEST, digits))
-        if has_few and not is_to_most:
-            return _TOO_FEW.format(_DIGITS[digits])
+        too_few = [_TOO_FEW.format(_DIGITS[digits])] if has_few and not is_to_most else []
+        if is_same(given, slip):
+            return in_one([*too_few, *self._all_that_lead_to(given, slip, machine)])
+        if too_few:
+            return in_one(too_few)
         if self._is_about(given, slip) and abs(given - slip) < off:
-            return self._all_that_lead_to(given, slip, machine)
+            return in_one(self._all_that_lead_to(given, slip, machine))
         is_copied = self._mixed_up(given, machine) == [OF_THE_LESSON]
         if self._is(given, right) and not is_copied:
             return ""
@@ -137,7 +139,7 @@ class NumberExercise(Exercise):
         right = self.solution(machine)
         ratios = [said for r, said in self.ratios.items() if self._is_about(given, r * right)]
         mixed_up = self._mixed_up(given, machine)
-        carried = self._leading_to(self.carried, given, machine)
+        carried = self._carried_to(given, machine)
         rounded = in_one(
             reason
             for value, reason in wrong.items()
@@ -147,13 +149,16 @@ class NumberExercise(Exercise):
             in_one(self._brought_along(given, machine))
             or self._in_g(given, right)
             or in_one([*ratios[:1], *mixed_up])
-            or in_one(slip.reason for slip in carried)
             or rounded
+            or in_one(slip.reason for slip in carried)
             or self._far(given, right)
         )
 
-    def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> str:
-        """Return why a number is wrong that is a slip's: all reasons that it may have."""
+    def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> list[str]:
+        """Return why a number is wrong that is a slip's: all reasons that it may have.
+
+        A ratio is among them where it leads to the number exactly, and the slip only near it.
+        """
         wrong = _known(self, machine).wrong
         alike = [
             value
@@ -164,8 +169,13 @@ class NumberExercise(Exercise):
         nearest_first = sorted(
             alike, key=lambda value: (not is_same(value, slip), abs(given - value))
         )
-        reasons = (wrong[value] for value in nearest_first)
-        return in_one([*self._brought_along(given, machine), *reasons])
+        brought = self._brought_along(given, machine)
+        told = {_cause(reason) for reason in brought}
+        reasons = [wrong[value] for value in nearest_first if _cause(wrong[value]) not in told]
+        exact = {} if is_as_typed(given, slip) else self.ratios
+        right = self.solution(machine)
+        ratios = (said for r, said in exact.items() if is_as_typed(given, r * right))
+        return [*brought, *reasons, *self._mixed_up(given, machine), *ratios]
 
     def _mixed_up(self, given: float, machine: MillAndDie) -> list[str]:
         """Return what is said if numbers of the lesson's machine lead to a number, at most one."""
@@ -179,19 +189,17 @@ class NumberExercise(Exercise):
 
         Where that was a known slip, it is its reason.
         """
-        brought = self._leading_to(self.brought, given, machine)
+        brought = [slip for slip in self.brought if self._is(given, slip.leads_to(machine))]
         numbers = {number for slip in brought for number in slip.through}
         known = [
             slip.reason
-            for slip in self._leading_to(self.carried, given, machine)
+            for slip in self._carried_to(given, machine, FEWEST + 1)
             if not numbers.isdisjoint(slip.through)
         ]
         return known or [slip.reason for slip in brought]
 
-    def _leading_to(
-        self, slips: Iterable[Carried], given: float, machine: MillAndDie
-    ) -> list[Carried]:
-        return [slip for slip in slips if self._is(given, slip.leads_to(machine))]
+    def _carried_to(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[Carried]:
+        return [slip for slip in self.carried if is_as_typed(given, slip.leads_to(machine), digits)]
 
     def _is(self, given: float, value: float) -> bool:
         return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)
@@ -241,6 +249,11 @@ class NumberExercise(Exercise):
             *(*slips, *brought, _IN_G, *self.ratios.values()),
             *(OF_THE_LESSON, MIXED, *unknown),
         )
+
+
+def _cause(reason: str) -> str:
+    """Return a reason without the sentence that says in which number it is met."""
+    return reason.partition(". ")[2] or reason
 
 
 class _Known(NamedTuple):

@@ -54,13 +54,13 @@ def is_same(one: float, other: float) -> bool:
     return math.isclose(one, other, rel_tol=SAME, abs_tol=1e-12)
 
 
-def is_as_typed(given: float, value: float) -> bool:
-    """Tell whether a number is a value as one types it off: nearly all of it, or three digits.
+def is_as_typed(given: float, value: float, digits: int = MOST) -> bool:
+    """Tell whether a number is a value as one types it off: nearly all of it, or these digits.
 
-    >>> is_as_typed(4.154, 4.15411), is_as_typed(4.15, 4.15411), is_as_typed(4.16, 4.15411)
+    >>> is_as_typed(4.1541, 4.15411), is_as_typed(124.8, 124.84), is_as_typed(4.15, 4.15411)
     (True, True, False)
     """
-    return math.isclose(given, value, rel_tol=TYPED) or is_rounded(given, value, FEWEST + 1)
+    return math.isclose(given, value, rel_tol=TYPED) or is_rounded(given, value, digits)
 
 
 def _are_alike(one: float, other: float, digits: int) -> bool:

@@ -7,9 +7,9 @@ from cammotion.machine.kinematics import (
     indexing_time,
     peak_acceleration,
 )
-from cammotion.teaching.example import EXAMPLE, MillAndDie
+from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
-from cammotion.teaching.number_exercise import OF_THE_LESSON, NumberExercise
+from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.turns import way_after, work_in_turn
 from cammotion.teaching.shown.ways import peak_of_die
@@ -79,7 +79,14 @@ EXERCISES = (
                 "This is what the work leaves. The mill needs its degrees too, and there are two "
                 "ways.",
             ),
-            Slip(lambda _: EXAMPLE.die_angle_deg, OF_THE_LESSON),
+            Slip(
+                lambda m: (m.mill_angle_deg + m.work_deg) / 2,
+                "This is half of what mill and work need. What do they leave of a turn?",
+            ),
+            Slip(
+                lambda m: m.mill_angle_deg - m.work_deg,
+                "The work was taken from the mill's degrees. Both are taken from those of a turn.",
+            ),
             *_ADDED_UP,
         ),
         hints=(
@@ -109,6 +116,13 @@ EXERCISES = (
             Slip(
                 lambda m: indexing_time(1, m.rate_per_hour),
                 "This is the time of one degree. The work takes many.",
+            ),
+            Slip(
+                lambda m: (
+                    indexing_time(m.mill_angle_deg, m.rate_per_hour)
+                    + indexing_time(m.work_deg, m.rate_per_hour)
+                ),
+                "This is the time of mill and work together. How long does the die stay down?",
             ),
             Slip(
                 lambda m: m.work_deg * cycle_time(m.rate_per_hour),
@@ -173,6 +187,14 @@ EXERCISES = (
             Slip(
                 lambda m: m.stroke_mm / m.pitch_mm * (m.die_angle_deg / m.mill_angle_deg) ** 2,
                 "The angles stand upside down: a longer angle makes the acceleration smaller.",
+            ),
+            Slip(
+                lambda m: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / m.die_angle_deg / 2) ** 2,
+                "This is with twice the angle of the die. The degrees of 01.1 are for one way.",
+            ),
+            Slip(
+                lambda m: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / m.work_deg) ** 2,
+                "This is with the degrees of the work, in which the die does not move.",
             ),
             Slip(
                 lambda m: m.stroke_mm / m.pitch_mm,

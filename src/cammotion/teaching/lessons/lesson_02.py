@@ -120,6 +120,18 @@ _PEAK_SLIPS = (
         "This is the mill's peak acceleration. The die's is asked for.",
     ),
     Slip(
+        lambda m: peak_acceleration(m.pitch_mm, m.die_angle_deg, m.rate_per_hour),
+        "This is with the way of the mill. How far does the die go?",
+    ),
+    Slip(
+        lambda m: peak_acceleration(m.stroke_mm, m.mill_angle_deg, m.rate_per_hour),
+        "This is with the angle of the mill. Over which does the die move?",
+    ),
+    Slip(
+        lambda m: peak_acceleration(m.stroke_mm, m.work_deg, m.rate_per_hour),
+        "This is with the degrees of the work, in which the die does not move.",
+    ),
+    Slip(
         lambda m: 2 * m.stroke_mm / MM_PER_M / _time(m) ** 2,
         "A constant acceleration would bring it so far in this time, but not to rest: the die has "
         "to be braked as well. And the peak of the sine is higher than a constant one.",
@@ -327,6 +339,14 @@ EXERCISES = (
             Slip(
                 lambda m: _ratio(m) ** -2,
                 "The acceleration would get smaller. A faster machine has less time for the move.",
+            ),
+            Slip(
+                lambda m: math.sqrt(_ratio(m)),
+                "This is the root of the ratio of the rates. The peak goes with its square.",
+            ),
+            Slip(
+                lambda m: _ratio(m) - 1,
+                "By this share the rate grows. By which factor does it, and the peak?",
             ),
             Slip(
                 lambda m: 1 / _ratio(m),

@@ -267,6 +267,11 @@ EXERCISES = (
                 "in %?",
             ),
             Slip(
+                lambda m: 100 * (_harsh(m).Ca - _gentle(m).Ca),
+                "This is the difference of the two factors, times 100. How much of the larger one "
+                "is the difference?",
+            ),
+            Slip(
                 lambda m: 1 / _kept(m),
                 "So many times larger is the larger peak. By how many percent is the other "
                 "smaller?",
