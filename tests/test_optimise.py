@@ -229,6 +229,17 @@ def test_where_parts_have_to_stand_against_a_rule_is_said(solver: Any) -> None:
     assert solver(late, RULE, still=both).design
 
 
+@pytest.mark.parametrize("limit_mm", [45, 49, 49.5])
+def test_rules_that_leave_a_part_no_height_are_said_to_be_too_strong(limit_mm: float) -> None:
+    """While the mill passes its middle the die may be neither beyond 19 mm nor within."""
+    rules = [
+        cm.ClearanceRule(half("die", 19), only_while=cm.within("mill", limit_mm))
+        for half in (cm.beyond, cm.within)
+    ]
+    with pytest.raises(InputError, match="No starts and angles of these moves keep all of this"):
+        optimise(make_diagram(), rules, still=STILL)
+
+
 def test_a_force_over_an_arc_without_a_sample_in_a_move_is_no_error() -> None:
     table = cm.indexing_motion(
         "table", cm.rise(275, over_deg=120, law="modified sine"), cm.dwell(240), stops=8

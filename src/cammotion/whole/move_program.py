@@ -95,8 +95,8 @@ def place(
     found = program.rows.solve(seconds)
     if found.unknowns is None or found.bound is None:
         return None
-    program.settle(found.unknowns)
-    return program.moves(program.widened(program.of_part, found.unknowns)), -found.bound
+    x = program.settle(found.unknowns)
+    return x if x is None else (program.moves(program.widened(program.of_part, x)), -found.bound)
 
 
 class MoveProgram:
@@ -197,11 +197,15 @@ class MoveProgram:
         terms = [(self.starts[part][end.move], 1.0), *zip(width, shares, strict=True)]
         return terms, end.turns * DEG_PER_TURN
 
-    def settle(self, x: Floats) -> None:
-        """Keep the whole numbers that were found."""
+    def settle(self, x: Floats) -> Floats | None:
+        """Keep the whole numbers that were found; return the best unknowns with these.
+
+        None if there are none: then only rounding, of numbers as large as a turn, has let them be.
+        """
         for column in self.whole:
             self.rows.low[column] = self.rows.high[column] = float(np.round(x[column]))
             self.rows.whole[column] = 0
+        return self.rows.solve().unknowns
 
     def inside(self, x: Floats) -> Inside:
         """Return what binds starts and angles, with whole numbers and laws as they were found."""

@@ -211,12 +211,12 @@ class _Starts:
             return None
         x = rows.solve(seconds).unknowns
         rows.low, rows.high = low, high
-        if x is None:
+        settled = None if x is None else program.settle(x)
+        if x is None or settled is None:
             return None
-        program.settle(x)
         if number == _TODAY:
             return _Low(program, x, np.inf)
-        widest = program.widened(program.of_part, x)
+        widest = program.widened(program.of_part, settled)
         for own in program.own:  # what is held there
             rows.low[own] = 0.0
         share = float(self.rng.uniform(0, _FARTHEST)) if is_at_random else 0.0
