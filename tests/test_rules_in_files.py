@@ -50,6 +50,18 @@ def test_every_kind_comes_back(gate: cm.Machine, tmp_path: Path, ending: str) ->
     assert cm.read_machine(cm.write_machine(gate, tmp_path / f"gate{ending}")) == gate
 
 
+@pytest.mark.parametrize("rule", [*RULES[1:2], *RULES[3:4]])
+def test_a_rule_may_have_a_colon_in_its_name(gate: cm.Machine, tmp_path: Path, rule: Rule) -> None:
+    machine = replace(gate, rules=[replace(rule, name="station 3: clear")])  # type: ignore[type-var]
+    assert cm.read_machine(cm.write_machine(machine, tmp_path / "gate.csv")) == machine
+
+
+def test_a_motion_may_be_called_by_a_short_form() -> None:
+    rule = cm.DistanceRule("slide", above="clamp r.", at_least_mm=5)
+    assert rule_from_text(rule_as_text(rule), ["slide", "clamp r."]) == rule
+    assert rule_from_text(f"{rule_as_text(rule)}.", ["slide", "clamp r."]) == rule
+
+
 limits = st.floats(-1e6, 1e6)
 ways = st.sampled_from([lambda name, _: cm.moving(name), lambda name, _: cm.standing(name)])
 halves = st.tuples(st.one_of(ways, st.sampled_from([cm.beyond, cm.within])), limits)

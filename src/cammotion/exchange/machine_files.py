@@ -19,6 +19,10 @@ from cammotion.quantities import InputError, shorten
 
 _BOOK = ".xlsx"
 _OTHER_BOOKS = (".ods", ".fods", ".xls", ".xlsm", ".xlsb", ".numbers")
+_PLAIN = (
+    "give mechanisms and rules plain names, without words like 'beyond' or 'only while' and "
+    "without colons"
+)
 
 
 def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine:
@@ -65,7 +69,7 @@ def machine_from_text(text: str, name: str = "my machine") -> Machine:
     for what, given in (("table", text), ("name", name)):
         if not isinstance(given, str) or not given.strip():
             raise InputError(f"The {what} of the machine is {shorten(given)}: give a text.")
-    return read_table(from_text(name.strip(), text.strip("\r\n")))
+    return read_table(from_text(name.strip(), text.removeprefix("\ufeff").strip("\r\n")))
 
 
 @checked
@@ -97,11 +101,12 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
         back = read_table(_source("the table", content))
         same = is_same(back.diagram, machine.diagram) and back.still == machine.still
     except InputError as wrong:
-        raise InputError(f"This machine cannot be written as a table. {wrong}") from None
+        raise InputError(
+            f"This machine cannot be written as a table. {wrong} If a name is misread, {_PLAIN}."
+        ) from None
     if not same or [*back.rules] != [*machine.rules]:
         raise InputError(
-            "The rules or still arcs of this machine are not given back by a table: give its "
-            "mechanisms plain names, without words like 'beyond' or 'only while'."
+            f"The rules or still arcs of this machine are not given back by a table: {_PLAIN}."
         )
     return write_new(path, content, overwrite=overwrite)
 

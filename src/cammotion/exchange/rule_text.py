@@ -28,7 +28,7 @@ _APART = [
     re.compile(pattern, re.IGNORECASE | re.DOTALL)
     for pattern in (
         rf"(?P<part>\S.*?)\s+(?:(?:stays|is)\s+)?at\s+least\s+{_LIMIT}(?:mm\s+)?"
-        r"above\s+(?P<other>\S.*?)\.?",
+        r"above\s+(?P<other>\S.*)",
         r"(?P<part>\S.*?)\s+[-−]\s+(?P<other>\S.*?)\s+(?:is\s+)?at\s+least\s+"
         rf"{_LIMIT}(?:mm)?\.?",
     )
@@ -52,8 +52,8 @@ def rule_from_text(text: str, names: Iterable[str], decimal: str = ".") -> Rule:
     'the pusher stays at least 5 mm above the flap'
     """
     known = [*names]
-    name, colon, said = text.strip().partition(": ")
-    if not colon or any(": " in motion for motion in known):
+    name, colon, said = text.strip().rpartition(": ")
+    if not colon or any(": " in f"{motion} " for motion in known):
         name, said = "", text.strip()
     halves = _ONLY.split(said)
     if len(halves) == 2:  # noqa: PLR2004 - what may be, and while what is
@@ -84,10 +84,11 @@ def _condition(half: str, text: str, names: list[str], decimal: str) -> Conditio
 
 
 def _motion(text: str, names: list[str]) -> str:
-    """Return the name of a motion, with which "the" may stand."""
-    tidied = " ".join(text.split())
-    ways = (text, _THE.sub("", text), tidied, _THE.sub("", tidied))
-    return one_of("motion", next((said for said in ways if said in names), ways[-1]), names)
+    """Return the name of a motion; "the" may stand before it, and a full stop after it."""
+    ended = text.removesuffix(".")
+    ways = [way for said in (text, ended) for way in (said, " ".join(said.split()))]
+    said = [bare for way in ways for bare in (way, _THE.sub("", way))]
+    return one_of("motion", next((way for way in said if way in names), said[-1]), names)
 
 
 def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:
