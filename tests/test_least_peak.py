@@ -231,6 +231,32 @@ def test_what_never_moves_has_the_least_peak_there_is() -> None:
         assert (found.bound, found.reached, found.gap) == (0, 0, 0)
 
 
+def beside_a_table(*halves: cm.ClearanceRule) -> cm.LeastPeak:
+    table = cm.motion("table", cm.dwell(360), start_mm=5)
+    machine = cm.TimingDiagram([make_mill(), table], 2000)
+    still = {"mill": [DOWN_DEG], "table": [(0, 100)]}
+    return cm.least_peak(machine, halves, still=still, seconds=2)
+
+
+def test_what_stands_at_its_limit_is_not_beyond_it() -> None:
+    """The mill has to wait for the table, and so has less of the turn than today."""
+    found = beside_a_table(
+        cm.ClearanceRule(cm.beyond("mill", 0.65), only_while=cm.beyond("table", 5))
+    )
+    assert found.bound > 1.0
+
+
+def test_motions_that_stay_at_a_limit_are_none() -> None:
+    """Where the mill passes on, the table may be neither beyond 5 mm nor within."""
+    found = beside_a_table(
+        *(
+            cm.ClearanceRule(half("table", 5), only_while=cm.within("mill", 0.65))
+            for half in (cm.beyond, cm.within)
+        )
+    )
+    assert found.design is None
+
+
 def test_a_move_shorter_than_a_cell_is_seen() -> None:
     """The turret has 4 deg, between two of 60 nodes; alone it needs a = 4 h / t^2."""
     turret = cm.indexing_motion("turret", cm.rise(9, over_deg=4), cm.dwell(356), stops=3)

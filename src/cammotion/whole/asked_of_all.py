@@ -1,7 +1,7 @@
 """What is asked of the motions of several parts, read from what a user gives."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -25,7 +25,7 @@ from cammotion.whole.sides import Side
 _WEIGHT = Quantity("weight", "", example=1, low_included=True)
 _LIMIT = Quantity("limit of a peak", "m/s²", example=1)
 FREE = "free part"
-_AT_A_STOP_MM = 1e-6
+_AT_A_STOP_MM, _AT_A_LIMIT_MM = 1e-6, 1e-5
 _ABOVE = 1e-6  # of a limit, that may be rounding
 
 
@@ -77,6 +77,19 @@ class Task:
         others = {part.motion.name for part in self.parts} - set(names)
         rules = [r for r in self.rules if not {*r.motions} & others]
         return Task(self.diagram, parts, _of_interest(rules, names))
+
+    @property
+    def eased(self) -> "Task":
+        """The same but for limits that are farther off by what can be rounding."""
+        rules = (
+            replace(
+                rule,
+                when=rule.when.eased(-_AT_A_LIMIT_MM),
+                only_while=rule.only_while.eased(_AT_A_LIMIT_MM),
+            )
+            for rule in self.rules
+        )
+        return replace(self, rules=tuple(rules))
 
     def beside(self, others: "Task", design: TimingDiagram) -> "Task":
         """Return what is asked of the parts that another task leaves, its own being as designed."""

@@ -122,7 +122,8 @@ class Search:
     def offer(self, design: TimingDiagram, part_of_it: Task) -> None:
         """Keep a design if it is the best, in which the motions of a task are new.
 
-        If these are not all parts, the others get the best single moves beside them.
+        If these are not all parts, the others get the best single moves beside them. A design that
+        stays at a limit is left out: that is not beyond it, and the nearest ones are none to build.
         """
         if part_of_it is not self.task:
             rest = self.task.beside(part_of_it, design)
@@ -131,6 +132,8 @@ class Search:
                 return
             design = found
         faults = list(faults_of(self.task, design))
+        if faults and not list(faults_of(self.task.eased, design)):
+            return
         peak = weighted_peak(design, self.task.weights)
         if peak < self.best.bound * (1 - _ROUNDING) - _ROUNDING:
             faults.append(f"motions reach {peak:g}, less than the bound {self.best.bound:g}")

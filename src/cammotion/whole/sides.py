@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cammotion.machine.arcs import Arc, unwrap
+from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
@@ -53,8 +53,9 @@ _NOTHING = Option(None, Interval(-np.inf, np.inf))
 class Side:
     """What a half of a rule asks if it has to give way.
 
-    `part` is the number of the part that it is about. If that is not free, `part` is None and the
-    half gives way where the motion in the diagram lets it: not over the arcs `closed`.
+    `part` is the number of the part that it is about, None if that is not free. Over the arcs
+    `closed` it cannot give way: there the motion is as in the diagram, since it is not free or has
+    to stand, and not where it would have to be.
     """
 
     condition: Condition
@@ -62,7 +63,7 @@ class Side:
     closed: tuple[Arc, ...] = ()
 
     def is_closed(self, angle_deg: Floats, *, edges: bool) -> NDArray[np.bool_]:
-        """Whether a half that is not free cannot give way at each angle.
+        """Whether the half cannot give way at each angle, as the diagram has it.
 
         At the edges of an arc it cannot, if just beside them it cannot: motions do not jump.
         """
@@ -97,9 +98,11 @@ def sides_of(
     names = [part.motion.name for part in parts]
 
     def side(condition: Condition) -> Side:
-        if condition.motion in names:
-            return Side(condition, names.index(condition.motion))
-        return Side(condition, None, tuple(unwrap(condition.opposite.arcs(diagram))))
+        closed = condition.opposite.arcs(diagram)
+        if condition.motion not in names:
+            return Side(condition, None, tuple(unwrap(closed)))
+        number = names.index(condition.motion)
+        return Side(condition, number, tuple(unwrap(intersect(closed, arcs(parts[number].still)))))
 
     return [(side(rule.when.opposite), side(rule.only_while)) for rule in rules]
 
@@ -142,10 +145,10 @@ def _options(
     """Return the options of a rule at a node; of one that always holds, only that."""
     found = []
     for side, is_closed in zip(both, closed, strict=True):
-        if side.part is None:
-            if not is_closed:
-                return (_NOTHING,)
+        if is_closed:
             continue
+        if side.part is None:
+            return (_NOTHING,)
         low, high = room.low[side.part][node], room.high[side.part][node]
         motion = parts[side.part].motion
         for interval in intervals(motion, side.condition, low - _ROUNDING_MM, high + _ROUNDING_MM):
