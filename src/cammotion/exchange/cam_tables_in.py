@@ -16,6 +16,7 @@ from cammotion.exchange.cam_table_meaning import (
     shape_of,
 )
 from cammotion.exchange.cam_table_text import read_text
+from cammotion.exchange.table_numbers import ANGLE_DECIMALS
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.measured.cam_table import CamTable
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
@@ -122,7 +123,7 @@ def _columns(given: Any) -> tuple[int, int] | None:
 
 def _tidy(angles: Floats) -> Floats:
     """Return angles without the last digits that a change of unit brings."""
-    return np.round(angles, 10) + 0.0
+    return np.round(angles, ANGLE_DECIMALS) + 0.0
 
 
 def _said(found: Columns, encoding: str, parts: tuple[str, str, str]) -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from cammotion.exchange.cam_table_columns import DECIMALS, SEPARATORS
+from cammotion.exchange.table_numbers import ANGLE_DECIMALS
 from cammotion.files import as_path, is_folder, stems, write_all
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
@@ -17,7 +18,6 @@ POINTS = Quantity("number of points of a cam table", "", example=361, low=8, hig
 PLACES = Quantity("number of decimals", "", example=6, high=12, low_included=True)
 FORMS = ("plain", "codesys")
 
-_ANGLE = 10  # decimals of an angle: 0.3, and not 0.30000000000000004
 _WHOLE = 1e-9  # by such a share a step may miss a whole part of the turn
 _DIGITS = 14  # behind the first one, which a float has for sure
 _INT = 32_767  # points that CODESYS counts in an INT
@@ -119,7 +119,7 @@ def _angles(step_deg: float | None, points: int | None, most: int | None) -> Flo
             f"A cam of CODESYS has at most {most} points, and these are {steps + 1}: give a larger "
             "step, or points=256."
         )
-    return np.round(DEG_PER_TURN * np.arange(steps + 1) / steps, _ANGLE)
+    return np.round(DEG_PER_TURN * np.arange(steps + 1) / steps, ANGLE_DECIMALS)
 
 
 def positions_over_turn(motion: Motion, angles: Floats) -> Floats:
@@ -150,7 +150,7 @@ def _phase(motion: Motion, angles: Floats) -> tuple[Floats, Floats]:
 
 def _angle(angle: float) -> str:
     """Return an angle with one decimal at least: it shows the decimal mark."""
-    text = f"{angle:.{_ANGLE}f}".rstrip("0")
+    text = f"{angle:.{ANGLE_DECIMALS}f}".rstrip("0")
     return text + "0" if text.endswith(".") else text
 
 

@@ -25,6 +25,7 @@ from cammotion.exchange.machine_lines import (
 )
 from cammotion.exchange.machine_source import from_text, open_source
 from cammotion.exchange.machine_table import read_table
+from cammotion.exchange.table_numbers import ANGLE_DECIMALS
 from cammotion.files import write_new
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.motion_law import MotionLaw
@@ -36,7 +37,6 @@ STEP = Quantity(
     "step of the table", "deg", example=1, low=1e-3, high=DEG_PER_TURN, low_included=True
 )
 _ROUNDING = 1e-9  # the part of a step by which the last one may miss the full turn
-_DECIMALS = 10  # of an angle: 0.3, and not 0.30000000000000004
 _LONGEST = 30_000  # characters of a cell, of which a spreadsheet takes 32,767
 
 _CURVES: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
@@ -102,7 +102,7 @@ def write_curves(
     as_diagram(diagram)
     step = STEP.number(step_deg)
     steps = math.ceil(DEG_PER_TURN / step - _ROUNDING)
-    angles = np.append(step * np.arange(steps), DEG_PER_TURN).round(_DECIMALS)
+    angles = np.append(step * np.arange(steps), DEG_PER_TURN).round(ANGLE_DECIMALS)
     times = angles * (diagram.cycle_time_s / DEG_PER_TURN)
     columns = {"cam angle in deg": angles, "time in s": times}
     for name in diagram.names:

@@ -15,6 +15,9 @@ _GROUPED = {
     ".": re.compile(r"[+-]?[1-9][0-9]{0,2}(?:,[0-9]{3})+(?:\.[0-9]+)?"),
     ",": re.compile(r"[+-]?[1-9][0-9]{0,2}(?:\.[0-9]{3})+(?:,[0-9]+)?"),
 }
+ANGLE_DECIMALS = 10
+"""Of an angle as it is written: 0.3, and not 0.30000000000000004."""
+
 _OTHER = {".": ",", ",": "."}
 _LARGE = 0.1  # of the largest: numbers from there on say how finely a column is rounded
 

@@ -17,7 +17,7 @@ from cammotion.limits.standing import check_stands, pair_of, still_arcs
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.machine.segments import POSITION
+from cammotion.machine.segments import POSITION, told
 from cammotion.quantities import Floats, InputError
 from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
@@ -57,8 +57,13 @@ class Corridor:
 
     @property
     def cells_deg(self) -> Floats:
-        """How far it is from each node to the next one; the last cell ends a turn after the 1st."""
-        return np.diff(np.append(self.angle_deg, self.angle_deg[0] + DEG_PER_TURN))
+        """How far it is from each node to the next one."""
+        return cells_of(self.angle_deg)
+
+    @property
+    def inner(self) -> Flags:
+        """Which nodes are in no still arc and beside none: there it may be held off its limits."""
+        return ~(self.still | np.roll(self.still, 1) | np.roll(self.still, -1))
 
     def next_of(self, limit_mm: Floats) -> Floats:
         """Return a limit at the end of each cell, given at its beginning."""
@@ -94,6 +99,11 @@ class Corridor:
         order = np.argsort(np.argsort(since, kind="stable"))
         steps = (begin[:, None] == begin) & (order[:, None] >= order)
         return np.asarray(steps, dtype=np.float64)
+
+
+def cells_of(angle_deg: Floats) -> Floats:
+    """Return how far it is from each node to the next one; the last is a turn before the first."""
+    return np.diff(np.append(angle_deg, angle_deg[0] + DEG_PER_TURN))
 
 
 def corridor(  # noqa: PLR0913 - all but three are given by name
@@ -157,7 +167,7 @@ def _standing(name: str, limited: Corridor, bands: list[Band], places: Floats) -
     if np.any(too_far):
         place, angle = places[too_far][0], room.angle_deg[too_far][0] % DEG_PER_TURN
         raise InputError(
-            f"At {angle:g} deg the {name} has to stand at {place:g} mm, where the rules or the "
+            f"At {told(angle)} deg the {name} has to stand at {place:g} mm, where the rules or the "
             "travel do not let it be: change them, or the still arc."
         )
     check_agree(name, bands, room.angle_deg)

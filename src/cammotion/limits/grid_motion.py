@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from cammotion.limits.bands import ROUNDING_MM
 from cammotion.limits.corridors import Corridor
 from cammotion.limits.ramps import Ramp, law_of
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -17,9 +18,10 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError
 
-_ROUNDING_MM = 1e-9  # by so much positions may differ and be one
 _ROUNDING_TIME = 1e-6  # of a cell
 _STAYS_MM = 1e-6  # the solver's rounding of a motion that stays
+KEPT_MM = 1e-6
+"""So far from its limits a motion is held, that the solver's rounding stays within the corridor."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class GridMotion:
             for time in self._turns(cell):
                 place = self._place(cell, time)
                 strays[cell] = max(strays[cell], place - high[cell], low[cell] - place)
-        return np.where(strays > _ROUNDING_MM, strays, 0.0)
+        return np.where(strays > ROUNDING_MM, strays, 0.0)
 
     def build(self, motion: Motion, room: Corridor) -> Motion:
         """Return the motion in segments: a dwell where it has to stand, a move in between.
@@ -72,11 +74,11 @@ class GridMotion:
     def _segments(self, room: Corridor, first: int, last: int) -> Iterator[Segment]:
         """Yield the one or two moves of a stretch."""
         start, end = _height(room, first), _height(room, last)
-        if abs(end - start) < _ROUNDING_MM and self._stays(room, first, last):
+        if abs(end - start) < ROUNDING_MM and self._stays(room, first, last):
             return
         ramps = [self._ramp(n) for n in range(first, last)]
         angles, heights, parts = [_angle(room, first)], [start], [ramps]
-        if abs(end - start) < _ROUNDING_MM:
+        if abs(end - start) < ROUNDING_MM:
             cell, time = self._far_end(room, first, last)
             far = self._ramp(cell)
             time_to = sum(ramp.seconds for ramp in ramps[: cell - first]) + time
@@ -156,7 +158,7 @@ def _from_a_stop(motion: Motion, room: Corridor) -> list[tuple[int, int]]:
         return stretches
     for number, (first, _) in enumerate(stretches):
         off = (_height(room, first) - motion.start_mm) / room.pitch_mm
-        if abs(off - round(off)) * abs(room.pitch_mm) < _ROUNDING_MM:
+        if abs(off - round(off)) * abs(room.pitch_mm) < ROUNDING_MM:
             back = nodes if first else 0
             earlier = [(start - back, end - back) for start, end in stretches[number:]]
             later = [

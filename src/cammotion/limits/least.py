@@ -26,7 +26,7 @@ import numpy as np
 
 from cammotion.limits.corridors import Corridor, corridor, of_places, travel_ends
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.grid_motion import GridMotion
+from cammotion.limits.grid_motion import KEPT_MM, GridMotion
 from cammotion.limits.programs import from_above, from_below
 from cammotion.limits.standing import still_arcs
 from cammotion.machine.arcs import Arc
@@ -41,7 +41,6 @@ _CELLS = Quantity("number of cells", "", example=720, low=12, high=2880, low_inc
 _ROUNDING = 1e-6  # of the bound, or in m/s2
 _PARTS = 20  # of a turn, the unit of time
 _ROUNDS = 6  # of mending a motion that strays between two nodes
-_KEPT_MM = 1e-6  # the solver's rounding stays within the corridor
 _DIGITS = 4
 
 
@@ -158,14 +157,13 @@ def _reach(room: Corridor, times: Floats, most_jerk: float) -> tuple[Corridor, G
     """
     if room.bands:
         room = room.about(from_above(room, times, most_jerk, np.zeros(len(times)))[1])
-    inner = ~(room.still | np.roll(room.still, 1) | np.roll(room.still, -1))
-    held_off = np.where(inner, _KEPT_MM, 0.0)
+    held_off = np.where(room.inner, KEPT_MM, 0.0)
     for _ in range(_ROUNDS):
         curve, _ = from_above(room, times, most_jerk, held_off)
         strays = curve.strays(room)
         if not strays.any():
             return room, curve
-        held_off += np.where(inner, 1.5 * np.maximum(strays, np.roll(strays, 1)), 0.0)
+        held_off += np.where(room.inner, 1.5 * np.maximum(strays, np.roll(strays, 1)), 0.0)
     raise InputError(
         f"On a grid of {len(times)} cells the motion cannot be kept in its corridor between two "
         "nodes: take more cells."

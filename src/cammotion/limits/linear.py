@@ -13,7 +13,7 @@ Matrix = Any  # SciPy's sparse matrices come without types
 System = tuple[Sequence[Matrix], Sequence[Floats]]
 """Rows of a program, and what they may be at most or have to be."""
 
-_SOLVED, _INFEASIBLE = 0, 2
+_SOLVED, INFEASIBLE = 0, 2  # the status of what SciPy has solved
 _WHOLE = 1e-6  # so near to a whole number is one
 _MISSED = 1e-9  # so far rows are missed by rounding alone
 _MOST_PROGRAMS = 400
@@ -159,9 +159,9 @@ def _solve_one(program: Program, bounds: Floats) -> Solution | None:
             bounds=bounds,
             method=method,
         )
-        if result.status in (_SOLVED, _INFEASIBLE):
+        if result.status in (_SOLVED, INFEASIBLE):
             break
-    if result.status == _INFEASIBLE:
+    if result.status == INFEASIBLE:
         return None
     if result.status != _SOLVED:
         raise InputError(f"The linear program was not solved ({result.message}): change the grid.")

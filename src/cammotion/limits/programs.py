@@ -13,7 +13,9 @@ from cammotion.limits.grid_motion import GridMotion
 from cammotion.limits.linear import Matrix, Program, Solution, System, solve
 from cammotion.quantities import Floats
 
-_STEADY = 1e-6  # the price of a change of acceleration, for a motion without needless ones
+STEADY = 1e-6
+"""The price of a change of acceleration, for a motion without needless ones."""
+
 _SCALE = 1e4  # of the objective, so that this price is more than the solver's rounding
 _ACCELERATION, _JERK = 2, 3  # the orders of these derivatives
 
@@ -154,7 +156,7 @@ def from_above(
     off = np.minimum(held_off, np.maximum(room.high_mm - room.low_mm, 0) / 4)
     high = [room.high_mm - off, rest, no_force, np.full(nodes + 1, np.inf), free]
     low = [room.low_mm + off, -rest, -no_force, np.zeros(nodes + 1), -free]
-    cost = [np.zeros(3 * nodes), np.full(nodes, _STEADY), np.ones(1), np.zeros(len(free))]
+    cost = [np.zeros(3 * nodes), np.full(nodes, STEADY), np.ones(1), np.zeros(len(free))]
     program = Program(
         _SCALE * np.concatenate(cost),
         ([*rows, *about], [*limits, *about_limits]),

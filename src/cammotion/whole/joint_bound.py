@@ -20,6 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from cammotion.limits.corridors import cells_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.whole.mixed import Rows
@@ -123,7 +124,7 @@ def differences(
     both is to be divided by for a mean of the acceleration. None is within a stand.
     """
     count = len(angle_deg)
-    ahead = np.diff(np.append(angle_deg, angle_deg[0] + DEG_PER_TURN))
+    ahead = cells_of(angle_deg)
     found = []
     for node in range(count):
         before, after = (node - 1) % count, (node + 1) % count

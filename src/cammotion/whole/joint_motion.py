@@ -10,8 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from cammotion.limits.corridors import Corridor
-from cammotion.limits.grid_motion import GridMotion
+from cammotion.limits.corridors import Corridor, cells_of
+from cammotion.limits.grid_motion import KEPT_MM, GridMotion
+from cammotion.limits.programs import STEADY
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
 from cammotion.whole.joint_bound import Outline
@@ -21,9 +22,7 @@ from cammotion.whole.sides import Option, Side, cell_options
 
 _PART_DEG = 18.0  # in such parts of a turn all numbers are of one size
 _FINE_DEG = 2.0  # no cell is longer
-_OFF_MM = 1e-6  # the solver's rounding stays within the room
 _ROUNDS = 6  # of mending motions that stray between two nodes
-_STEADY = 1e-6  # the price of a change of acceleration
 _OTHERS = 1e-4  # the price of the peaks that are not the largest
 
 Cells = list[list[tuple[Option, ...]]]
@@ -103,7 +102,7 @@ class _OnGrid:
 
     def __init__(self, parts: Sequence[Part], angle_deg: Floats, cells: Cells, peak: float) -> None:
         self.parts, self.angle_deg, self.cells, self.peak = parts, angle_deg, cells, peak
-        self.ahead = np.diff(np.append(self.angle_deg, self.angle_deg[0] + 360))
+        self.ahead = cells_of(angle_deg)
         self.standing = [part.standing(self.angle_deg) for part in self.parts]
 
     @property
@@ -164,19 +163,18 @@ class _OnGrid:
         self, rows: Rows, part: Part, room: Corridor, held_off: Floats, share: int
     ) -> tuple[list[int], list[int], list[int]]:
         """Add a part's positions, velocities and accelerations, each bound to those before."""
-        still, count = room.still, len(self.angle_deg)
-        inner = ~(still | np.roll(still, 1) | np.roll(still, -1))
+        count, slack = len(self.angle_deg), held_off + KEPT_MM
         reach = part.reach(self.angle_deg, part.most(self.peak))
         low, high = np.maximum(room.low_mm, reach[0]), np.minimum(room.high_mm, reach[1])
-        off = np.where(inner, np.minimum(held_off + _OFF_MM, np.maximum(high - low, 0) / 4), 0.0)
-        rest = np.where(still, 0.0, np.inf)
+        off = np.where(room.inner, np.minimum(slack, np.maximum(high - low, 0) / 4), 0.0)
+        rest = np.where(room.still, 0.0, np.inf)
         no_force = np.where(room.still_cells, 0.0, np.inf)
         position = rows.unknowns(np.minimum(low + off, high), high - off)
         velocity = rows.unknowns(-rest, rest)
         push = rows.unknowns(-no_force, no_force)
         most, is_settled = part.most(self.peak), self.is_settled
         own = rows.unknown(0.0, 1.0, cost=is_settled * _OTHERS)
-        change = rows.unknowns(np.zeros(count), np.full(count, np.inf), cost=is_settled * _STEADY)
+        change = rows.unknowns(np.zeros(count), np.full(count, np.inf), cost=is_settled * STEADY)
         if part.weight:
             rows.row([(own, most * part.weight / self.peak), (share, -1.0)], -np.inf, 0.0)
         for cell, h in enumerate(map(float, self.ahead / _PART_DEG)):

@@ -8,10 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cammotion.limits.linear import Program, search
+from cammotion.limits.linear import INFEASIBLE, Program, search
 from cammotion.quantities import Floats
 
-_INFEASIBLE = 2
 _SHORTEST_S = 0.05
 _WITHIN = 1e-4  # of the objective: so near to the best is found
 
@@ -88,7 +87,7 @@ class Rows:
                 integrality=np.array(self.whole),
                 options=options,
             )
-        if result.status == _INFEASIBLE:
+        if result.status == INFEASIBLE:
             return Mixed(None, np.inf)
         bound = result.mip_dual_bound if any(self.whole) else result.fun
         return Mixed(result.x, None if bound is None else float(bound))
