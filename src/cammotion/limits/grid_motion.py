@@ -16,7 +16,7 @@ from cammotion.limits.ramps import Ramp, law_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
-from cammotion.quantities import Floats, InputError
+from cammotion.quantities import Floats
 
 _ROUNDING_TIME = 1e-6  # of a cell
 _STAYS_MM = 1e-6  # the solver's rounding of a motion that stays
@@ -55,7 +55,7 @@ class GridMotion:
         """Return the motion in segments: a dwell where it has to stand, a move in between.
 
         Where it comes back to where it was, a rise and a return meet at the far end. An indexing
-        motion begins at a stop; raises InputError if it stands at none.
+        motion begins at a stop: in the corridor it has to stand at one.
         """
         segments: list[Segment] = []
         for first, last in _from_a_stop(motion, room):
@@ -156,19 +156,16 @@ def _from_a_stop(motion: Motion, room: Corridor) -> list[tuple[int, int]]:
     stretches, nodes = room.stretches, len(room.still)
     if not motion.is_indexing:
         return stretches
-    for number, (first, _) in enumerate(stretches):
-        off = (_height(room, first) - motion.start_mm) / room.pitch_mm
-        if abs(off - round(off)) * abs(room.pitch_mm) < ROUNDING_MM:
-            back = nodes if first else 0
-            earlier = [(start - back, end - back) for start, end in stretches[number:]]
-            later = [
-                (start + nodes - back, end + nodes - back) for start, end in stretches[:number]
-            ]
-            return [*earlier, *later]
-    raise InputError(
-        f"The indexing motion {motion.name!r} stands at none of its stops: give a still arc over "
-        "which it stands at one."
-    )
+    pitch = room.pitch_mm
+    turns = [(_height(room, first) - motion.start_mm) / pitch for first, _ in stretches]
+    off = [abs((turn - round(turn)) * pitch) for turn in turns]
+    number = next(n for n, way in enumerate(off) if way <= ROUNDING_MM)
+    ahead = [
+        *stretches[number:],
+        *((start + nodes, end + nodes) for start, end in stretches[:number]),
+    ]
+    back = nodes if stretches[number][0] else 0
+    return [(start - back, end - back) for start, end in ahead]
 
 
 def _angle(room: Corridor, node: int) -> float:

@@ -28,7 +28,7 @@ from cammotion.limits.corridors import Corridor, corridor, of_places, travel_end
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import KEPT_MM, GridMotion
 from cammotion.limits.programs import from_above, from_below
-from cammotion.limits.standing import still_arcs
+from cammotion.limits.standing import check_begins_at_a_stop, still_arcs
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
@@ -123,6 +123,7 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
         travel_ends(travel_mm),
         most_jerk,
     )
+    check_begins_at_a_stop(own, asked.still)
     room = corridor(
         diagram, own.name, asked.rules, still=asked.still, travel_mm=travel_mm, cells=grid
     )

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from cammotion.arguments.by_name import as_given, by_name
+from cammotion.limits.bands import ROUNDING_MM
 from cammotion.machine.arcs import Arc, intersect, unwrap
 from cammotion.machine.arcs import arcs as as_set
 from cammotion.machine.diagram import TimingDiagram
@@ -63,6 +64,16 @@ def check_stands(motion: Motion, still: Sequence[Arc]) -> None:
                 f"{first:g} to {last:g} deg; a still arc is one over which it stands: give one of "
                 "its dwells."
             )
+
+
+def check_begins_at_a_stop(motion: Motion, still: Sequence[Arc]) -> None:
+    """Raise InputError for an indexing motion that stands nowhere at a stop: no turn begins."""
+    off = [abs(float(motion.offset_mm((start + end) / 2))) for start, end in still]
+    if motion.is_indexing and min(off) > ROUNDING_MM:
+        raise InputError(
+            f"The indexing motion {motion.name!r} stands at none of its stops: give a still arc "
+            "over which it stands at one."
+        )
 
 
 def pair_of(given: Any, what: str, fix: str) -> tuple[float, float]:

@@ -10,11 +10,10 @@ import numpy as np
 from cammotion.arguments.by_name import as_given, by_name
 from cammotion.limits.corridors import even_nodes, travel_ends
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.standing import arcs_by_name
-from cammotion.machine.arcs import Arc, arcs, intersect
+from cammotion.limits.standing import arcs_by_name, check_begins_at_a_stop
+from cammotion.machine.arcs import arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
-from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, plural
 from cammotion.rules.checks import as_rules, find_violations
 from cammotion.rules.clearance import ClearanceRule
@@ -25,7 +24,7 @@ from cammotion.whole.sides import Side
 _WEIGHT = Quantity("weight", "", example=1, low_included=True)
 _LIMIT = Quantity("limit of a peak", "m/s²", example=1)
 FREE = "free part"
-_AT_A_STOP_MM, _AT_A_LIMIT_MM = 1e-6, 1e-5
+_AT_A_LIMIT_MM = 1e-5  # so far beyond it, a motion may be at its limit
 _ABOVE = 1e-6  # of a limit, that may be rounding
 
 
@@ -167,7 +166,7 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
     parts = []
     for name in names:
         motion, found = diagram[name], standing[name]
-        _check_begins_at_a_stop(motion, found)
+        check_begins_at_a_stop(motion, found)
         if motion.is_indexing and travels.get(name) is not None:
             raise InputError(
                 f"The {name} is an indexing motion, which goes on for ever: leave out its travel."
@@ -196,21 +195,11 @@ def _check_can_stand(task: Task) -> None:
             where = intersect(where, arcs(part.still))
         if where:
             names = " and the ".join(part.motion.name for part in free)
-            start, end = (angle % DEG_PER_TURN for angle in where[0])
+            start, end = where[0]
             raise InputError(
                 f"From {start:g} to {end:g} deg the {names} ha{'s' if len(free) == 1 else 've'} to "
                 f"stand, and there the rule '{broken.rule}' is broken: change it or the still arcs."
             )
-
-
-def _check_begins_at_a_stop(motion: Motion, still: Sequence[Arc]) -> None:
-    """Raise InputError for an indexing motion that stands nowhere at a stop: no turn begins."""
-    off = [abs(float(motion.offset_mm((start + end) / 2))) for start, end in still]
-    if motion.is_indexing and min(off) > _AT_A_STOP_MM:
-        raise InputError(
-            f"The indexing motion {motion.name!r} stands at none of its stops: give a still arc "
-            "over which it stands at one."
-        )
 
 
 def _of_interest(rules: Iterable[ClearanceRule], names: Iterable[str]) -> tuple[ClearanceRule, ...]:
