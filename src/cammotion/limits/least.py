@@ -70,14 +70,23 @@ class LeastAcceleration:
         return self.diagram.with_motion(self.motion)
 
     def __repr__(self) -> str:
-        """Say between which two values it lies, rounded away from what is between them."""
-        digits = 10.0**_DIGITS
-        low = np.floor(self.bound * digits) / digits
-        high = np.ceil(self.reached * digits) / digits
-        return (
-            f"The least peak acceleration of the {self.motion.name} lies between "
-            f"{low:.{_DIGITS}f} and {high:.{_DIGITS}f} m/s²."
-        )
+        """Say between which two values it lies."""
+        low, high = outward(self.bound, self.reached)
+        name = self.motion.name
+        return f"The least peak acceleration of the {name} lies between {low} and {high} m/s²."
+
+
+def outward(low: float, high: float) -> tuple[str, str]:
+    """Return two values as texts, rounded away from what is between them.
+
+    >>> outward(0.51949, 0.51951)
+    ('0.5194', '0.5196')
+    """
+    digits = 10.0**_DIGITS
+    return (
+        f"{np.floor(low * digits) / digits:.{_DIGITS}f}",
+        f"{np.ceil(high * digits) / digits:.{_DIGITS}f}",
+    )
 
 
 def least_acceleration(  # noqa: PLR0913 - all but three are given by name

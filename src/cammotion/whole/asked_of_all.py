@@ -165,25 +165,30 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
     task = Task(diagram, (), ())
     parts = []
     for name in names:
-        motion, found = diagram[name], standing[name]
-        check_begins_at_a_stop(motion, found)
-        if motion.is_indexing and travels.get(name) is not None:
-            raise InputError(
-                f"The {name} is an indexing motion, which goes on for ever: leave out its travel."
-            )
         cap = task.in_degrees(limits[name]) if name in limits else np.inf
-        share = weight.get(name, 1.0)
-        if share == 0 and name not in limits:
-            raise InputError(
-                f"The {name} has the weight 0 and no limit, so that its peak may be anything: give "
-                f"it a limit, for example at_most={{{name!r}: 1.1}}, or a weight above 0."
-            )
-        parts.append(Part(motion, found, travel_ends(travels.get(name)), share, cap))
+        travel = travel_ends(travels.get(name))
+        parts.append(Part(diagram[name], standing[name], travel, weight.get(name, 1.0), cap))
+        _check(parts[-1])
     if not any(part.weight for part in parts):
         raise InputError("All weights are 0: give at least one part a weight above 0.")
     task = Task(diagram, tuple(parts), _of_interest(given, names))
     _check_can_stand(task)
     return task
+
+
+def _check(part: Part) -> None:
+    """Raise InputError for what makes no sense of a part by itself."""
+    check_begins_at_a_stop(part.motion, part.still)
+    name = part.motion.name
+    if part.motion.is_indexing and np.isfinite(part.travel_mm[0]):
+        raise InputError(
+            f"The {name} is an indexing motion, which goes on for ever: leave out its travel."
+        )
+    if part.weight == 0 and np.isinf(part.cap):
+        raise InputError(
+            f"The {name} has the weight 0 and no limit, so that its peak may be anything: give "
+            f"it a limit, for example at_most={{{name!r}: 1.1}}, or a weight above 0."
+        )
 
 
 def _check_can_stand(task: Task) -> None:

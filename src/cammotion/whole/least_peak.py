@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from cammotion.arguments import checked
+from cammotion.limits.least import outward
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Quantity
@@ -24,7 +25,6 @@ from cammotion.whole.joint_search import Search
 _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
 _NOTHING = 1e-6  # a peak that is rounding: all parts can stand
-_DIGITS = 4
 
 
 @dataclass(frozen=True, repr=False)
@@ -63,18 +63,12 @@ class LeastPeak:
         return 1 - self.bound / self.reached if np.isfinite(self.reached) else 1.0
 
     def __repr__(self) -> str:
-        """Say what is reached, and what cannot be, rounded away from what is in between."""
-        digits, unit = 10.0**_DIGITS, self.unit
-        low = np.floor(self.bound * digits) / digits
-        names = " and ".join(self.parts)
-        if self.design is None:
-            reached = "No motions were found yet"
-        else:
-            high = np.ceil(self.reached * digits) / digits
-            reached = f"{high:.{_DIGITS}f} {unit}"
+        """Say what is reached, and what cannot be."""
+        low, high = outward(self.bound, self.reached)
+        names, unit = " and ".join(self.parts), self.unit
+        reached = f"{high} {unit}" if self.design else "No motions were found yet"
         return (
-            f"{reached}; no motions of {names} can have less than {low:.{_DIGITS}f} {unit}. "
-            f"{self.conditions}"
+            f"{reached}; no motions of {names} can have less than {low} {unit}. {self.conditions}"
         )
 
 

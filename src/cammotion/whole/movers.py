@@ -54,18 +54,7 @@ def _mover(
     angles: list[tuple[float, float] | None],
 ) -> Mover:
     """Return the ranges of a part's moves: those given, within what its still arcs leave."""
-    moves = part.motion.moves
-    low = [move.from_deg - DEG_PER_TURN for move in moves]
-    high = [move.from_deg + DEG_PER_TURN for move in moves]
-    ends = [move.to_deg + DEG_PER_TURN for move in moves]
-    for number, move in enumerate(moves):
-        on = (number + 1) % len(moves)
-        turn = 0.0 if on else float(DEG_PER_TURN)
-        for start, end in part.still:
-            turned = -((start - move.to_deg + _ROUNDING_DEG) // DEG_PER_TURN) * DEG_PER_TURN
-            if end + turned <= moves[on].from_deg + turn + _ROUNDING_DEG:
-                ends[number] = min(ends[number], start + turned)
-                low[on] = max(low[on], end + turned - turn)
+    low, high, ends = _windows(part)
     turns = [
         given and _turns(given, low[number], min(high[number], ends[number]))
         for number, given in enumerate(starts)
@@ -75,7 +64,7 @@ def _mover(
             f"The start of a move of the {part.motion.name} would lie in a still arc, or beyond "
             "one: give a range in which its still arcs let that move begin."
         )
-    strokes = [abs(move.change_mm) for move in moves]
+    strokes = [abs(move.change_mm) for move in part.motion.moves]
     return Mover(
         tuple(map(tuple, laws)),
         tuple(
@@ -94,6 +83,23 @@ def _mover(
         tuple(given or (0.0, float(DEG_PER_TURN)) for given in angles),
         tuple(ends),
     )
+
+
+def _windows(part: Part) -> tuple[list[float], list[float], list[float]]:
+    """Return from where and up to where each move may begin, and by where it has to have ended."""
+    moves = part.motion.moves
+    low = [move.from_deg - DEG_PER_TURN for move in moves]
+    high = [move.from_deg + DEG_PER_TURN for move in moves]
+    ends = [move.to_deg + DEG_PER_TURN for move in moves]
+    for number, move in enumerate(moves):
+        on = (number + 1) % len(moves)
+        turn = 0.0 if on else float(DEG_PER_TURN)
+        for start, end in part.still:
+            turned = -((start - move.to_deg + _ROUNDING_DEG) // DEG_PER_TURN) * DEG_PER_TURN
+            if end + turned <= moves[on].from_deg + turn + _ROUNDING_DEG:
+                ends[number] = min(ends[number], start + turned)
+                low[on] = max(low[on], end + turned - turn)
+    return low, high, ends
 
 
 def _turns(given: tuple[float, float], low: float, high: float) -> tuple[int, int]:
