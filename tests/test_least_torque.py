@@ -242,6 +242,36 @@ def test_what_makes_no_sense_is_said(machine: Any, changed: dict[str, Any], word
         cm.optimise(machine, RULE, **asked)
 
 
+def test_parts_without_a_load_give_the_others_no_room_in_their_still_arcs() -> None:
+    up, stay, back = 71.552125, 33.258689, 86.702317
+    die = cm.motion(
+        "die",
+        *(cm.rise(5.26, over_deg=up, law="constant acceleration"), cm.dwell(stay)),
+        *(cm.return_(5.26, over_deg=back), cm.dwell(360 - up - stay - back)),
+        start_deg=-77.7,
+    )
+    law, turned = "3-4-5 polynomial", 42.280957 + 40.984111 + 58.247070
+    gate = cm.motion(
+        "gate",
+        *(cm.rise(12.345, over_deg=42.280957, law=law), cm.dwell(40.984111)),
+        *(cm.return_(12.345, over_deg=58.247070, law=law), cm.dwell(360 - turned)),
+        start_deg=13.3,
+    )
+    shaft = cm.Camshaft(cm.TimingDiagram([die, gate], 2000), {"die": LOADS["mill"]})
+    ends = die.segments[1].from_deg, die.segments[1].to_deg
+    gate_arcs = [(1286.2174715126012, 1439.8457511981355), (779.2335904637024, 813.234952269749)]
+    still = {"gate": gate_arcs, "die": [(171.80702099890078, 247.75689281138705), ends]}
+    found = cm.optimise(shaft, [], still=still, minimise="torque", seconds=2)
+    assert found.design["die"].moves[1].from_deg % 360 >= ends[1] - 1e-9
+
+
+def test_a_free_part_that_never_moves_leaves_the_torque_of_the_others() -> None:
+    table = cm.motion("table", cm.dwell(360))
+    shaft = cm.Camshaft(cm.TimingDiagram([make_die(), table], 2000), {"die": LOADS["die"]})
+    found = cm.optimise(shaft, [], still={"table": [(0, 90)]}, minimise="torque", seconds=1)
+    assert found.reached == pytest.approx(abs(shaft.peak_torque().value))
+
+
 def test_a_wrong_answer_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> None:
     from cammotion.whole import movers
 

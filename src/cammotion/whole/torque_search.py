@@ -139,7 +139,7 @@ class _Search:
 
     def eased(self, low: _Low) -> Floats:
         """Return the unknowns with the moves that ask nothing of the shaft as wide as can be."""
-        program = low.program
+        program, rows = low.program, low.program.rows
         loose: list[list[int]] = []
         for part, starts, widths, own in zip(
             self.task.parts, program.starts, program.widths, program.of_part, strict=True
@@ -148,8 +148,8 @@ class _Search:
                 loose.append(own)
                 continue
             for column in [*starts, *(one for width in widths for one in width)]:
-                program.rows.low[column] = low.x[column] - _OFF_DEG
-                program.rows.high[column] = low.x[column] + _OFF_DEG
+                rows.low[column] = max(rows.low[column], low.x[column] - _OFF_DEG)
+                rows.high[column] = min(rows.high[column], low.x[column] + _OFF_DEG)
         return program.widened(loose, low.x) if loose else low.x
 
     def _torque(self, program: MoveProgram, x: Floats, samples: int) -> ShaftTorque:
@@ -226,7 +226,7 @@ class _Starts:
     def _laws(self, number: int, best: _Low | None) -> list[int]:
         """Return the law of each move: one for all, any, or those of the best but for one move."""
         alike = number - _TODAY - 1
-        if alike < max(self.counts):
+        if not self.counts or alike < max(self.counts):
             return [alike % count for count in self.counts]
         laws = [int(self.rng.integers(count)) for count in self.counts]
         if best is None or number % 2:
