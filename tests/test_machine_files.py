@@ -91,6 +91,11 @@ def test_a_column_of_ones_own_is_left_out() -> None:
             [FULL[0], FULL[3], FULL[1]],
             "150 deg stands below that from 305 deg: sort",
         ),
+        ([FULL[0], *FULL[1:] * 2], "or, if another motion begins there, give it its own name"),
+        (
+            [FULL[0], FULL[1], FULL[3], "table,,0,360,5,5,,,yes"],
+            "The table never moves, and its still arc goes from 0 to 360 deg: leave that out",
+        ),
         (
             [FULL[0], FULL[1].replace(",2000,", ",2000,300 to 20"), FULL[3]],
             "or 300 to 380 over the",
@@ -103,6 +108,13 @@ def test_what_is_typed_in_another_order_or_over_the_turn_is_told(
 ) -> None:
     with pytest.raises(cm.InputError, match=words):
         cm.machine_from_text("\n".join(lines))
+
+
+@pytest.mark.parametrize("word", ["no", "FALSE", "No"])
+def test_a_dwell_may_be_marked_as_none(word: str) -> None:
+    table = "\n".join(FULL)
+    assert cm.machine_from_text(table).still
+    assert cm.machine_from_text(table.replace("yes", word)).still == {}
 
 
 def test_no_table_under_the_name_of_another_format(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from cammotion.exchange.machine_lines import (
     Record,
 )
 from cammotion.exchange.machine_source import Source
-from cammotion.exchange.rule_text import arcs_from_text, nameless, rule_from_text
+from cammotion.exchange.rule_text import NO, arcs_from_text, nameless, rule_from_text
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
@@ -187,7 +187,7 @@ def _filled(segments: list[Segment]) -> list[Segment]:
             raise InputError(
                 f"the segment from {after.from_deg:g} deg stands below that from "
                 f"{before.from_deg:g} deg: sort the lines by their angles, which count on over "
-                f"{DEG_PER_TURN} deg."
+                f"{DEG_PER_TURN} deg, or, if another motion begins there, give it its own name."
             )
     if any(segment.is_dwell for segment in segments):
         return segments
@@ -238,7 +238,7 @@ def _still(records: list[Record], faults: Faults) -> dict[str, list[tuple[str, A
     found: dict[str, list[tuple[str, Arc]]] = {}
     for record in records:
         text = record.cells[STILL]
-        if not text:
+        if not text or text.casefold() in NO:
             continue
         with faults.at(f"{record.where}, '{STILL}'"):
             arcs = arcs_from_text(text, record.mark(STILL))

@@ -16,7 +16,7 @@ from cammotion.rules.rule import Rule
 EXAMPLE = "the die may be beyond 19 mm only while the mill is within 0.65 mm"
 DISTANCE = "the pusher stays at least 5 mm above the flap"
 ARC_EXAMPLE = "205 to 305"
-YES = ("yes", "x", "true")
+YES, NO = ("yes", "x", "true"), ("no", "false")
 _ONLY = re.compile(r"\s+only\s+(?:while|if|when)\s+", re.IGNORECASE)
 _LIMIT = r"(?P<limit>[-+−\d]\S*?)\s*"
 _HALF = re.compile(

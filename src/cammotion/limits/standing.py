@@ -44,6 +44,11 @@ def still_arcs(motion: Motion, still: Any) -> list[Arc]:
     pairs = [pair_of(arc, "A still arc", _ARCS) for arc in given]
     arcs = [(CAM_ANGLE.number(start), CAM_ANGLE.number(end)) for start, end in pairs]
     for start, end in arcs:
+        if end - start >= DEG_PER_TURN and not motion.moves:
+            raise InputError(
+                f"The {motion.name} never moves, and its still arc goes from {start:g} to {end:g} "
+                "deg: leave that out, or give one within a turn if it may move elsewhere."
+            )
         if not start < end < start + DEG_PER_TURN:
             over = f", or {start:g} to {end + DEG_PER_TURN:g} over the end of the turn"
             raise InputError(
