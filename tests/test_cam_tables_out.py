@@ -164,6 +164,17 @@ def test_the_last_position_is_the_first_to_the_last_digit(tmp_path: Path) -> Non
         assert lines[0].split()[1] == lines[-1].split()[1]
 
 
+def test_a_dwell_at_half_a_digit_has_no_step(tmp_path: Path) -> None:
+    """It stands at -825.625 mm up to the end of the turn, but for what a float rounds."""
+    move = cm.Segment(from_deg=10.5, to_deg=104.5, from_mm=7.7, to_mm=-25.633, law="modified sine")
+    dwell = cm.Segment(from_deg=104.5, to_deg=370.5, from_mm=-25.633, to_mm=-25.633)
+    turret = cm.TimingDiagram([cm.Motion("turret", (move, dwell), stops=24)], 2000)
+    path = write_cam_tables(turret, tmp_path, decimals=2)["turret"]
+    stands = [line.split(";")[1] for line in path.read_text().splitlines()[110:]]
+    assert len(set(stands)) == 1
+    assert not read_cam_table(path).is_cycle
+
+
 def test_the_last_digit_is_that_of_the_number(tmp_path: Path) -> None:
     """As exact arithmetic rounds it: 1.115 is a little less, and 100 times it is not."""
     for way in (1.115, 4.035, 8.325):

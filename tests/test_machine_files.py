@@ -206,6 +206,13 @@ def test_a_motion_in_another_case_is_asked() -> None:
     )
 
 
+@pytest.mark.parametrize("other", ["upper\xa0die", "upper  die", "Upper die"])
+def test_a_name_with_other_blanks_is_doubtful_too(other: str) -> None:
+    table = [FULL[0], FULL[1].replace("die", other), FULL[3].replace("die", "upper die")]
+    with pytest.raises(cm.InputError, match=r"the motion is 'upper die', but .* write both alike"):
+        cm.machine_from_text("\n".join(table))
+
+
 @pytest.mark.parametrize("ending", [".csv", ".xlsx"])
 def test_two_motions_of_one_name_in_two_cases_come_back(tmp_path: Path, ending: str) -> None:
     motions = [cm.Motion(name, cm.EXAMPLE.die.segments) for name in ("die", "Die", "DIE")]

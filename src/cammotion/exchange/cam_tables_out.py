@@ -20,6 +20,7 @@ FORMS = ("plain", "codesys")
 
 _WHOLE = 1e-9  # by such a share a step may miss a whole part of the turn
 _DIGITS = 14  # behind the first one, which a float has for sure
+_FINER = 6  # decimals more, in which a half is known as a half
 _INT = 32_767  # points that CODESYS counts in an INT
 _ORDERS = {1: "velocity", 2: "acceleration", 3: "jerk"}
 _UNITS = {"deg": "mm/deg", "s": "mm/s"}
@@ -155,7 +156,8 @@ def _angle(angle: float) -> str:
 
 
 def _fixed(values: Floats, places: int) -> list[str]:
-    return [f"{value:z.{places}f}" for value in values.tolist()]
+    """Return numbers with so many decimals, those alike that differ by a float's rounding alone."""
+    return [f"{value:z.{places}f}" for value in np.round(values, places + _FINER).tolist()]
 
 
 def _places_for(values: Floats, places: int) -> int:

@@ -144,11 +144,11 @@ def _name_motions(records: list[Record], faults: Faults) -> None:
 
 
 def _doubtful(segments: list[Record], faults: Faults) -> set[str]:
-    """Return the names that differ from others by their case alone, where one fills no turn."""
+    """Return the names that differ by their case or blanks alone, where one fills no turn."""
     lines: dict[str, dict[str, list[Record]]] = {}
     for record in segments:
         name = record.cells["motion"]
-        lines.setdefault(name.casefold(), {}).setdefault(name, []).append(record)
+        lines.setdefault(" ".join(name.split()).casefold(), {}).setdefault(name, []).append(record)
     doubtful: set[str] = set()
     for alike in lines.values():
         first, *others = alike
