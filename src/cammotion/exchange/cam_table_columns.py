@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
+from typing import NoReturn
 
 import numpy as np
 
@@ -87,12 +88,7 @@ def columns_of(text: Text, asked: Asked) -> Columns:
     attempts = [_Attempt(text, *marks, asked) for marks in _marks(text, asked)]
     most = max(len(attempt.good) for attempt in attempts)
     if not most:
-        lines = (line for line in text.lines if len(re.findall(r"\d+", line.text)) > 1)
-        near = next((f" (line {n} is {shorten(said.strip())})" for n, said, _ in lines), "")
-        raise InputError(
-            f"The file {text.name} has no line with two numbers{near}: give a table with a row for "
-            "each angle, in which the angle and the position stand in columns, without units."
-        )
+        _refuse_all(text, asked)
     read, wrong = [], []
     for attempt in attempts:
         if len(attempt.good) == most:
@@ -103,6 +99,23 @@ def columns_of(text: Text, asked: Asked) -> Columns:
     if not read:
         raise wrong[0]
     return _the_one(read)
+
+
+def _refuse_all(text: Text, asked: Asked) -> NoReturn:
+    """Raise InputError for a text without a row."""
+    lines = (line for line in text.lines if len(re.findall(r"\d+", line.text)) > 1)
+    near = next((f" (line {n} is {shorten(said.strip())})" for n, said, _ in lines), "")
+    if asked.columns or asked.separator:
+        one, other = (place + 1 for place in asked.columns or (0, 1))
+        cut = f", cut at its {SEPARATORS[asked.separator]}," if asked.separator else ""
+        raise InputError(
+            f"The file {text.name}{cut} has no line with numbers in columns {one} and {other}"
+            f"{near}: give other columns, counted from 1, or another separator, or leave them out."
+        )
+    raise InputError(
+        f"The file {text.name} has no line with two numbers{near}: give a table with a row for "
+        "each angle, in which the angle and the position stand in columns, without units."
+    )
 
 
 def _marks(text: Text, asked: Asked) -> Iterator[tuple[str, str]]:
