@@ -24,6 +24,16 @@ _HALF = re.compile(r"[\ud800-\udfff]")
 _NO_XML = re.compile(r"[\x00-\x08\x0b-\x1f\ufffe\uffff]|_(?=x[0-9A-Fa-f]{4}_)")
 _LONGEST_NAME = 31
 _WIDTH = 16  # characters of a column
+_STYLES = (  # plain, and bold for a heading
+    f'<styleSheet xmlns="{_MAIN}"><fonts count="2">'
+    '<font><sz val="11"/><name val="Calibri"/></font>'
+    '<font><b/><sz val="11"/><name val="Calibri"/></font></fonts>'
+    '<fills count="1"><fill><patternFill patternType="none"/></fill></fills>'
+    '<borders count="1"><border/></borders><cellStyleXfs count="1"><xf/></cellStyleXfs>'
+    '<cellXfs count="2"><xf fontId="0"/><xf fontId="1" applyFont="1"/></cellXfs>'
+    '<cellStyles count="1"><cellStyle name="Normal" xfId="0" builtinId="0"/></cellStyles>'
+    "</styleSheet>"
+)
 
 
 def sheets_as_xlsx(sheets: Mapping[str, Sheet]) -> bytes:
@@ -31,43 +41,8 @@ def sheets_as_xlsx(sheets: Mapping[str, Sheet]) -> bytes:
 
     The first row is the heading, in bold, and stays in sight. Names are made fit for a sheet.
     """
-    names = _sheet_names(sheets)
-    numbers = range(1, len(names) + 1)
-    parts = {
-        "[Content_Types].xml": f'<Types xmlns="{_PACKAGE}/content-types">'
-        f'<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.'
-        'relationships+xml"/><Default Extension="xml" ContentType="application/xml"/>'
-        f'<Override PartName="/xl/workbook.xml" ContentType="{_KIND}.sheet.main+xml"/>'
-        f'<Override PartName="/xl/styles.xml" ContentType="{_KIND}.styles+xml"/>'
-        + "".join(
-            f'<Override PartName="/xl/worksheets/sheet{n}.xml" '
-            f'ContentType="{_KIND}.worksheet+xml"/>'
-            for n in numbers
-        )
-        + "</Types>",
-        "_rels/.rels": _relations([("officeDocument", "xl/workbook.xml")]),
-        "xl/workbook.xml": f'<workbook xmlns="{_MAIN}" xmlns:r="{_OFFICE}"><sheets>'
-        + "".join(
-            f'<sheet name={quoteattr(name)} sheetId="{n}" r:id="rId{n}"/>'
-            for n, name in zip(numbers, names, strict=True)
-        )
-        + "</sheets></workbook>",
-        "xl/_rels/workbook.xml.rels": _relations(
-            [
-                *(("worksheet", f"worksheets/sheet{n}.xml") for n in numbers),
-                ("styles", "styles.xml"),
-            ]
-        ),
-        "xl/styles.xml": f'<styleSheet xmlns="{_MAIN}"><fonts count="2">'
-        '<font><sz val="11"/><name val="Calibri"/></font>'
-        '<font><b/><sz val="11"/><name val="Calibri"/></font></fonts>'
-        '<fills count="1"><fill><patternFill patternType="none"/></fill></fills>'
-        '<borders count="1"><border/></borders><cellStyleXfs count="1"><xf/></cellStyleXfs>'
-        '<cellXfs count="2"><xf fontId="0"/><xf fontId="1" applyFont="1"/></cellXfs>'
-        '<cellStyles count="1"><cellStyle name="Normal" xfId="0" builtinId="0"/></cellStyles>'
-        "</styleSheet>",
-    }
-    for number, sheet in zip(numbers, sheets.values(), strict=True):
+    parts = _frame(_sheet_names(sheets))
+    for number, sheet in enumerate(sheets.values(), 1):
         parts[f"xl/worksheets/sheet{number}.xml"] = _sheet(sheet)
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as book:
@@ -76,6 +51,32 @@ def sheets_as_xlsx(sheets: Mapping[str, Sheet]) -> bytes:
             entry.compress_type = zipfile.ZIP_DEFLATED
             book.writestr(entry, _HEAD + text)
     return content.getvalue()
+
+
+def _frame(names: Sequence[str]) -> dict[str, str]:
+    """Return the parts of a workbook but for its sheets, which have these names."""
+    paths = [f"worksheets/sheet{number}.xml" for number in range(1, len(names) + 1)]
+    types = "".join(
+        f'<Override PartName="/xl/{path}" ContentType="{_KIND}.worksheet+xml"/>' for path in paths
+    )
+    sheets = "".join(
+        f'<sheet name={quoteattr(name)} sheetId="{n}" r:id="rId{n}"/>'
+        for n, name in enumerate(names, 1)
+    )
+    return {
+        "[Content_Types].xml": f'<Types xmlns="{_PACKAGE}/content-types">'
+        f'<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.'
+        'relationships+xml"/><Default Extension="xml" ContentType="application/xml"/>'
+        f'<Override PartName="/xl/workbook.xml" ContentType="{_KIND}.sheet.main+xml"/>'
+        f'<Override PartName="/xl/styles.xml" ContentType="{_KIND}.styles+xml"/>{types}</Types>',
+        "_rels/.rels": _relations([("officeDocument", "xl/workbook.xml")]),
+        "xl/workbook.xml": f'<workbook xmlns="{_MAIN}" xmlns:r="{_OFFICE}">'
+        f"<sheets>{sheets}</sheets></workbook>",
+        "xl/_rels/workbook.xml.rels": _relations(
+            [*(("worksheet", path) for path in paths), ("styles", "styles.xml")]
+        ),
+        "xl/styles.xml": _STYLES,
+    }
 
 
 def _sheet(rows: Sheet) -> str:
