@@ -150,27 +150,33 @@ def from_above(
         rows += [jerk, -jerk]
         limits.append(np.full(2 * nodes, most_jerk))
     about, about_limits = _about_stops(room, position, step)
-    rest = np.where(room.still, 0.0, np.inf)
-    no_force = rest if has_limit else np.where(room.still_cells, 0.0, np.inf)
-    free = np.full(len(room.bands), np.inf)
-    off = np.minimum(held_off, np.maximum(room.high_mm - room.low_mm, 0) / 4)
-    high = [room.high_mm - off, rest, no_force, np.full(nodes + 1, np.inf), free]
-    low = [room.low_mm + off, -rest, -no_force, np.zeros(nodes + 1), -free]
-    cost = [np.zeros(3 * nodes), np.full(nodes, STEADY), np.ones(1), np.zeros(len(free))]
+    stops = len(room.bands)
+    cost = [np.zeros(3 * nodes), np.full(nodes, STEADY), np.ones(1), np.zeros(stops)]
     program = Program(
         _SCALE * np.concatenate(cost),
         ([*rows, *about], [*limits, *about_limits]),
         (equal, closing),
-        np.column_stack([np.concatenate(low), np.concatenate(high)]),
+        _ends(room, held_off, has_limit=has_limit),
         f"On a grid of {nodes} cells no motion keeps all of this: take more cells, allow more jerk "
         "or more travel, or give a still arc where the rules leave it a single position.",
-        whole=range(4 * nodes + 1, 4 * nodes + 1 + len(room.bands)),
+        whole=range(4 * nodes + 1, 4 * nodes + 1 + stops),
     )
     found = solve(program).unknowns
     y, v, a = found[: 3 * nodes].reshape(3, nodes)
     ending = a[following] if has_limit else a
-    stops = room.steps_to_bands @ np.round(found[len(found) - len(free) :])
-    return GridMotion(times, y, v, a, ending), stops
+    about_stops = room.steps_to_bands @ np.round(found[len(found) - stops :])
+    return GridMotion(times, y, v, a, ending), about_stops
+
+
+def _ends(room: Corridor, held_off: Floats, *, has_limit: bool) -> Floats:
+    """Return the least and the largest value of each unknown of `from_above`."""
+    nodes, free = len(room.still), np.full(len(room.bands), np.inf)
+    rest = np.where(room.still, 0.0, np.inf)
+    no_force = rest if has_limit else np.where(room.still_cells, 0.0, np.inf)
+    off = np.minimum(held_off, np.maximum(room.high_mm - room.low_mm, 0) / 4)
+    high = [room.high_mm - off, rest, no_force, np.full(nodes + 1, np.inf), free]
+    low = [room.low_mm + off, -rest, -no_force, np.zeros(nodes + 1), -free]
+    return np.column_stack([np.concatenate(low), np.concatenate(high)])
 
 
 def _split(sizes: list[int]) -> list[Matrix]:
