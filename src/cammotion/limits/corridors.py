@@ -25,6 +25,8 @@ from cammotion.rules.conditions import Condition, Moving
 from cammotion.rules.rule import Rule
 
 _SLACK_DEG = 10 * ROUNDING_DEG  # ends of arcs that are nearer to each other are one node
+NEAR_DEG = 3 * _SLACK_DEG
+"""So near to an end of an arc a node is at it."""
 
 Flags = NDArray[np.bool_]
 
@@ -136,13 +138,13 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
     ends = [end for arc in (*arcs, *(arc for _, arc in duties)) for end in arc]
     nodes = even_nodes(moved.start_deg, ends, cells)
     places = np.asarray(moved.position_mm(nodes))
-    is_still = np.any([_is_in(nodes, arc) for arc in arcs], axis=0)
+    is_still = np.any([is_in(nodes, arc) for arc in arcs], axis=0)
     low, high = (np.full(len(nodes), limit) for limit in travel_ends(travel_mm))
     # a pitch further, at the end of the turn, it is within its travel too
     low[0], high[0] = low[0] - min(moved.pitch_mm, 0), high[0] - max(moved.pitch_mm, 0)
     bands = []
     for condition, arc in duties:
-        here = _is_in(nodes, arc)
+        here = is_in(nodes, arc)
         if moved.is_indexing:
             ahead = moved.pitch_mm * _turns(nodes, arc)[here]
             bands.append(make_band(moved, condition, arc, np.flatnonzero(here), ahead))
@@ -245,9 +247,10 @@ def even_nodes(start: float, ends: Sequence[float], cells: int) -> Floats:
     return start + np.sort(np.concatenate([even, fixed]))
 
 
-def _is_in(nodes: Floats, arc: Arc) -> Flags:
+def is_in(angles_deg: Floats, arc: Arc, slack_deg: float = NEAR_DEG) -> Flags:
+    """Return which angles are in an arc, or outside of it by less than a slack."""
     start, end = arc
-    inside: Flags = _since(nodes, start) <= end - start + 3 * _SLACK_DEG
+    inside: Flags = _since(angles_deg, start, slack_deg) <= end - start + slack_deg
     return inside
 
 
@@ -258,8 +261,7 @@ def _turns(nodes: Floats, arc: Arc) -> Floats:
     return turns
 
 
-def _since(angles: Any, start: float) -> Floats:
+def _since(angles: Any, start: float, slack: float = NEAR_DEG) -> Floats:
     """Return how far angles are after another one, within a turn; what is just before it is 0."""
-    slack = 3 * _SLACK_DEG
     since: Floats = np.mod(np.asarray(angles) - start + slack, DEG_PER_TURN) - slack
     return since

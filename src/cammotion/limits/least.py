@@ -28,6 +28,7 @@ from cammotion.limits.corridors import Corridor, corridor, of_places, travel_end
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import KEPT_MM, GridMotion
 from cammotion.limits.programs import from_above, from_below
+from cammotion.limits.quickest import limit_of
 from cammotion.limits.standing import check_begins_at_a_stop, still_arcs
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram, as_diagram
@@ -122,8 +123,7 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     ...     cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule, still=[(205, 305)], travel_mm=(0, 50))
     The least peak acceleration of the die lies between 0.5195 and 0.5196 m/s².
     """
-    is_free = isinstance(jerk_m_per_s3, float) and jerk_m_per_s3 == np.inf
-    most_jerk = np.inf if is_free else _JERK_LIMIT.number(jerk_m_per_s3)
+    most_jerk = limit_of(_JERK_LIMIT, jerk_m_per_s3)
     grid = _CELLS.whole(cells)
     own = as_diagram(diagram)[motion]
     asked = Asked(

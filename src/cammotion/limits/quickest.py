@@ -65,7 +65,7 @@ def quickest_move(
     """
     stroke_mm = STROKE.number(stroke_mm)
     stroke = stroke_mm / MM_PER_M
-    v, j = _limit(_VELOCITY, velocity_m_per_s), _limit(_JERK, jerk_m_per_s3)
+    v, j = limit_of(_VELOCITY, velocity_m_per_s), limit_of(_JERK, jerk_m_per_s3)
     a = _ACCELERATION.number(acceleration_m_per_s2)
     times = _times(stroke, v, a, j)
     if times.speeding < _LEAST * times.total:
@@ -96,7 +96,8 @@ def quickest_move(
     return move
 
 
-def _limit(quantity: Quantity, limit: float) -> float:
+def limit_of(quantity: Quantity, limit: float) -> float:
+    """Return a limit as its quantity is read, or infinity for none."""
     is_free = isinstance(limit, float) and limit == math.inf
     return math.inf if is_free else quantity.number(limit)
 

@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cammotion.machine.arcs import ROUNDING_DEG, Arc
+from cammotion.limits.corridors import NEAR_DEG
+from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
 from cammotion.rules.conditions import Condition
 
-_SLACK_DEG = 30 * ROUNDING_DEG
 _SLACK_MM = 1e-9
 
 
@@ -75,9 +75,9 @@ class Part:
         """Return where it has to stand at each angle; nan where it may move."""
         places = np.full(len(angle_deg), np.nan)
         for start, end, place in self.stands:
-            turns = np.floor((angle_deg - start + _SLACK_DEG) / DEG_PER_TURN)
+            turns = np.floor((angle_deg - start + NEAR_DEG) / DEG_PER_TURN)
             since = angle_deg - turns * DEG_PER_TURN - start
-            here = since <= end - start + _SLACK_DEG
+            here = since <= end - start + NEAR_DEG
             places[here] = place + self.motion.pitch_mm * turns[here]
         return places
 

@@ -11,15 +11,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cammotion.limits.corridors import NEAR_DEG, is_in
 from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import Condition
 from cammotion.whole.parts import Interval, Part, intervals
 
-_SLACK_DEG = 3e-8
 _ROUNDING_MM = 1e-6  # the solver's
 _MOST_STOPS = 50
 
@@ -67,11 +66,10 @@ class Side:
 
         At the edges of an arc it cannot, if just beside them it cannot: motions do not jump.
         """
-        slack = _SLACK_DEG if edges else -_SLACK_DEG
+        slack = NEAR_DEG if edges else -NEAR_DEG
         found = np.zeros(len(angle_deg), dtype=bool)
-        for start, end in self.closed:
-            since = np.mod(angle_deg - start + slack, DEG_PER_TURN) - slack
-            found |= since <= end - start + slack
+        for arc in self.closed:
+            found |= is_in(angle_deg, arc, slack)
         return found
 
 
