@@ -13,6 +13,7 @@ from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 import cammotion as cm
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.whole import joint_search as search_module
+from cammotion.whole.asked_of_all import read_task
 from cammotion.whole.joint_bound import Outline, outline
 from cammotion.whole.least_peak import LeastPeak, least_peak
 from cammotion.whole.parts import Part
@@ -229,6 +230,12 @@ def test_what_never_moves_has_the_least_peak_there_is() -> None:
         diagram = cm.TimingDiagram([table, *others], 2000)
         found = cm.least_peak(diagram, [], still={"table": [(0, 300)]}, seconds=2)
         assert (found.bound, found.reached, found.gap) == (0, 0, 0)
+
+
+def test_still_arcs_in_each_other_are_one() -> None:
+    arcs = [(220, 250), (205, 260), (600, 665)]
+    (part,) = read_task(make_diagram(), RULE, still={"die": arcs}, weights=None, at_most=None).parts
+    assert part.still == (DOWN_DEG,)
 
 
 def beside_a_table(*halves: cm.ClearanceRule) -> cm.LeastPeak:

@@ -382,6 +382,22 @@ def test_a_mill_that_stands_until_the_turn_is_over() -> None:
     assert (move.from_deg % 360, move.angle_deg, move.change_mm) == pytest.approx((0, 200, 100))
 
 
+@pytest.mark.parametrize("still", [[(0, 200), (180, 370)], [(10, 200), (200, 369), (369, 370)]])
+def test_what_stands_over_the_whole_turn_has_no_peak(still: list[tuple[float, float]]) -> None:
+    table = cm.motion("table", cm.dwell(360), start_mm=5)
+    rule = cm.ClearanceRule(cm.beyond("mill", 0.65), only_while=cm.beyond("table", 4))
+    diagram = cm.TimingDiagram([make_mill(), table], 2000)
+    alone = least_acceleration(diagram, "table", rule, still=still, cells=60)
+    assert alone.bound == alone.reached == 0
+    hop = cm.motion("table", cm.rise(1, over_deg=0.5), cm.return_(1, over_deg=0.5), cm.dwell(359))
+    quick = diagram.with_motion(hop.shifted(369))
+    assert least_acceleration(quick, "table", [], still=[(10, 369)], cells=60).reached == 0
+    both = {"mill": [DOWN_DEG], "table": still}
+    found = cm.least_peak(diagram, rule, still=both, gap=0.05, seconds=5)
+    assert found.design is not None
+    assert found.design["table"].range_mm == (5, 5)
+
+
 def test_a_mill_that_also_stands_between_two_stops_still_knows_its_stops() -> None:
     steps = cm.rise(50, over_deg=60), cm.dwell(30), cm.rise(50, over_deg=60), cm.dwell(210)
     mill = cm.indexing_motion("mill", *steps, stops=24)

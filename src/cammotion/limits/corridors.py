@@ -81,7 +81,7 @@ class Corridor:
     def stretches(self) -> list[tuple[int, int]]:
         """The nodes at which it may begin and end to move; past the last, the next turn counts on.
 
-        Empty for a motion that need not stand anywhere.
+        Empty for a motion that need not stand anywhere, and for one that has to everywhere.
         """
         size = len(self.still)
         ends = [int(n) for n in np.flatnonzero(self.still & ~self.still_cells)]

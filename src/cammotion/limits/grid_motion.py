@@ -63,7 +63,8 @@ class GridMotion:
                 segments.append(_dwell(segments[-1], _angle(room, first)))
             segments += self._segments(room, first, last)
         if not segments:  # nothing drives it from its place
-            start, at = _angle(room, room.stretches[0][0]), _height(room, room.stretches[0][0])
+            first = room.stretches[0][0] if room.stretches else 0
+            start, at = _angle(room, first), _height(room, first)
             end = start + DEG_PER_TURN
             return Motion(motion.name, (Segment(from_deg=start, to_deg=end, from_mm=at, to_mm=at),))
         end = segments[0].from_deg + DEG_PER_TURN

@@ -139,8 +139,11 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     # in parts of a turn all numbers are of one size, and the solver rounds least
     times, part = room.cells_deg * (_PARTS / DEG_PER_TURN), diagram.cycle_time_s / _PARTS
     limit = most_jerk * MM_PER_M * part**3
-    lowest = from_below(room, times, limit).bound / part**2
-    room, curve = _reach(room, times, limit)
+    if room.still_cells.all():
+        lowest, curve = 0.0, GridMotion(times, room.low_mm, *np.zeros((3, len(times))))
+    else:
+        lowest = from_below(room, times, limit).bound / part**2
+        room, curve = _reach(room, times, limit)
     best = curve.build(own, room)
     found = LeastAcceleration(diagram, lowest / MM_PER_M, best, most_jerk)
     today = replace(found, motion=own)

@@ -11,7 +11,7 @@ from cammotion.arguments.by_name import as_given, by_name
 from cammotion.limits.corridors import even_nodes, travel_ends
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.standing import arcs_by_name, check_begins_at_a_stop
-from cammotion.machine.arcs import arcs, intersect
+from cammotion.machine.arcs import arcs, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.quantities import Floats, InputError, Quantity, plural
@@ -151,7 +151,8 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
 ) -> Task:
     """Return what is asked of the parts; raises InputError for what makes no sense."""
     given = as_rules(diagram, rules)
-    standing = arcs_by_name(diagram, still)
+    listed = arcs_by_name(diagram, still)
+    standing = {name: tuple(unwrap(arcs(own))) for name, own in listed.items()}
     if not standing:
         raise InputError(
             "No part is free: give still arcs of at least one, for example "

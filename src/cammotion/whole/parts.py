@@ -39,7 +39,8 @@ class Interval(NamedTuple):
 class Part:
     """A part whose motion is free but for what is said here.
 
-    `motion` is the one in the diagram; over the `still` arcs it stands where that one does.
+    `motion` is the one in the diagram; over the `still` arcs, in the order in which they begin in
+    the turn, it stands where that one does.
     `weight` is what its peak counts, `cap` what it may be at most in mm/deg2.
     """
 
@@ -52,13 +53,7 @@ class Part:
     @property
     def stands(self) -> list[Stand]:
         """Where it stands, in the order of the angles, over a turn from the first one on."""
-        first = min(start for start, _ in self.still)
-        turned = [
-            (start - turns * DEG_PER_TURN, end - turns * DEG_PER_TURN)
-            for start, end in self.still
-            for turns in [(start - first) // DEG_PER_TURN]
-        ]
-        return [Stand(*arc, unrolled_mm(self.motion, sum(arc) / 2)) for arc in sorted(turned)]
+        return [Stand(*arc, unrolled_mm(self.motion, sum(arc) / 2)) for arc in self.still]
 
     @property
     def middles_deg(self) -> list[float]:
