@@ -392,8 +392,9 @@ def test_what_stands_over_the_whole_turn_has_no_peak(still: list[tuple[float, fl
     hop = cm.motion("table", cm.rise(1, over_deg=0.5), cm.return_(1, over_deg=0.5), cm.dwell(359))
     quick = diagram.with_motion(hop.shifted(369))
     assert least_acceleration(quick, "table", [], still=[(10, 369)], cells=60).reached == 0
-    both = {"mill": [DOWN_DEG], "table": still}
-    found = cm.least_peak(diagram, rule, still=both, gap=0.05, seconds=5)
+    found = cm.least_peak(
+        diagram, rule, still={"mill": [DOWN_DEG], "table": still}, gap=0.05, seconds=5
+    )
     assert found.design is not None
     assert found.design["table"].range_mm == (5, 5)
 
