@@ -122,8 +122,10 @@ def test_nothing_is_written_for_a_cam_that_cannot_be_made(tmp_path: Path) -> Non
     with pytest.raises(cm.InputError, match=r"undercut from 194\.06 to 197\.64 deg") as said:
         cm.write_cam(cut, path)
     (least,) = re.findall(r"a prime circle of at least ([\d.]+) mm", str(said.value))
-    enough = cm.RollerCam(DIE, cm.TranslatingRoller(14), float(least) + 1e-3)
+    enough = cm.RollerCam(DIE, cm.TranslatingRoller(14), float(least))
     assert enough.undercuts == ()
+    with pytest.raises(cm.InputError, match="Give a larger prime circle, or a smaller roller"):
+        cm.write_cam(cut, path, groove=True)  # whose far flank may need more
     assert not path.exists()
     assert cm.write_cam(cut, path, undercut=True).exists()
     hollow = cm.RollerCam(DIE, cm.TranslatingRoller(14), prime_radius_mm=40)
@@ -132,8 +134,10 @@ def test_nothing_is_written_for_a_cam_that_cannot_be_made(tmp_path: Path) -> Non
     with pytest.raises(cm.InputError, match="far flank"):
         cm.write_cam(hollow, tmp_path / "groove.dxf", groove=True)
     face = cm.FlatFacedCam(DIE, base_radius_mm=100)
-    with pytest.raises(cm.InputError, match="undercut from"):
+    with pytest.raises(cm.InputError, match="undercut from") as said:
         cm.write_cam(face, tmp_path / "face.csv")
+    (least,) = re.findall(r"a base circle of at least ([\d.]+) mm", str(said.value))
+    assert cm.write_cam(cm.FlatFacedCam(DIE, float(least)), tmp_path / "face.csv").exists()
 
 
 def test_where_no_prime_circle_would_do_nothing_is_written_either(tmp_path: Path) -> None:

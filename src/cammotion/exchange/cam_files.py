@@ -2,6 +2,7 @@
 
 import csv
 import io
+import math
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
@@ -31,6 +32,7 @@ _COLOURS = {  # of each layer: AutoCAD's number, and what SVG writes
     "BORE": (7, "black"),
 }
 _EDGE_MM, _LINE_MM = 5.0, 0.25
+_FINE_MM = 0.01  # of a radius that is said to be enough
 _TABLES = {".csv": ",", ".txt": "\t"}
 
 
@@ -94,20 +96,24 @@ def _refuse_undercut(cam: DiscCam, *, groove: bool) -> None:
         ]
     if cuts:
         raise InputError(
-            f"Nothing was written: {cuts[0]}. Give {_enough(cam)}, or undercut=True if you want "
-            "the file all the same."
+            f"Nothing was written: {cuts[0]}. Give {_enough(cam, groove=groove)}, or undercut=True "
+            "if you want the file all the same."
         )
 
 
-def _enough(cam: DiscCam) -> str:
-    """Return in words what cam of this motion would have no undercut."""
+def _enough(cam: DiscCam, *, groove: bool) -> str:
+    """Return in words what cam of this motion would have no undercut; of a groove no number."""
     if isinstance(cam, FlatFacedCam):
-        return f"a base circle of at least {smallest_base_radius(cam.motion):.5g} mm"
-    if isinstance(cam, RollerCam) and cam.undercuts:
+        return f"a base circle of at least {_rounded_up(smallest_base_radius(cam.motion))} mm"
+    if isinstance(cam, RollerCam) and cam.undercuts and not groove:
         with suppress(InputError):  # an arm may reach none
             least = smallest_prime_radius(cam.motion, cam.follower, pressure_angle_deg=90)
-            return f"a prime circle of at least {least:.5g} mm, or a smaller roller"
+            return f"a prime circle of at least {_rounded_up(least)} mm, or a smaller roller"
     return "a larger prime circle, or a smaller roller"
+
+
+def _rounded_up(mm: float) -> str:
+    return f"{math.ceil(mm / _FINE_MM) * _FINE_MM:.8g}"
 
 
 def _as_dxf(drawn: Iterable[Stroke]) -> str:
