@@ -77,15 +77,15 @@ class Side:
 class Choices:
     """The options of each rule at each node, and the room of each part after what is settled.
 
-    Where a rule has but one option its part has to take it: `low` and `high` know of it. `refused`
-    is the rule that has none at some node, and the node. With `too_many` stops that a part could
-    get to nothing is chosen.
+    Where a rule has but one option its part has to take it: `low` and `high` know of it. It is
+    `refused` where some rule has none at some node. With `too_many` stops that a part could get to
+    nothing is chosen.
     """
 
     options: list[list[tuple[Option, ...]]]
     low: list[Floats]
     high: list[Floats]
-    refused: tuple[int, int] | None = None
+    refused: bool = False
     too_many: bool = False
 
 
@@ -121,13 +121,13 @@ def choices(
         return replace(room, too_many=True)
     for _ in range(2):  # what one rule settles, leaves another one less
         room = replace(room, options=[])
-        for number, both in enumerate(sides):
+        for both in sides:
             closed = [side.is_closed(angle_deg, edges=True) for side in both]
             of_rule = []
             for node in range(len(angle_deg)):
                 found = _options(parts, both, [bool(c[node]) for c in closed], room, node)
                 if not found:
-                    return replace(room, refused=(number, node))
+                    return replace(room, refused=True)
                 of_rule.append(found)
             room.options.append(of_rule)
     return room
