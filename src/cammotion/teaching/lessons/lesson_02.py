@@ -222,7 +222,7 @@ EXERCISES = (
         until="t_m",
         answer=lambda m: _h_m / _t_m**2 * _law(m, 2),
         right=(
-            "It ends with a jump, from its hardest braking to nothing, and with a square in it it "
+            "It ends with a jump, from its hardest braking to nothing; a law with a square in it "
             "begins with one too. Notebook 05 shows what a jump in the acceleration does."
         ),
         slips=(
