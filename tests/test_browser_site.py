@@ -208,7 +208,7 @@ def test_numbers_are_answered_with_their_reasons(reader: Reader) -> None:
     for typed, text in {
         f"{one.solution(NAMELESS):.4f}": f"Right. {one.right}",
         f"{float(slip.answer(NAMELESS)):.4f}": f"Not yet. {slip.reason}",
-        f"{1.03 * one.solution(NAMELESS):.6f}": "off by 3 %",
+        f"{1.031 * one.solution(NAMELESS):.6f}": "off by 3.1 %",
         "1": "hints are below.",
         "12 deg": "is no number",
         "1,234": "may be 1.234 or 1234",
