@@ -1,5 +1,6 @@
 """Run the linters and tests, pin the dependencies."""
 
+import os
 import subprocess
 
 from starter import installer, processes
@@ -8,10 +9,11 @@ from starter.paths import ROOT, VENV_PYTHON
 
 FRESH = ROOT / "tests" / "run_fresh.py"
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
-# Two or more files of tests at a time, each file in one process: its fixtures are made once.
-# They keep the order of conftest.py.
+# One more file of tests at a time than there are processors, since who waits for a browser needs
+# none; each file in one process, so that its fixtures are made once. They keep the order of
+# conftest.py.
 IN_PARALLEL = (
-    *("-n", "auto", "--maxprocesses", "4"),
+    *("-n", str(min(4, (os.cpu_count() or 1) + 1))),
     *("--dist", "loadfile", "--no-loadscope-reorder"),
 )
 
