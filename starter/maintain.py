@@ -1,6 +1,5 @@
 """Run the linters and tests, pin the dependencies."""
 
-import os
 import subprocess
 
 from starter import installer, processes
@@ -9,11 +8,10 @@ from starter.paths import ROOT, VENV_PYTHON
 
 FRESH = ROOT / "tests" / "run_fresh.py"
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
-# One more file of tests at a time than there are processors, since who waits for a browser needs
-# none; each file in one process, so that its fixtures are made once. They keep the order of
-# conftest.py.
+# Two or more files of tests at a time, each file in one process: its fixtures are made once.
+# They keep the order of conftest.py.
 IN_PARALLEL = (
-    *("-n", str(min(4, (os.cpu_count() or 1) + 1))),
+    *("-n", "auto", "--maxprocesses", "4"),
     *("--dist", "loadfile", "--no-loadscope-reorder"),
 )
 
