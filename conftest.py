@@ -5,6 +5,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+import nbval.kernel  # type: ignore[import-untyped]
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile  # type: ignore[import-untyped]
 
@@ -24,6 +25,22 @@ LONG = (
 )
 # What a test answers is nobody's progress; in a folder of copies it is kept all the same.
 os.environ["CAMMOTION_PROGRESS"] = "off"
+
+
+def pytest_configure() -> None:
+    """Let nbval start a kernel once more that died at once.
+
+    Its ports are chosen before it opens them, and meanwhile a browser may have taken one.
+    """
+    start = nbval.kernel.start_new_kernel
+
+    def start_or_start_again(*given: Any, **named: Any) -> Any:
+        try:
+            return start(*given, **named)
+        except RuntimeError:
+            return start(*given, **named)
+
+    nbval.kernel.start_new_kernel = start_or_start_again
 
 
 def pytest_collectstart(collector: pytest.Collector) -> None:
