@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.quantities import InputError
+from cammotion.teaching.copied import with_lessons_numbers
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import Exercise, Slip, led_to
-from cammotion.teaching.mixed import mixed
 from cammotion.teaching.reading import to_number
 from cammotion.teaching.reasons import COMMON_RATIOS, RATIOS_OF_SUMS, UNIT_RATIOS, in_one
 from cammotion.teaching.rounding import (
@@ -66,7 +66,7 @@ class Carried(Slip):
 class NumberExercise(Exercise):
     """A number with a unit, right within `tolerance`, a share of it, where no slip is nearer.
 
-    The lesson's own answer is right for nobody else, unless it is theirs to the digits asked for.
+    It is not right by the tolerance alone if the lesson's numbers, or an earlier slip, lead to it.
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
@@ -129,8 +129,8 @@ class NumberExercise(Exercise):
             return in_one(too_few)
         if self._is_about(given, slip) and abs(given - slip) < off:
             return in_one(self._all_that_lead_to(given, slip, machine))
-        is_copied = self._mixed_up(given, machine) == [OF_THE_LESSON]
-        if self._is(given, right) and not is_copied:
+        has_other_way = self._mixed_up(given, machine) or self._carried_to(given, machine)
+        if self._is(given, right) and not has_other_way:
             return ""
         return self._explain(given, machine, wrong)
 
@@ -199,7 +199,13 @@ class NumberExercise(Exercise):
         return known or [slip.reason for slip in brought]
 
     def _carried_to(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[Carried]:
-        return [slip for slip in self.carried if is_as_typed(given, slip.leads_to(machine), digits)]
+        right = self.solution(machine)
+        return [
+            slip
+            for slip in self.carried
+            if is_as_typed(given, slip.leads_to(machine), digits)
+            and not is_as_typed(slip.leads_to(machine), right)
+        ]
 
     def _is(self, given: float, value: float) -> bool:
         return math.isclose(given, value, rel_tol=self.tolerance, abs_tol=1e-12)
@@ -291,5 +297,5 @@ def _of_the_lesson(exercise: NumberExercise, machine: MillAndDie) -> tuple[float
             return math.nan
         return math.nan if is_as_typed(value, right) else value
 
-    others = dict.fromkeys(wrong(one) for one in mixed(machine))
+    others = dict.fromkeys(wrong(one) for one in with_lessons_numbers(machine))
     return (wrong(EXAMPLE), *(value for value in others if math.isfinite(value)))

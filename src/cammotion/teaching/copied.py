@@ -12,12 +12,12 @@ _TOGETHER = (("wait_mm", "pocket_mm", "gap_mm"), ("mill_angle_deg", "work_deg"))
 
 
 @lru_cache(maxsize=2**8)
-def mixed(machine: MillAndDie) -> tuple[MillAndDie, ...]:
+def with_lessons_numbers(machine: MillAndDie) -> tuple[MillAndDie, ...]:
     """Return machines with one of their numbers as the lesson's machine has it.
 
     >>> from cammotion.teaching.variants import machine_for
     >>> anna = machine_for("Anna")
-    >>> any(one == replace(anna, work_deg=100) for one in mixed(anna))
+    >>> any(one == replace(anna, work_deg=100) for one in with_lessons_numbers(anna))
     True
     """
     groups = [{name: getattr(EXAMPLE, name) for name in names} for names in _TOGETHER]
