@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from fresh.drawing import build, draw
 from fresh.runner import CHECKS, examine, main, run
+from fresh.sampling import tracks_of
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
@@ -33,6 +34,18 @@ def test_its_code_builds_it() -> None:
     for name in machine.diagram.names:
         again = names["diagram"].position_mm(name, angles)
         assert np.array_equal(again, machine.diagram.position_mm(name, angles))
+
+
+@pytest.mark.parametrize(
+    ("law", "jerk"), [("simple harmonic", np.inf), ("cycloidal", 4 * np.pi**2 * 9 / 0.034**3)]
+)
+def test_a_jump_is_seen_beside_a_move_that_is_a_million_times_harder(law: str, jerk: float) -> None:
+    """By the peak of the jerk, in mm/deg3, of the track that checks and of the motion."""
+    parts = cm.rise(9, over_deg=0.034), cm.dwell(79), cm.return_(9, over_deg=168, law=law)
+    diagram = TimingDiagram([cm.motion("pin", *parts, cm.dwell(112.966))], 1800)
+    track = tracks_of(diagram)["pin"]
+    assert track.peak(3, 1) * 1000 == pytest.approx(jerk, rel=1e-3)
+    assert diagram["pin"].peak(3) == pytest.approx(jerk, rel=1e-6)
 
 
 def narrower(solve: Any) -> Callable[..., Any]:

@@ -116,31 +116,37 @@ class Track:
         """Return the largest derivative in m and s; infinite where the one before it jumps."""
         if any(self._jumps(lower) for lower in range(1, order)):
             return np.inf
+        return self._largest(order) * deg_per_s**order / 1000
+
+    def _largest(self, order: int) -> float:
+        """Return the largest size of a derivative between the joints, in mm and deg."""
         most = 0.0
         for piece in self.pieces:
-            joints = piece.joints_deg
-            for low, high in pairwise(joints):
+            for low, high in pairwise(piece.joints_deg):
                 inside = np.linspace(low, high, 2001)[1:-1]
                 values = np.abs(piece.curve(order, np.array([*_nudged(low, high), *inside])))
                 most = max(most, float(values.max()))
-        return most * deg_per_s**order / 1000
+        return most
 
     def _jumps(self, order: int) -> bool:
-        """Whether a derivative jumps anywhere in the turn."""
-        found: list[Any] = []
-        size = 1e-12
+        """Whether a derivative jumps anywhere in the turn, also beside a move that is far harder.
+
+        Rounding is a millionth of the move before or after, and 1e-8 of the largest of all.
+        """
+        sizes = [abs(p.to_mm - p.from_mm) / (p.to_deg - p.from_deg) ** order for p in self.pieces]
+        rounding = 1e-8 * self._largest(order)
         for number, piece in enumerate(self.pieces):
-            following = self.pieces[(number + 1) % len(self.pieces)]
-            width = piece.to_deg - piece.from_deg
-            size = max(size, abs(piece.to_mm - piece.from_mm) / width**order)
+            on = (number + 1) % len(self.pieces)
+            end = piece.curve(order, np.array(piece.to_deg))
+            step = abs(end - self.pieces[on].curve(order, np.array(self.pieces[on].from_deg)))
+            if step > max(1e-6 * max(sizes[number], sizes[on]), rounding):
+                return True
             if piece.law is not None:
                 inner = np.array(joints_of(piece.law))
-                steps = jumps_at(function_of(piece.law, order), inner, 1e-7)
-                change = abs(piece.to_mm - piece.from_mm) / width**order
-                found.extend(np.abs(steps) * change)
-            end = piece.curve(order, np.array(piece.to_deg))
-            found.append(abs(end - following.curve(order, np.array(following.from_deg))))
-        return bool(max(found) > 1e-6 * size)
+                steps = np.abs(jumps_at(function_of(piece.law, order), inner, 1e-7))
+                if np.any(steps * sizes[number] > max(1e-6 * sizes[number], rounding)):
+                    return True
+        return False
 
 
 def _nudged(low: float, high: float) -> tuple[float, float]:
