@@ -61,7 +61,9 @@ def _check_turn(
     angles = motion.start_deg + times / (3600 / rate) * 360
     drives, stroke = drives_of(motion, rate), float(np.ptp(motion.range_mm)) / 1000
     row = Row.of(response.chain)
-    states, moved, end = row.stepped(drives, times, *begin, stroke)
+    deflected = max(response.peak_deflection_mm(n + 1).value for n in range(len(row.masses))) / 1000
+    counts = min(stroke, max(deflected, 1e-6 * stroke))
+    states, moved, end = row.stepped(drives, times, *begin, counts)
     for n in range(len(row.masses)):
         away = np.asarray(response.deflection_mm(angles, n + 1)) / 1000
         pushed = np.asarray(response.acceleration(angles, n + 1))

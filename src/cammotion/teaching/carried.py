@@ -73,10 +73,10 @@ def _carry(exercise: NumberExercise, linked: dict[str, Exercise]) -> Iterator[Ca
             yield Carried(lessons, WITH_LESSONS.format(number), (number,))
             for slip in earlier.slips:
                 said = f"{WITH_WRONG.format(number)} {slip.reason}"
-                yield Carried(_going_on(going_on, slip.answer), said, (number,))
-            for before in earlier.carried:  # it names the exercise that it comes from
-                through = (*before.through, number)
-                yield Carried(_going_on(going_on, before.answer), before.reason, through)
+                yield Carried(_going_on(going_on, slip.answer), said, (number,), slip.reason)
+            for before in earlier.carried:  # its reason names the exercise that it comes from
+                answer, through = _going_on(going_on, before.answer), (*before.through, number)
+                yield replace(before, answer=answer, through=through)
 
 
 def _of_the_lesson(earlier: NumberExercise, _: MillAndDie) -> float:

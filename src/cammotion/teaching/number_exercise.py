@@ -56,10 +56,11 @@ _DIGITS = {3: "three", 4: "four"}
 class Carried(Slip):
     """What an earlier exercise leads to in a later one, with the exercises that it goes through.
 
-    It is a slip there, or the wrong answer that a learner gave.
+    It is a slip there, whose reason is the `cause`, or the wrong answer that a learner gave.
     """
 
     through: tuple[str, ...]
+    cause: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -146,7 +147,7 @@ class NumberExercise(Exercise):
             if is_rounded(given, value, FEWEST) and abs(given - value) <= MOST_OFF * abs(value)
         )
         return (
-            in_one(self._brought_along(given, machine))
+            in_one(slip.reason for slip in self._brought_along(given, machine))
             or self._in_g(given, right)
             or in_one([*ratios[:1], *mixed_up])
             or rounded
@@ -170,12 +171,13 @@ class NumberExercise(Exercise):
             alike, key=lambda value: (not is_same(value, slip), abs(given - value))
         )
         brought = self._brought_along(given, machine)
-        told = {_cause(reason) for reason in brought}
-        reasons = [wrong[value] for value in nearest_first if _cause(wrong[value]) not in told]
+        told = tuple(slip.cause for slip in brought if slip.cause)  # "The mass is right, … " + it
+        reasons = [wrong[value] for value in nearest_first if not wrong[value].endswith(told)]
         exact = {} if is_as_typed(given, slip) else self.ratios
         right = self.solution(machine)
         ratios = (said for r, said in exact.items() if is_as_typed(given, r * right))
-        return [*brought, *reasons, *self._mixed_up(given, machine), *ratios]
+        carried = (slip.reason for slip in brought)
+        return [*carried, *reasons, *self._mixed_up(given, machine), *ratios]
 
     def _mixed_up(self, given: float, machine: MillAndDie) -> list[str]:
         """Return what is said if numbers of the lesson's machine lead to a number, at most one."""
@@ -184,19 +186,19 @@ class NumberExercise(Exercise):
             return [OF_THE_LESSON]
         return [MIXED] if any(is_as_typed(given, other) for other in others) else []
 
-    def _brought_along(self, given: float, machine: MillAndDie) -> list[str]:
-        """Return what is said if a wrong answer of this learner leads to a number.
+    def _brought_along(self, given: float, machine: MillAndDie) -> list[Carried]:
+        """Return the wrong answers of this learner that lead to a number.
 
-        Where that was a known slip, it is its reason.
+        Where that was a known slip, it is the slip.
         """
         brought = [slip for slip in self.brought if self._is(given, slip.leads_to(machine))]
         numbers = {number for slip in brought for number in slip.through}
         known = [
-            slip.reason
+            slip
             for slip in self._carried_to(given, machine, FEWEST + 1)
             if not numbers.isdisjoint(slip.through)
         ]
-        return known or [slip.reason for slip in brought]
+        return known or brought
 
     def _carried_to(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[Carried]:
         right = self.solution(machine)
@@ -255,11 +257,6 @@ class NumberExercise(Exercise):
             *(*slips, *brought, _IN_G, *self.ratios.values()),
             *(OF_THE_LESSON, MIXED, *unknown),
         )
-
-
-def _cause(reason: str) -> str:
-    """Return a reason without the sentence that says in which number it is met."""
-    return reason.partition(". ")[2] or reason
 
 
 class _Known(NamedTuple):
