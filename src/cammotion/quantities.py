@@ -17,6 +17,8 @@ from cammotion.typed import typed_numbers
 
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _PLAIN = 1e5  # a number below it is read without a power of ten
+_OUTWARD = 4  # decimals; of a small number as many digits
+_SMALL = 0.1  # of a number below it fewer digits are left than there are decimals
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
 _NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
 _NONE: Mapping[str, str] = {}
@@ -295,6 +297,29 @@ def as_text(value: float, digits: str) -> str:
     if "e+" in text and abs(value) < _PLAIN:
         text = f"{float(text):.0f}"
     return text.removesuffix(".")
+
+
+def in_decimals(value: float, decimals: int) -> str:
+    """Return a number with so many decimals; one that is too small for them with as many digits.
+
+    >>> in_decimals(4.1544, 3), in_decimals(0.03712, 3), in_decimals(0.0, 3), in_decimals(1e9, 3)
+    ('4.154', '0.0371', '0.000', '1000000000.000')
+    """
+    is_small = 0 < abs(value) < _SMALL
+    return as_text(value, f"#.{decimals}g" if is_small else f".{decimals}f")
+
+
+def outward(low: float, high: float) -> tuple[str, str]:
+    """Return two values from 0 on as texts, rounded away from what is between them.
+
+    >>> outward(0.51949, 0.51951), outward(0.00046753, 0.00046755)
+    (('0.5194', '0.5196'), ('0.0004675', '0.0004676'))
+    """
+    larger = math.floor(math.log10(high)) if 0 < high < _SMALL else -1
+    digits = 10.0 ** (decimals := _OUTWARD - 1 - larger)
+    return f"{np.floor(low * digits) / digits:.{decimals}f}", (
+        f"{np.ceil(high * digits) / digits:.{decimals}f}"
+    )
 
 
 def plural(number: int | str, what: str) -> str:

@@ -11,7 +11,7 @@ import cammotion as cm
 from fresh.drawing import Machine
 from fresh.sampling import Array, track_of
 
-STEP_DEG = 0.05
+STEP_DEG, PER_PIECE = 0.05, 41
 NEAR_DEG = 2e-5
 OFTEN = 0.85
 LEAST = 1e-5  # of the travel
@@ -110,8 +110,9 @@ def integrated(
 
 def _leaves(force: Force, place: float, end: float, joints: Array) -> float:
     """Return the next angle at which the force falls below 0."""
-    inner = joints[(joints > place) & (joints < end)]
-    places = np.union1d(np.arange(place, end, STEP_DEG), inner)
+    ends = np.array([place, *joints[(joints > place) & (joints < end)], end])
+    between = np.linspace(ends[:-1], ends[1:], PER_PIECE)  # also of a move over 0.06 deg
+    places = np.union1d(np.arange(place, end, STEP_DEG), between)
     places = places[np.append(np.diff(places) > 2 * BESIDE, True)]  # at a joint, not just before it
     lows, highs = force(places[:-1] + BESIDE), force(places[1:] - BESIDE)
     loose = np.flatnonzero((lows < 0) | (highs < 0))

@@ -15,7 +15,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, arcs_of
 from cammotion.own import Machine
-from cammotion.quantities import InputError, WrongAnswerError, as_text, plural
+from cammotion.quantities import InputError, WrongAnswerError, in_decimals, plural
 from cammotion.rules.checks import find_violations, smallest_clearance
 from cammotion.rules.rule import Rule, Violation
 from cammotion.whole.asked_of_moves import rests_at
@@ -62,12 +62,13 @@ class Improvement:
     def row(self) -> tuple[str | float, ...]:
         """What a table says of it: the change, peak before and after, the largest one, the rate."""
         rate = f"{self.rate_per_hour:.0f}"
-        return self.said, f"{self.before:.3f}", f"{self.after:.3f}", f"{self.largest:.3f}", rate
+        peaks = (in_decimals(peak, 3) for peak in (self.before, self.after, self.largest))
+        return self.said, *peaks, rate
 
     def __repr__(self) -> str:
         """Say it in a line."""
         mends = f", mends {plural(self.mends, 'rule')}" if self.mends else ""
-        before, after = (as_text(peak, ".3f") for peak in (self.before, self.after))
+        before, after = (in_decimals(peak, 3) for peak in (self.before, self.after))
         return f"{self.said}: {before} to {after} m/s²{mends}"
 
 

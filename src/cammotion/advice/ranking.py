@@ -15,7 +15,7 @@ from cammotion.advice.changes import (
 )
 from cammotion.arguments import checked
 from cammotion.own import Machine
-from cammotion.quantities import InputError, Quantity, as_text
+from cammotion.quantities import InputError, Quantity, in_decimals
 from cammotion.shown import as_table
 from cammotion.whole.optimise import optimise
 
@@ -59,7 +59,7 @@ class Improvements(Sequence[Improvement]):
         peaks = [self.machine.peaks[name] for name in names]
         if not peaks[0]:
             return "Nothing moves."
-        said = [as_text(peak, ".3f") for peak in peaks]
+        said = [in_decimals(peak, 3) for peak in peaks]
         first = f"The {names[0]} is driven hardest, with {said[0]} m/s²"
         if len(names) < _NEXT or not peaks[1]:
             return f"{first}."

@@ -34,7 +34,7 @@ from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
+from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError, outward
 from cammotion.rules.rule import Rule
 
 _JERK_LIMIT = Quantity("jerk limit", "m/s³", example=20)
@@ -42,7 +42,6 @@ _CELLS = Quantity("number of cells", "", example=720, low=12, high=2880, low_inc
 _ROUNDING = 1e-6  # of the bound, or in m/s2
 _PARTS = 20  # of a turn, the unit of time
 _ROUNDS = 6  # of mending a motion that strays between two nodes
-_DIGITS = 4
 
 
 @dataclass(frozen=True, repr=False)
@@ -75,19 +74,6 @@ class LeastAcceleration:
         low, high = outward(self.bound, self.reached)
         name = self.motion.name
         return f"The least peak acceleration of the {name} lies between {low} and {high} m/s²."
-
-
-def outward(low: float, high: float) -> tuple[str, str]:
-    """Return two values as texts, rounded away from what is between them.
-
-    >>> outward(0.51949, 0.51951)
-    ('0.5194', '0.5196')
-    """
-    digits = 10.0**_DIGITS
-    return (
-        f"{np.floor(low * digits) / digits:.{_DIGITS}f}",
-        f"{np.ceil(high * digits) / digits:.{_DIGITS}f}",
-    )
 
 
 def least_acceleration(  # noqa: PLR0913 - all but three are given by name

@@ -60,7 +60,7 @@ def live_figure(machine: Machine) -> str:
                 unit="pieces/h",
             ),
         },
-        says=[Say("peak of the move: {a:.3f} m/s²", {"a": peak.subs(B, at)})],
+        says=[Say("peak of the move: {a:.4g} m/s²", {"a": peak.subs(B, at)})],
         title=name,
     )
     return (

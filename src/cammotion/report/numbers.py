@@ -13,6 +13,7 @@ from cammotion.machine.kinematics import (
     peak_velocity,
 )
 from cammotion.machine.segments import Segment
+from cammotion.quantities import in_decimals
 
 _SAME = 1e-6
 
@@ -35,9 +36,9 @@ def of_peak(diagram: TimingDiagram, name: str) -> str:
     way = abs(hardest.change_mm) / MM_PER_M
     return (
         f"The {hardest.kind} from {hardest.from_deg % DEG_PER_TURN:g} deg by the law {law.name}: "
-        f"a = C_a · h / t² = {law.Ca:.4f} · {way:g} m / ({time_s:.5g} s)² = {alone:.4f} m/s², "
-        f"where t = B / 360° · 3600 s / N = {hardest.angle_deg:.5g}° / 360° · 3600 s / "
-        f"{diagram.rate_per_hour:g} = {time_s:.5g} s."
+        f"a = C_a · h / t² = {law.Ca:.4f} · {way:g} m / ({time_s:.5g} s)² = "
+        f"{in_decimals(alone, 4)} m/s², where t = B / 360° · 3600 s / N = "
+        f"{hardest.angle_deg:.5g}° / 360° · 3600 s / {diagram.rate_per_hour:g} = {time_s:.5g} s."
     )
 
 
@@ -54,7 +55,7 @@ def of_velocity(diagram: TimingDiagram, name: str) -> str:
     way = abs(fastest.change_mm) / MM_PER_M
     return (
         f"The {fastest.kind} from {fastest.from_deg % DEG_PER_TURN:g} deg: v = C_v · h / t = "
-        f"{law.Cv:.4f} · {way:g} m / {time_s:.5g} s = {law.Cv * way / time_s:.4f} m/s."
+        f"{law.Cv:.4f} · {way:g} m / {time_s:.5g} s = {in_decimals(law.Cv * way / time_s, 4)} m/s."
     )
 
 
@@ -65,7 +66,7 @@ def of_rate(rate_per_hour: float, today: float, then: float) -> str:
     faster = rate_per_hour * math.sqrt(today / then)
     return (
         f"A peak grows with the square of the rate: N · √(a₁ / a₂) = {rate_per_hour:g} · "
-        f"√({today:.4f} / {then:.4f}) = {faster:.0f} pieces/h."
+        f"√({in_decimals(today, 4)} / {in_decimals(then, 4)}) = {faster:.0f} pieces/h."
     )
 
 

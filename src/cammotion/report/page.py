@@ -9,6 +9,7 @@ from pathlib import Path
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
+from cammotion.quantities import outward
 from cammotion.report.findings import Findings
 from cammotion.report.live import live_figure
 from cammotion.report.markup import Cell, Opened, opened, paragraph, short, table
@@ -77,13 +78,13 @@ def _bound(found: Findings) -> str:
     least = found.least
     if least is None:
         return ""
-    low = math.floor(least.bound * 10_000) / 10_000
-    whose = _free(found.machine, "these parts")
-    sentence = f"No motions of {whose} can have a largest peak below {low:.4f} m/s²"
     reached = max(found.improved.peaks[name] for name in least.parts)
+    low, high = outward(least.bound, reached)
+    whose = _free(found.machine, "these parts")
+    sentence = f"No motions of {whose} can have a largest peak below {low} m/s²"
     if least.bound > 0 and math.isfinite(reached):
         above = math.ceil(100 * (reached / least.bound - 1))
-        sentence += f", so that the design, with {reached:.4f}, is at most {above} % above the best"
+        sentence += f", so that the design, with {high}, is at most {above} % above the best"
     return f"{sentence}."
 
 

@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 
 from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
-from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.quantities import Floats, InputError, Quantity, in_decimals
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, by_name, name_line, plain
 from cammotion.views.plots import COLOURS, styled
@@ -28,6 +28,8 @@ _NEAR = 0.2  # of its width: labels of points so near to each other keep their d
 
 _PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
 _END = Quantity("end of an axis", "m/s2", example=1.5, low_included=True)
+_BELOW, _ABOVE = 0.18, 0.14  # room for words, as shares of what is drawn between
+_AROUND = 1.5  # as far beyond the ends of a front the axes go
 Pair = tuple[float, float]
 
 
@@ -70,14 +72,15 @@ def plot_jerk_price(
     reached = np.array([each.reached for each in best])
     _shade(ax, limits, np.array([each.bound for each in best]))
     ax.plot(limits, reached, color=BEST, linewidth=2, label="least peak that was reached")
+    shown = {law: point for law, point in (named or {}).items() if point[0] <= limits[-1]}
+    heights = [*reached, *[point[1] for point in shown.values()]]
     if unlimited_m_per_s2 is not None:
         unlimited = _PEAK.number(unlimited_m_per_s2)
         ax.axhline(unlimited, color=_DARK, linestyle="--", linewidth=1.5)
-        text = f"jerk without limit: {unlimited:.3f}"
+        text = f"jerk without limit: {in_decimals(unlimited, 3)}"
         ax.annotate(text, (limits[-1], unlimited), (-4, -5), **_OFFSET, ha="right", va="top")
-    shown = {law: point for law, point in (named or {}).items() if point[0] <= limits[-1]}
-    heights = [*reached, *[point[1] for point in shown.values()]]
-    ax.set(xlim=limits[[0, -1]], ylim=(min(heights) - 0.16, max(heights) + 0.06))
+        heights.append(unlimited)
+    ax.set(xlim=limits[[0, -1]], ylim=_room(min(heights), max(heights)))
     ax.plot(*_columns(shown.values()), "o", color=NAMED, label="named laws")
     _label_points(ax, shown)
     add_legend(ax, loc="upper right")
@@ -90,7 +93,7 @@ def plot_front(
     curves: Mapping[str, Iterable[Pair]] | None = None,
     points: Mapping[str, Pair] | None = None,
     *,
-    ends_m_per_s2: Pair = (0.3, 1.5),
+    ends_m_per_s2: Pair | None = None,
     ax: Axes | None = None,
 ) -> Axes:
     """Draw what two mechanisms can have at best, the peak of one against the other's.
@@ -99,8 +102,9 @@ def plot_front(
     limits or weights. Of each this is proved: in no motions of both are both peaks below its bound
     and its limit, which are a corner of what is drawn in grey. The blue line joins the pairs that
     were reached. `curves` are dashed orange ones of (one peak, other peak) in m/s2, by name,
-    `points` single ones; `ends_m_per_s2` are the ends of both axes. Returns the Axes; raises
-    InputError for fewer than two results, and for such as are not of two mechanisms.
+    `points` single ones; `ends_m_per_s2` are the ends of both axes, around what was reached unless
+    given. Returns the Axes; raises InputError for fewer than two results, and for such as are not
+    of two mechanisms.
 
     >>> import cammotion as cm
     >>> asked = {
@@ -114,7 +118,11 @@ def plot_front(
     """
     results = [*found]
     _check_front(results)
-    low, high = (_END.number(end) for end in ends_m_per_s2)
+    corners = sorted(tuple(_corner(each)) for each in results)
+    reached = sorted(
+        tuple(map(each.design.peak_acceleration, each.parts)) for each in results if each.design
+    )
+    low, high = (_END.number(end) for end in ends_m_per_s2 or _around([*corners, *reached]))
     if low >= high:
         raise InputError(
             f"The ends of the axes are {low:g} and {high:g} m/s2: give the lower one first, for "
@@ -123,12 +131,9 @@ def plot_front(
     called = labels_of(results[0].diagram)
     across, up = (f"peak acceleration of the {called[name]} in m/s²" for name in results[0].parts)
     ax = styled(ax, across, up, (6, 5.6), layout="constrained")
-    sides, heights = _columns(sorted(tuple(_corner(each)) for each in results))
+    sides, heights = _columns(corners)
     heights = np.maximum.accumulate(heights[::-1])[::-1]  # of all corners to the right
     _shade(ax, np.append(0.0, sides), np.append(heights[0], heights))
-    reached = sorted(
-        tuple(map(each.design.peak_acceleration, each.parts)) for each in results if each.design
-    )
     ax.plot(*_columns(reached), color=BEST, linewidth=2)
     ax.lines[-1].set_label("the best that was found, any law")
     for name, label in by_name(curves or {}, TITLE).items():
@@ -152,6 +157,19 @@ def _check_front(results: Sequence[LeastPeak]) -> None:
             "A front is a curve of two mechanisms: give at least two results of least_peak for "
             "the same two, for example with other limits at_most={'mill': 0.6}."
         )
+
+
+def _room(low: float, high: float) -> Pair:
+    """Return the ends of an axis on which values from low to high leave room for words."""
+    size = max(high - low, 0.1 * high)
+    return max(low - _BELOW * size, 0.0), high + _ABOVE * size
+
+
+def _around(pairs: Iterable[Sequence[float]]) -> Pair:
+    """Return round ends of both axes some way beyond all peaks of pairs that are finite."""
+    peaks = [peak for pair in pairs for peak in pair if 0 < peak < np.inf]
+    low, high = min(peaks, default=0.3) / _AROUND, max(peaks, default=1.0) * _AROUND
+    return float(f"{low:.2g}"), float(f"{high:.2g}")
 
 
 _OFFSET: dict[str, Any] = {"textcoords": "offset points", "color": "#333333", "fontsize": 10}

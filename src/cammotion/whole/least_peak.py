@@ -14,10 +14,9 @@ from typing import Any
 import numpy as np
 
 from cammotion.arguments import checked
-from cammotion.limits.least import outward
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import Quantity
+from cammotion.quantities import Quantity, outward
 from cammotion.rules.rule import Rule
 from cammotion.whole.asked_of_all import read_task, weighted_peak
 from cammotion.whole.joint_search import Search

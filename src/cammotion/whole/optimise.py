@@ -8,6 +8,7 @@ of all diagrams whose moves go from rest to rest by the given laws. What other m
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from cammotion.arguments import checked
@@ -17,7 +18,7 @@ from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import InputError, Quantity, WrongAnswerError, one_of
+from cammotion.quantities import InputError, Quantity, WrongAnswerError, in_decimals, one_of
 from cammotion.rules.rule import Rule
 from cammotion.whole.asked_of_all import Task, faults_of, read_task, weighted_peak
 from cammotion.whole.asked_of_moves import Laws, Ranges
@@ -27,7 +28,6 @@ from cammotion.whole.torque_search import least_torque, peak_torque
 
 _SECONDS = Quantity("time", "s", example=20)
 _SHARE = 1e-5  # of a peak, that may be rounding
-_DIGITS = 4
 _UNITS = {"peak": "m/s²", "force": "N", "torque": "N m"}
 
 
@@ -62,15 +62,16 @@ class Optimised:
 
     def __repr__(self) -> str:
         """Say what is reached, where it was before, and each move."""
-        before = self._largest(self.diagram)
-        lines = [f"{self.reached:.{_DIGITS}f} {self.unit} (before: {before:.{_DIGITS}f})"]
+        said = partial(in_decimals, decimals=4)
+        lines = [f"{said(self.reached)} {self.unit} (before: {said(self._largest(self.diagram))})"]
         if self.tried:
+            least, most = said(self.tried[0]), said(self.tried[-1])
             lines.append(
-                f"the best of {len(self.tried)} starts, which led to {self.tried[0]:.{_DIGITS}f} "
-                f"to {self.tried[-1]:.{_DIGITS}f} {self.unit}; no bound is known for a torque"
+                f"the best of {len(self.tried)} starts, which led to {least} to {most} "
+                f"{self.unit}; no bound is known for a torque"
             )
         for name, peak in self.peaks.items():
-            lines.append(f"{name}: {peak:.{_DIGITS}f} m/s²")
+            lines.append(f"{name}: {said(peak)} m/s²")
             lines += [
                 f"  {move.kind} over {move.angle_deg:.3f} deg "
                 f"from {move.from_deg % DEG_PER_TURN:.3f} deg, {as_law(move.law).name}"

@@ -22,6 +22,7 @@ ALPHA = sp.Symbol("alpha", real=True)  # the cam angle, in deg, over which a fig
 SECONDS_BY_DEG_AND_RATE = 10  # tm = 10 Bm / N
 _0, _360 = sp.Integer(0), sp.Integer(DEG_PER_TURN)
 LARGEST = 1e300  # above it a peak is infinite
+_SLOW = 0.5  # m/s2: half of it has fewer than three digits among three decimals
 
 
 @dataclass(frozen=True)
@@ -148,6 +149,12 @@ def heights(motions: Iterable[Motion], moving: Iterable[Moving]) -> tuple[sp.Exp
         f(*over_zero, end, evaluate=False) for f, end in ((sp.Min, low), (sp.Max, high))
     )
     return lowest - room, highest + 2 * room
+
+
+def of_peaks(diagram: TimingDiagram) -> str:
+    """Return the format of peak accelerations: three decimals, or digits where all is slow."""
+    hardest = max(diagram.peak_acceleration(name) for name in diagram.names)
+    return ".3f" if hardest >= _SLOW else ".3g"
 
 
 def full_names(diagram: TimingDiagram, *names: str) -> list[Say]:

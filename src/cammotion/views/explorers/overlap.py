@@ -21,7 +21,7 @@ from cammotion.views.explorers.clearance import (
     verdict,
     window,
 )
-from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, control, work_deg
+from cammotion.views.explorers.moving import ALPHA, LARGEST, Moving, control, of_peaks, work_deg
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Button, Say, choice
@@ -135,9 +135,11 @@ def _describe(diagram: TimingDiagram, motion: Motion, moving: Moving) -> Say:
         "times": peak / sp.Float(before),
         "before": sp.Float(before),
     }
-    text = "{name}: {angle:.5g} deg, from {start:.5g} to {end:.5g} deg, a_max = {peak:.3f} m/s²"
+    digits = of_peaks(diagram)
+    moves = "{name}: {angle:.5g} deg, from {start:.5g} to {end:.5g} deg"
+    text = f"{moves}, a_max = {{peak:{digits}}} m/s²"
     return Say(
-        text + " = {times:.3g} × {before:.3f}",
+        f"{text} = {{times:.3g}} × {{before:{digits}}}",
         numbers,
         peak < LARGEST,
         Say(text + ", as before", numbers),

@@ -16,6 +16,7 @@ from cammotion.views.explorers.moving import (
     control,
     full_names,
     heights,
+    of_peaks,
     work_deg,
 )
 from cammotion.views.lanes import TICK_DEG
@@ -77,6 +78,7 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
         },
         says=[
             *_sentences(
+                of_peaks(diagram),
                 {"name": mill.name, "angle": B_MILL, "peak": first.peak(rate)},
                 {"name": die.name, "angle": way, "peak": second.peak(rate)},
             ),
@@ -86,12 +88,12 @@ def explore_shares(diagram: TimingDiagram) -> LiveFigure:
     )
 
 
-def _sentences(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[Say]:
+def _sentences(digits: str, first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[Say]:
     """Say over which angles both move and how hard, and which is the harder driven."""
-    peak = "a_max = {peak:.3f} m/s²"
+    peak = f"a_max = {{peak:{digits}}} m/s²"
     yield Say(f"{{name}}: moves over {{angle:.5g}} deg, {peak}", first)
     yield Say(f"{{name}}: moves over {{angle:.5g}} and {{angle:.5g}} deg, {peak}", second)
-    larger = "larger peak: {name}, {peak:.3f} m/s²"
+    larger = f"larger peak: {{name}}, {{peak:{digits}}} m/s²"
     is_first = first["peak"] >= second["peak"]
     yield Say(larger, first, when=is_first, otherwise=Say(larger, second))
 

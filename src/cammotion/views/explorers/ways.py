@@ -20,7 +20,7 @@ from cammotion.views.explorers.clearance import (
     verdict,
     window,
 )
-from cammotion.views.explorers.moving import ALPHA, Moving, control, work_deg
+from cammotion.views.explorers.moving import ALPHA, Moving, control, of_peaks, work_deg
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Say
@@ -98,5 +98,6 @@ def _describe(diagram: TimingDiagram, die: Motion, moving: Moving) -> Iterator[S
         replace(moving, parts=(part,)).peak(diagram.rate_per_hour)
         for part in (moving.parts[0], moving.parts[2])
     )
-    text = "{name}: a_max = {down:.3f} m/s² on the rise, {up:.3f} m/s² on the return"
-    yield Say(text, {"name": die.name, "down": down, "up": up})
+    digits = of_peaks(diagram)
+    text = f"a_max = {{down:{digits}}} m/s² on the rise, {{up:{digits}}} m/s² on the return"
+    yield Say(f"{{name}}: {text}", {"name": die.name, "down": down, "up": up})
