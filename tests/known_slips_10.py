@@ -84,7 +84,7 @@ def leaves(m: MillAndDie, pressed: float | None = None, more: float = 0) -> floa
         spring = pressed + m.follower.lift_mm * law(x) + more / m.follower.spring_N_per_mm
         return turns(m, time_s(m, spring, -2 * math.pi * math.sin(2 * math.pi * x)))
 
-    found = minimize_scalar(speed, (0.6, 0.7, 0.8), options={"xtol": 1e-10})
+    found = minimize_scalar(speed, bounds=(0.51, 0.99), options={"xatol": 1e-10})
     return float(found.fun)
 
 
