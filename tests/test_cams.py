@@ -313,3 +313,15 @@ def test_an_undercut_is_found_in_whatever_turn_its_move_is_told(later: float) ->
         assert cut.missing_mm == pytest.approx(before.missing_mm)
         assert cut.end_deg - cut.start_deg == pytest.approx(before.end_deg - before.start_deg)
     assert not places
+
+
+def test_where_two_segments_meet_a_cam_is_bent_as_by_the_one_that_begins() -> None:
+    """The ends of a table's moves are sums: 0.1 + 50.2 is no 50.3, and yet it is that joint."""
+    parts = cm.rise(10, over_deg=50.2, law="constant acceleration"), cm.dwell(100)
+    back = cm.return_(10, over_deg=100), cm.dwell(109.8)
+    motion = cm.motion("press", *parts, *back, start_deg=0.1)
+    assert motion.segments[0].to_deg > 50.3
+    cam = cm.FlatFacedCam(motion, base_radius_mm=1000)
+    assert cam.profile_radius_mm([50.3, 410.3, 100]) == pytest.approx([1010] * 3)
+    begins = 1000 + 4 * 10 / math.radians(50.2) ** 2  # base circle, lift and its bend
+    assert cam.profile_radius_mm(0.1 + 360) == pytest.approx(begins)

@@ -73,10 +73,9 @@ class DiscCam(ABC):
     def derivatives(self, angle_deg: ArrayLike, count: int) -> list[Floats]:
         """Return the first so many of what `lift` returns."""
         start, curve = self.motion.start_deg, self.motion.curve
-        phase = start + np.mod(CAM_ANGLE.array(angle_deg) - start, DEG_PER_TURN)
+        phase = curve.begun(start + np.mod(CAM_ANGLE.array(angle_deg) - start, DEG_PER_TURN))
         first, *others = (
-            np.asarray(curve.derived(order)(phase, "right")) * PER_RAD**order
-            for order in range(count)
+            curve.derived(order)(phase, "right") * PER_RAD**order for order in range(count)
         )
         return [first - self.motion.range_mm[0], *others]
 

@@ -155,11 +155,15 @@ class Curve(Alike):
                 values[here] = self.pieces[number].over(flat[here])
         return values.reshape(np.shape(places))
 
-    def settled(self, places: Floats) -> Floats:
-        """Return the places; what misses a joint or an end by the rounding of sums is there."""
+    def begun(self, places: Floats) -> Floats:
+        """Return places of a closed curve, so that to the "right" of a joint is what begins there.
+
+        What misses a joint by the rounding of sums is there, and the end is the beginning.
+        """
         ends = np.array([self.low, *self._joints, self.high])
         near = ends[np.searchsorted(ends[:-1], places - _ROUNDING)]
-        return np.where(np.abs(places - near) <= _ROUNDING, near, places)
+        settled = np.where(np.abs(places - near) <= _ROUNDING, near, places)
+        return np.where(settled == self.high, self.low, settled)
 
     @cached_property
     def _joints(self) -> Floats:

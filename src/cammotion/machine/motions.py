@@ -201,8 +201,7 @@ class Motion:
         """
         time_s = cycle_time(RATE.number(rate_per_hour))
         curve = self.curve.derived(_ORDER.whole(order))
-        phase = curve.settled(self._phase(angle_deg)[1])
-        begun = np.where(phase == curve.high, curve.low, phase)
+        begun = curve.begun(self._phase(angle_deg)[1])
         return plain(over_time(order, curve(begun, "right"), time_s))
 
     def where_beyond(self, limit_mm: float) -> list[Arc]:
