@@ -251,10 +251,12 @@ SHEAR = cm.motion(
     cm.rise(20, over_deg=50, law=cm.MATCHED),
     cm.return_(100, over_deg=160),
 )
+LATCH = cm.motion("latch", cm.rise(0.1, over_deg=0.01), cm.return_(0.1, over_deg=359.99))
 ODD_MACHINES = [
     odd("jumps", BELT, cm.EXAMPLE.die, still={"belt": [(70, 110)], "die": [(210, 300)]}),
     odd("matched", SHEAR, cm.EXAMPLE.mill, still={"mill": [(205, 305)]}),
     odd("stands", cm.motion("bed", cm.dwell(360)), still={"bed": [(0, 10)]}),
+    odd("short", LATCH, still={}),
     odd("n" * 3000, cm.EXAMPLE.mill, still={}),
 ]
 

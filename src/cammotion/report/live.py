@@ -12,6 +12,7 @@ from cammotion.views.live.explore import explore
 from cammotion.views.live.parts import Control, Line, Panel, Point, Say
 
 _NARROWEST, _WIDEST = 0.4, 3.0  # times the angle of today
+_STEP_DEG, _FEWEST = 0.1, 100  # of its slider; steps of one for a short move
 _SLOWEST, _FASTEST = 0.4, 2.5  # times the rate of today
 _FIT = (  # the frame is as high as the figure in it, also when that gets another width
     "new ResizeObserver(([{target}]) => this.style.height = "
@@ -49,7 +50,12 @@ def live_figure(machine: Machine) -> str:
         (B, low, high),
         {
             at: Control(
-                low=low, high=high, step=0.1, start=move.angle_deg, name="its angle", unit="deg"
+                low=low,
+                high=high,
+                step=min(_STEP_DEG, (high - low) / _FEWEST),
+                start=move.angle_deg,
+                name="its angle",
+                unit="deg",
             ),
             N: Control(
                 low=_SLOWEST * rate,
