@@ -201,6 +201,7 @@ def test_an_infinite_peak_is_said_with_its_sign() -> None:
     """In advice and comparison as in the line of the machine itself."""
     machine = cm.Machine("press", cm.TimingDiagram([make_die(law=cm.CONSTANT_VELOCITY)], 2000), ())
     compared = repr(cm.compare(machine.diagram, make_diagram()))
-    for said in (repr(machine), cm.improvements(machine).hardest, compared):
+    advice = cm.improvements(machine)
+    for said in (repr(machine), advice.hardest, compared, *map(str, (one.row for one in advice))):
         assert "∞" in said
         assert not re.search(r"\binf\b", said)

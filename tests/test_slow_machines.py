@@ -12,7 +12,7 @@ from matplotlib import pyplot as plt
 
 import cammotion as cm
 from cammotion.quantities import in_decimals, outward
-from cammotion.report.numbers import of_peak, of_velocity
+from cammotion.report.numbers import of_peak, of_rate, of_velocity
 
 mpl.use("agg")
 
@@ -86,6 +86,14 @@ def test_decimals_become_digits_below_a_tenth() -> None:
     for value in 10.0 ** rng.uniform(-9, 3, 2000):
         near = float(in_decimals(value, 3))
         assert abs(near - value) <= (5.0001e-4 if value >= 0.1 else 5.0001e-3 * value)
+
+
+def test_a_slow_rate_keeps_its_digits() -> None:
+    """At two and a half pieces an hour a whole number may be off by a fifth."""
+    (one, *_) = cm.improvements(SLOW.at_rate(2.5))
+    formula = of_rate(2.5, one.before, one.largest)
+    for said in (one.row[-1], formula.rpartition("= ")[2].split()[0]):
+        assert float(said) == pytest.approx(one.rate_per_hour, rel=5e-3)
 
 
 def test_the_axes_of_a_slow_bound_are_about_what_is_drawn() -> None:

@@ -19,6 +19,7 @@ _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their 
 _PLAIN = 1e5  # a number below it is read without a power of ten
 _OUTWARD = 4  # decimals; of a small number as many digits
 _SMALL = 0.1  # of a number below it fewer digits are left than there are decimals
+_MANY = 100  # pieces/h, from which whole ones are told
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
 _NEAR, _WORD = 3, 3  # names that are said at most; letters of a part that says something
 _NONE: Mapping[str, str] = {}
@@ -307,6 +308,15 @@ def in_decimals(value: float, decimals: int) -> str:
     """
     is_small = 0 < abs(value) < _SMALL
     return as_text(value, f"#.{decimals}g" if is_small else f".{decimals}f")
+
+
+def rate_as_text(rate_per_hour: float) -> str:
+    """Return a machine rate in whole pieces/h, and one below 100 with three digits.
+
+    >>> rate_as_text(3856.8), rate_as_text(4.816), rate_as_text(math.inf)
+    ('3857', '4.82', '∞')
+    """
+    return as_text(rate_per_hour, ".0f" if rate_per_hour >= _MANY else ".3g")
 
 
 def outward(low: float, high: float) -> tuple[str, str]:

@@ -15,7 +15,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, arcs_of
 from cammotion.own import Machine
-from cammotion.quantities import InputError, WrongAnswerError, in_decimals, plural
+from cammotion.quantities import InputError, WrongAnswerError, in_decimals, plural, rate_as_text
 from cammotion.rules.checks import find_violations, smallest_clearance
 from cammotion.rules.rule import Rule, Violation
 from cammotion.whole.asked_of_moves import rests_at
@@ -61,9 +61,8 @@ class Improvement:
     @property
     def row(self) -> tuple[str | float, ...]:
         """What a table says of it: the change, peak before and after, the largest one, the rate."""
-        rate = f"{self.rate_per_hour:.0f}"
         peaks = (in_decimals(peak, 3) for peak in (self.before, self.after, self.largest))
-        return self.said, *peaks, rate
+        return self.said, *peaks, rate_as_text(self.rate_per_hour)
 
     def __repr__(self) -> str:
         """Say it in a line."""

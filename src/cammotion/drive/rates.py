@@ -23,14 +23,13 @@ from cammotion.drive.camshaft import LOADED, Camshaft
 from cammotion.drive.spans import Span
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
+from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError, rate_as_text
 
 _ACCELERATION = Quantity("limit of the acceleration", "m/s2", example=4)
 _FORCE = Quantity("limit of the force", "N", example=500)
 _TORQUE = Quantity("limit of the torque", "N m", example=20)
 _LEAST = 1e-12  # N or N m, below which a room is none
 _SAME = 1e-6  # by such a share what is reached at the rate may miss the limit
-_MANY = 100  # pieces/h, from which whole ones are told
 
 Parts = Callable[[Span, Floats], tuple[Floats, Floats]]
 
@@ -62,8 +61,7 @@ class RateLimit:
         if not self.rate_per_hour:
             return f"at any rate the {self.mechanism} exceeds {what}, at {self.at_deg:.4g} deg"
         whose = "has the largest part of" if self.quantity == "torque" else "meets"
-        digits = ".0f" if self.rate_per_hour >= _MANY else ".3g"
-        rate = f"at {self.rate_per_hour:{digits}} pieces/h"
+        rate = f"at {rate_as_text(self.rate_per_hour)} pieces/h"
         return f"{rate} the {self.mechanism} {whose} {what}, at {self.at_deg:.4g} deg"
 
 

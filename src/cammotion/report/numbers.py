@@ -13,7 +13,7 @@ from cammotion.machine.kinematics import (
     peak_velocity,
 )
 from cammotion.machine.segments import Segment
-from cammotion.quantities import in_decimals
+from cammotion.quantities import in_decimals, rate_as_text
 
 _SAME = 1e-6
 
@@ -66,7 +66,8 @@ def of_rate(rate_per_hour: float, today: float, then: float) -> str:
     faster = rate_per_hour * math.sqrt(today / then)
     return (
         f"A peak grows with the square of the rate: N · √(a₁ / a₂) = {rate_per_hour:g} · "
-        f"√({in_decimals(today, 4)} / {in_decimals(then, 4)}) = {faster:.0f} pieces/h."
+        f"√({in_decimals(today, 4)} / {in_decimals(then, 4)}) = {rate_as_text(faster)} "
+        "pieces/h."
     )
 
 

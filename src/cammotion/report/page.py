@@ -9,7 +9,7 @@ from pathlib import Path
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
-from cammotion.quantities import outward
+from cammotion.quantities import outward, rate_as_text
 from cammotion.report.findings import Findings
 from cammotion.report.live import live_figure
 from cammotion.report.markup import Cell, Opened, opened, paragraph, short, table
@@ -178,7 +178,7 @@ def _ranking(found: Findings) -> str:
         before = Opened(short(one.before), of_peak(machine.diagram, one.mechanism))
         after = Opened(short(one.after), of_peak(one.machine.diagram, one.mechanism))
         rate = Opened(
-            f"{one.rate_per_hour:.0f}",
+            rate_as_text(one.rate_per_hour),
             of_rate(machine.diagram.rate_per_hour, today, one.largest),
         )
         hardest = one.machine.hardest
