@@ -22,6 +22,7 @@ Curve: TypeAlias = Callable[[Any], Any]
 
 RATE = 2000
 DOWN_DEG = (205, 305)  # where the die works
+HALF = cm.MotionLaw("half", cm.x**2 * (3 - 2 * cm.x) / 2)  # at rest at both ends, and no move
 RULE = ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0.65))
 
 

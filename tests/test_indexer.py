@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from machines import HALF
 from scipy.integrate import quad
 
 import cammotion as cm
@@ -178,6 +179,7 @@ BAD: list[tuple[Callable[[], object], str]] = [
         r"no motion law 'sine': did you mean 'modified sine'",
     ),
     (lambda: ANY.Indexer(38.5, 8, 0.75, cm.CONSTANT_VELOCITY), r"velocity.*jumps.*'modified sine'"),
+    (lambda: ANY.Indexer(38.5, 8, 0.75, HALF), r"law 'half' goes from .* to S\(1\) = 0.5"),
     (lambda: table(friction_N_m=-10), r"friction torque is -10 N m.*at least 0.*10 N m"),
     (lambda: table(work_N_m=math.nan), r"work torque is nan N m"),
     (lambda: table(safety=0.5), r"safety factor is 0.5.*at least 1.*1.5"),

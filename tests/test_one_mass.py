@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from machines import Array, make_diagram, make_die, make_mill
+from machines import HALF, Array, make_diagram, make_die, make_mill
 from scipy.integrate import quad, solve_ivp
 from scipy.signal import lsim
 
@@ -194,6 +194,7 @@ def test_shapes() -> None:
         ((ODD, 3), "no power and no wave"),
         (("cycloid", 3), "no motion law 'cycloid': did you mean 'cycloidal'"),
         ((cm.MotionLaw("line", cm.x), 3), "velocity of the law 'line' jumps"),
+        ((HALF, 3), r"law 'half' goes from S\(0\) = 0 to S\(1\) = 0.5"),
     ],
 )
 def test_what_is_refused(given: tuple[Any, ...], words: str) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from machines import Array
+from machines import HALF, Array
 from scipy.integrate import quad
 
 import cammotion as cm
@@ -186,7 +186,8 @@ def test_a_move_beside_another_has_a_factor_and_no_residual() -> None:
         (("cycloidal", 1e-14), "period ratio tm/Tn is 1e-14; .* at least 1e-06 and at most 1000"),
         (("cycloidal", 3, 1), "damping ratio is 1; .* at most 0.99"),
         (("cycloid", 3), "no motion law 'cycloid'"),
-        ((cm.CONSTANT_VELOCITY, 3), "velocity of 'constant velocity' jumps"),
+        ((cm.CONSTANT_VELOCITY, 3), "velocity of the law 'constant velocity' jumps"),
+        ((HALF, 3), r"law 'half' goes from S\(0\) = 0 to S\(1\) = 0.5"),
     ],
 )
 def test_what_is_refused(given: tuple[Any, ...], words: str) -> None:

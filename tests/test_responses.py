@@ -399,7 +399,7 @@ def test_what_a_response_refuses() -> None:
     line = turn_of(cm.CONSTANT_VELOCITY)
     with pytest.raises(cm.InputError, match=r"velocity of 'follower' jumps \(at 30 deg\), .* give"):
         cm.StartResponse(SOFT, line, RATE)
-    with pytest.raises(cm.InputError, match="velocity of 'constant velocity' jumps"):
+    with pytest.raises(cm.InputError, match="velocity of the law 'constant velocity' jumps"):
         cm.MoveResponse(SOFT, move_of(cm.CONSTANT_VELOCITY))
     start = cm.StartResponse(SOFT, DIE, RATE)
     with pytest.raises(cm.InputError, match="cam angle is 149 deg; the machine starts at 150"):

@@ -121,15 +121,16 @@ def accelerations(curve: Curve) -> list[Forcing]:
 
 
 def check_velocity(drive: MotionLaw | Motion) -> None:
-    """Raise InputError for a law or a motion whose velocity jumps."""
+    """Raise InputError for a law or a motion whose velocity jumps, or a law that is no move."""
     if isinstance(drive, Motion):
-        where = [f"at {angle:g} deg" for angle, _ in drive.steps(1)]
+        jumps = [f"{drive.name!r} jumps (at {angle:g} deg)" for angle, _ in drive.steps(1)]
     else:
-        where = [] if np.isfinite(drive.Ca) else ["of the law"]
-    if where:
+        drive.check_way()
+        jumps = [] if np.isfinite(drive.Ca) else [f"the law {drive.name!r} jumps"]
+    if jumps:
         raise InputError(
-            f"The velocity of {drive.name!r} jumps ({where[0]}), which takes an infinite "
-            "acceleration: give laws whose velocity goes on without a jump."
+            f"The velocity of {jumps[0]}, which takes an infinite acceleration: give laws whose "
+            "velocity goes on without a jump."
         )
 
 

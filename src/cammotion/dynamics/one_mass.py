@@ -20,12 +20,12 @@ from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
 from cammotion.alike import Alike
 from cammotion.dynamics.chain import tuned_mass
+from cammotion.dynamics.forcing import check_velocity
 from cammotion.dynamics.response import MoveResponse
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
@@ -52,8 +52,8 @@ class OneMass(Alike):
     undamped, swings during the move (its natural frequency in Hz times the indexing time in s), at
     most 1000. `damping_ratio` is dimensionless, from 0 (none) to 0.99. Each may be a symbol
     instead; then there are expressions and no numbers. Cam and mass rest before the move.
-    Raises InputError for other numbers, for an unknown law, for one whose velocity jumps, and for
-    one that is not made of polynomials and waves.
+    Raises InputError for other numbers, for an unknown law, for one that does not go from 0 to 1,
+    for one whose velocity jumps, and for one that is not made of polynomials and waves.
 
     >>> soft = OneMass("cycloidal", swings=1.25)
     >>> print(f"{soft.peak:.3f}, {soft.amplification:.2f} times the cam's")
@@ -184,11 +184,7 @@ def _response(law: MotionLaw, derivative: int) -> sympy.Expr:
 
 @lru_cache(maxsize=64)
 def _zones(law: MotionLaw) -> tuple[_Forced, ...]:
-    if not np.isfinite(law.Ca):
-        raise InputError(
-            f"The velocity of the law {law.name!r} jumps, which takes an infinite acceleration: "
-            "give a law whose velocity has no jump."
-        )
+    check_velocity(law)
     merged: list[Zone] = []
     for zone in cut(law.name, law.a):
         is_same = merged and all(

@@ -38,7 +38,8 @@ def residual_vibration(
     to 1000, a number or an array; the result has its shape. `damping_ratio` is from 0 to
     0.99. The mass rests before the move; what is returned is its largest distance from the cam at
     any time after the move. Undamped, times (2 pi tm/Tn)^2 it is the acceleration that stays, in
-    hm/tm^2. Raises InputError for other numbers, and for a law whose velocity jumps.
+    hm/tm^2. Raises InputError for other numbers, and for a law whose velocity jumps or that does
+    not go from 0 to 1.
 
     >>> print(f"{residual_vibration('cycloidal', 1):.6f}")  # |sin pi l|/(pi l |1 - l^2|)
     0.500000

@@ -46,7 +46,7 @@ class Indexer:
     the table, `time_s` the indexing time tm. `friction_N_m` acts against the motion, `work_N_m` is
     what else holds it back; both are taken as constant while the table moves. `safety` is what
     the required torque is larger by. Raises InputError for numbers out of range, and for a law
-    whose velocity jumps.
+    whose velocity jumps or that does not go from 0 to 1.
 
     >>> table = Indexer(38.5, stops=8, time_s=0.75, law="modified sine", friction_N_m=10)
     >>> print(f"{table.peak_acceleration_rad_per_s2:.3f} rad/s2, {table.peak_torque_N_m:.2f} N m")
@@ -73,6 +73,7 @@ class Indexer:
             safety=_SAFETY.number,
         )
         object.__setattr__(self, "law", as_law(self.law))
+        self._law.check_way()
         if not math.isfinite(self._law.Ca):
             raise InputError(
                 f"The velocity of the law {self._law.name!r} jumps, and no torque turns a table "
