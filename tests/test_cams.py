@@ -17,6 +17,10 @@ DIE = cm.EXAMPLE.die
 AFTER = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram["die"]
 ROLLER = cm.TranslatingRoller(10)
 PLACES = np.arange(0.5, 360, 7.3)
+JERKY = cm.motion(  # its cam is good at samples, and has a cusp between two of them
+    "jerky", cm.rise(25.6, over_deg=0.01, law="3-4-5 polynomial"), cm.return_(25.6, over_deg=359.99)
+)
+UPRIGHT = {"pressure_angle_deg": 90, "profile_radius_mm": 3}
 
 
 def harmonic(stroke_mm: float = 50) -> cm.Motion:
@@ -277,6 +281,10 @@ def test_a_cutter_that_is_too_large_is_refused() -> None:
         (
             lambda: cm.smallest_prime_radius(DIE, cm.SwingingRoller(10, 60, 80)),
             "No prime circle of this follower keeps the pressure angle within 30 deg",
+        ),
+        (
+            lambda: cm.smallest_prime_radius(JERKY, cm.SwingingRoller(12, 150, 75), **UPRIGHT),
+            "No prime circle of this follower .* the pitch curve's radius over 15 mm",
         ),
     ],
 )

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -99,9 +99,10 @@ class _Asked:
             if worst <= _ENOUGH:
                 return radius
             excess = partial(self._excess_at, piece, place)
-            beyond = next((b for b in radius + step * 2.0 ** np.arange(60) if excess(b) < 0), None)
+            wider = radius + step * 2.0 ** np.arange(60)
+            beyond = next((b for b in wider[wider < self._limits[1]] if excess(b) < 0), None)
             if beyond is None:
-                break
+                raise InputError(self._impossible(radius))
             radius = brentq(excess, radius, beyond, xtol=_CLOSE_MM) + 2 * _CLOSE_MM
         raise WrongAnswerError(
             "smallest_prime_radius", f"at {place:g} deg {radius:g} mm is off by {worst:.2g} of it"
@@ -131,7 +132,7 @@ class _Asked:
         The pressure angle of a slide falls with the radius. Its pitch curve is flat enough where
         the height over the axis is more than the sum below.
         """
-        low, high = self.follower.primes(travel_mm(self.motion))
+        low, high = self._limits
         low = max(low, self.follower.radius_mm)
         if math.isinf(high):
             beside = np.abs(lift.slope).max() + low
@@ -159,6 +160,11 @@ class _Asked:
 
     def _excess_at(self, piece: Piece, place: float, prime: float) -> float:
         return float(self._excess_of(piece, np.array([place]), prime)[0])
+
+    @cached_property
+    def _limits(self) -> tuple[float, float]:
+        """Between which radii in mm the follower can have a prime circle."""
+        return self.follower.primes(travel_mm(self.motion))
 
     @property
     def _pieces(self) -> Sequence[Piece]:
