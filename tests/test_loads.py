@@ -74,15 +74,15 @@ def test_a_follower_that_does_not_rest_in_a_dwell_has_no_rate() -> None:
     assert load.lift_off_rate(cm.motion("s", cm.dwell(360))) == 0
 
 
-@pytest.mark.parametrize(
-    "asked",
-    [
-        lambda load, motion: load.lift_off_rate(motion),
-        lambda load, motion: load.needed_preload_N(motion, 3600),
-        lambda load, motion: load.least_force(motion, 36_000),
-        lambda load, motion: load.where_loose(motion, 36_000),
-    ],
-)
+ASKED: list[Callable[..., object]] = [
+    lambda load, motion: load.lift_off_rate(motion),
+    lambda load, motion: load.needed_preload_N(motion, 3600),
+    lambda load, motion: load.least_force(motion, 36_000),
+    lambda load, motion: load.where_loose(motion, 36_000),
+]
+
+
+@pytest.mark.parametrize("asked", ASKED)
 def test_a_velocity_that_jumps_takes_any_follower_off(asked: Callable[..., object]) -> None:
     law = cm.CONSTANT_VELOCITY
     jumping = cm.motion(
@@ -90,6 +90,14 @@ def test_a_velocity_that_jumps_takes_any_follower_off(asked: Callable[..., objec
     )
     with pytest.raises(cm.InputError, match=r"velocity of 'm' jumps .at 0 deg.*infinite"):
         asked(cm.FollowerLoad(mass_kg=1, preload_N=10), jumping)
+
+
+@pytest.mark.parametrize("asked", [*ASKED, lambda load, motion: load.force_N(motion, 750, 3600)])
+def test_no_spring_goes_with_a_turret(asked: Callable[..., object]) -> None:
+    """Its force would grow from turn to turn; without a spring there is a force of the mass."""
+    assert asked(cm.FollowerLoad(mass_kg=12, weight_N=5), cm.EXAMPLE.mill) is not None
+    with pytest.raises(cm.InputError, match="'mill' moves on from stop to stop, and no spring"):
+        asked(EXAM, cm.EXAMPLE.mill)
 
 
 @pytest.mark.parametrize(

@@ -23,7 +23,7 @@ from cammotion.arguments.by_name import by_name
 from cammotion.bracketed import Extreme, summit
 from cammotion.drive.process import ProcessForce
 from cammotion.drive.spans import Moved, Span, SpanFunction, nodes, running_extremes, spans
-from cammotion.dynamics.loads import FollowerLoad
+from cammotion.dynamics.loads import FollowerLoad, check_spring
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
@@ -279,11 +279,7 @@ class Camshaft(Alike):
                 f"The velocity of {name!r} jumps at {steps[0][0]:g} deg, and no force moves a mass "
                 "like that: give it a law from rest to rest, for example 'cycloidal'."
             )
-        if motion.is_indexing and load.stiffness_N_per_mm:
-            raise InputError(
-                f"The motion {name!r} moves on from stop to stop, and no spring goes with it: give "
-                "its load without stiffness_N_per_mm."
-            )
+        check_spring(load, motion)
 
 
 def _load(given: Any) -> FollowerLoad:

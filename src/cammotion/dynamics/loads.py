@@ -13,7 +13,7 @@ from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, Numbers, Quantity, keep_numbers, plain
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain
 
 MASS = Quantity("mass of the follower", "kg", example=12)
 STIFFNESS = Quantity("stiffness of the spring", "N/mm", example=5, low_included=True)
@@ -32,7 +32,8 @@ class FollowerLoad:
     and gains `stiffness_N_per_mm` for each mm. `weight_N` is the part of the weight that presses on
     the cam: 9.81 times the mass for a follower above its cam, the negative for one that hangs.
     Friction and the force of the process are left out. Raises InputError for a mass that is not
-    above 0, and a stiffness or preload below 0.
+    above 0, and a stiffness or preload below 0; and, asked about a motion that moves on from stop
+    to stop, for a spring that would have to go with it.
 
     >>> import cammotion as cm
     >>> load = FollowerLoad(mass_kg=12)
@@ -58,6 +59,7 @@ class FollowerLoad:
     @checked
     def force_N(self, motion: Motion, angle_deg: ArrayLike, rate_per_hour: float) -> Numbers:  # noqa: N802
         """Return the force in N between follower and cam at a cam angle; below 0 it has left it."""
+        check_spring(self, motion)
         lift = np.asarray(motion.position_mm(angle_deg)) - motion.range_mm[0]
         push = self.mass_kg * motion.derivative(2, angle_deg, rate_per_hour)
         return plain(push + self._standing(lift))
@@ -117,7 +119,7 @@ class FollowerLoad:
             standing = self._standing_at(motion, piece, places)
             return pull(piece, places) / np.maximum(standing, _LEAST_N)
 
-        check_velocity(motion)
+        self._check(motion)
         low, high = motion.range_mm
         least, most = self._standing(np.array([0.0, high - low]))  # it grows with the height
         if least < 0:
@@ -127,12 +129,16 @@ class FollowerLoad:
             return math.inf
         return 1 / math.sqrt(largest(share, pieces).value) if most > 0 else 0.0
 
+    def _check(self, motion: Motion) -> None:
+        check_velocity(motion)
+        check_spring(self, motion)
+
     def _standing(self, lift_mm: Floats) -> Floats:
         return np.asarray(self.stiffness_N_per_mm * lift_mm + self.preload_N + self.weight_N)
 
     def _lack(self, motion: Motion, rate_per_hour: float) -> Function:
         """Return the force in N that is lacking to stay on the cam, below 0 where there is one."""
-        check_velocity(motion)
+        self._check(motion)
         per_deg = self._inertia(rate_per_hour)
 
         def lack(piece: Piece, places: Floats) -> Floats:
@@ -147,6 +153,15 @@ class FollowerLoad:
 
     def _standing_at(self, motion: Motion, piece: Piece, places: Floats) -> Floats:
         return self._standing(piece.over(places.copy()) - motion.range_mm[0])
+
+
+def check_spring(load: FollowerLoad, motion: Motion) -> None:
+    """Raise InputError for a spring on a motion that does not come back."""
+    if motion.is_indexing and load.stiffness_N_per_mm:
+        raise InputError(
+            f"The motion {motion.name!r} moves on from stop to stop, and no spring goes with it: "
+            "give its load without stiffness_N_per_mm."
+        )
 
 
 def _bend(piece: Piece, places: Floats) -> Floats:
