@@ -275,7 +275,7 @@ def test_a_cutter_that_is_too_large_is_refused() -> None:
         (lambda: cm.RollerCam(DIE, cm.SwingingRoller(10, 100, 150), 40), "more than 50"),
         (lambda: cm.TranslatingRoller(0), "radius of the roller is 0 mm"),
         (lambda: cm.SwingingRoller(10, -1, 100), "arm of the follower is -1 mm"),
-        (lambda: cm.FlatFacedCam(DIE, 0), "radius of the prime circle is 0 mm"),
+        (lambda: cm.FlatFacedCam(DIE, 0), "radius of the base circle is 0 mm"),
         (lambda: cm.smallest_prime_radius(DIE, ROLLER, pressure_angle_deg=91), "at most 90 deg"),
         (lambda: cm.smallest_prime_radius(cm.EXAMPLE.mill, ROLLER), "moves on from stop to stop"),
         (

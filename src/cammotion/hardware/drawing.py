@@ -108,7 +108,7 @@ def _bore(radius: float, keyway: tuple[float, float] | None, least: float) -> St
     if reach >= least:
         raise InputError(
             f"The bore and its keyway reach {reach:.4g} mm from the axis, and the profile comes as "
-            f"near as {least:.4g} mm: give a smaller bore, or a cam with a larger prime circle."
+            f"near as {least:.4g} mm: give a smaller bore, or a larger cam."
         )
     if keyway is None:
         return _circle("BORE", np.zeros(2), radius)

@@ -16,9 +16,10 @@ from cammotion.hardware.disc_cam import (
     undercuts_of,
 )
 from cammotion.hardware.envelope import Lift, points
-from cammotion.hardware.followers import PRIME
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, Numbers, keep_numbers, plain
+from cammotion.quantities import Floats, Numbers, Quantity, keep_numbers, plain
+
+_BASE = Quantity("radius of the base circle", "mm", example=50)
 
 
 @checked
@@ -41,7 +42,7 @@ class FlatFacedCam(DiscCam):
 
     def __post_init__(self) -> None:
         check_motion(self.motion)
-        keep_numbers(self, base_radius_mm=PRIME.number)
+        keep_numbers(self, base_radius_mm=_BASE.number)
 
     def profile_mm(self, angle_deg: ArrayLike) -> Floats:
         """Return the points (x, y) in mm that touch the face, in an array (..., 2)."""
