@@ -17,6 +17,7 @@ import cammotion as cm
 
 DIE = cm.EXAMPLE.die
 CAM = cm.RollerCam(DIE, cm.TranslatingRoller(10), prime_radius_mm=160)
+FACE = cm.FlatFacedCam(DIE, base_radius_mm=300)
 LAYERS = {"PROFILE", "PITCH_CURVE", "FOLLOWER", "CENTRE", "ZERO_MARK", "ROTATION", "BORE"}
 
 
@@ -163,6 +164,10 @@ def test_no_file_is_lost(tmp_path: Path) -> None:
         ({"path": "cam.dxf", "cam": DIE}, "give a RollerCam or a FlatFacedCam"),
         ({"path": "cam.dxf", "tolerance_mm": 0}, "tolerance of the outline is 0 mm"),
         ({"path": "cam.dxf", "bore_mm": 320}, "give a smaller bore"),
+        ({"path": "cam.dxf", "cam": FACE, "groove": True}, "has a flat face, which runs in none"),
+        ({"path": "cam.csv", "groove": True}, "A .csv lists the profile and the pitch curve, and"),
+        ({"path": "cam.csv", "keyway_mm": (6, 3)}, "leave groove, bore_mm and keyway_mm out"),
+        ({"path": "cam.txt", "bore_mm": 20}, "let the name end in .dxf or .svg"),
         ({"path": "cam.dxf", "bore_mm": 20, "keyway_mm": (20, 3)}, "give a narrower one"),
         ({"path": "cam.dxf", "bore_mm": 20, "keyway_mm": (6, -1)}, "keyway is -1 mm"),
     ],

@@ -55,7 +55,8 @@ def write_cam(  # noqa: PLR0913 - what a workshop may ask for
     DXF and SVG, which have layers for the profile, the pitch curve, the follower at 0 deg, the
     centre, the zero mark and the sense of rotation; with `groove` the far flank is drawn too, with
     `bore_mm` a bore of that diameter, and with `keyway_mm` (width, height over the bore) its
-    keyway, at 0 deg. The tables list as many points as chords need.
+    keyway, at 0 deg. The tables list profile and pitch curve alone, in as many points as chords
+    need.
 
     Nothing is written for a cam whose profile is undercut, unless `undercut` says that you want it,
     nor over a file that is there already, unless `overwrite` does. Raises InputError.
@@ -77,12 +78,28 @@ def write_cam(  # noqa: PLR0913 - what a workshop may ask for
             f"The file of the cam is called {shorten(str(path))}: let its name end in .dxf, .svg, "
             ".csv or .txt."
         )
+    is_bored = bore_mm is not None or keyway_mm is not None
+    _check_wishes(cam, kind, groove=groove, bore=is_bored)
     if not undercut:
         _refuse_undercut(cam, groove=groove)
     if kind in _TABLES:
         return write_new(path, _table(cam, tolerance, _TABLES[kind]), overwrite=overwrite)
     drawn = strokes(cam, tolerance, groove=groove, bore_mm=bore_mm, keyway_mm=keyway_mm)
     return write_new(path, _DRAWINGS[kind]([*drawn]), overwrite=overwrite)
+
+
+def _check_wishes(cam: DiscCam, kind: str, *, groove: bool, bore: bool) -> None:
+    """Raise InputError for what would be left out of the file."""
+    if groove and not isinstance(cam, RollerCam):
+        raise InputError(
+            "A groove is asked for, and this cam has a flat face, which runs in none: leave groove "
+            "out, or give a RollerCam."
+        )
+    if kind in _TABLES and (groove or bore):
+        raise InputError(
+            f"A {kind} lists the profile and the pitch curve, and neither a far flank nor a bore: "
+            "leave groove, bore_mm and keyway_mm out, or let the name end in .dxf or .svg."
+        )
 
 
 def _refuse_undercut(cam: DiscCam, *, groove: bool) -> None:
