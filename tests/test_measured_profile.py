@@ -53,6 +53,39 @@ def test_the_die_comes_back(follower: Any, prime: float, radius: float) -> None:
     assert table.even_step_deg == 4
 
 
+DWELLS, MOVES = ((0, 150), (205, 305)), ((150, 205), (305, 360))
+UNEVEN: dict[str, Any] = {
+    "dense in moves": [
+        place for w, d in ((DWELLS, 1), (MOVES, 0.1)) for e in w for place in np.arange(*e, d)
+    ],
+    "drawn": np.random.default_rng(3).uniform(0, 360, 1500),
+}
+
+
+@pytest.mark.parametrize("name", UNEVEN)
+def test_the_steps_between_points_need_not_be_alike(name: str) -> None:
+    """Beside a step ten times as long as the next one no point is a stray."""
+    cam = RollerCam(DIE, cm.TranslatingRoller(10), 160)
+    x, y = cam.cutter_mm(np.sort(UNEVEN[name]), 2).T
+    lift = lift_from_profile(x, y, follower=cam.follower, probe_radius_mm=2)
+    assert np.abs(off_um(lift, DIE)).max() < 1
+
+
+def test_a_stray_among_uneven_points_is_one() -> None:
+    cam = RollerCam(DIE, cm.TranslatingRoller(10), 160)
+    angles = np.sort(UNEVEN["dense in moves"])
+    x, y = cam.profile_mm(angles).T * np.where(angles == 250, 1.001, 1)  # a fifth of a mm
+    with pytest.raises(InputError, match=r"The point at 250 deg lies about 0\.2 mm off"):
+        lift_from_profile(x, y, follower=cam.follower)
+
+
+def test_noise_of_points_close_together_is_no_kink() -> None:
+    cam = RollerCam(DIE, cm.TranslatingRoller(10), 160)
+    x, y = noisy(cam.cutter_mm(np.arange(3600) / 10, 2), 6e-3).T
+    lift = lift_from_profile(x, y, follower=cam.follower, probe_radius_mm=2)
+    assert 4 < off_um(lift, DIE).std() < 8
+
+
 @pytest.mark.parametrize("radius", [0, 2, 16])
 @pytest.mark.parametrize(("follower", "prime"), ROLLERS)
 @pytest.mark.parametrize("count", [360, 3600])

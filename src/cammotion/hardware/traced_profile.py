@@ -18,7 +18,8 @@ from cammotion.quantities import Floats, InputError
 _WINDOWS = (1, 2, 3, 5, 8, 13, 21, 34)  # points on either side, over which normals are taken
 _DENSE, _PLACES = 16, 8000  # of the answer's own check: places between two points, and in all
 _KINK, _KINKED = 0.05, 4.0  # rad at one point, beside so many times what its neighbours turn
-_STRAY, _STRAYED = 0.15, 4.0  # of the step, beside so many times what neighbours are off
+_SHAKEN = 1.5 * math.sqrt(6)  # of the noise over the step, which turns the line at any point
+_STRAY, _STRAYED = 0.025, 4.0  # of the step, beside so many times what neighbours are off
 _ROUNDING = 1e-8  # of the size
 _RESIDUAL = math.sqrt(18 / 35)  # of the noise is off a parabola through five points
 _MEDIAN = 0.6745  # of a normal scatter is the median of its magnitude
@@ -81,8 +82,10 @@ class Traced:
         ends = np.concatenate([self.points[-1:], self.points, self.points[:1]])
         steps = np.diff(ends)
         turned = np.angle(steps[1:] / steps[:-1])
-        beside = np.mean([np.abs(np.roll(turned, n)) for n in (-5, -4, -3, 3, 4, 5)], axis=0)
-        sharper = -turned - _KINKED * beside
+        bend = np.abs(turned) / self._steps
+        beside = np.mean([np.roll(bend, n) for n in (-5, -4, -3, 3, 4, 5)], axis=0)
+        shaken = _SHAKEN * self.noise_mm / self._steps
+        sharper = -turned - _KINKED * np.maximum(beside * self._steps, shaken)
         worst = int(np.argmax(sharper))
         if sharper[worst] > _KINK:
             raise InputError(
@@ -93,16 +96,13 @@ class Traced:
 
     def refuse_strays(self) -> None:
         """Raise InputError for a point that lies off where its neighbours say it should."""
-        ring = np.concatenate([self.points[-2:], self.points, self.points[:2]])
-        outwards = -1j * self._tangents(2)
-        off = np.abs((np.diff(ring, 4) * outwards.conj()).real)
+        off = self._off_neighbours()
         beside = np.max([np.roll(off, n) for n in (-6, -5, -4, -3, 3, 4, 5, 6)], axis=0)
-        step = float(np.median(np.diff(self.along)))
-        further = off - _STRAYED * beside
+        further = (off - _STRAYED * beside) / self._steps
         worst = int(np.argmax(further))
-        if further[worst] > _STRAY * step:
+        if further[worst] > _STRAY:
             raise InputError(
-                f"The point {self._where(worst)} lies about {off[worst] / 6:.2g} mm off the line "
+                f"The point {self._where(worst)} lies about {off[worst]:.2g} mm off the line "
                 "of its neighbours: leave it out, or measure it again."
             )
 
@@ -133,6 +133,22 @@ class Traced:
         """Return the direction of the curve at each point, from so many on either side."""
         found = self.curve(self.along[:-1], 1) if window == 1 else self._parabolas(window)[:, 1]
         return np.asarray(found / np.abs(found))
+
+    @property
+    def _steps(self) -> Floats:
+        """How far each point is from its two neighbours, in the mean."""
+        steps = np.diff(self.along)
+        return (steps + np.roll(steps, 1)) / 2
+
+    def _off_neighbours(self) -> Floats:
+        """Return how far each point is off the cubic through two neighbours on either side."""
+        apart = np.array([np.roll(self.points, n) - self.points for n in (2, 1, -1, -2)])
+        seen = apart / self._tangents(2)
+        off = np.zeros(len(self.points))
+        for number, way in enumerate(seen.real):
+            others = np.delete(seen.real, number, axis=0)
+            off += seen.imag[number] * np.prod(others / (others - way), axis=0)
+        return np.abs(off)
 
     def _parabolas(self, window: int) -> Places:
         """Return value and slope, at each point, of the parabola that fits best about it."""
