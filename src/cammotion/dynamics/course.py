@@ -10,16 +10,15 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cammotion.dynamics.chain import System
 from cammotion.dynamics.flow import Flow
 from cammotion.dynamics.forcing import Forcing, Generator
+from cammotion.dynamics.peaks import Integers
 from cammotion.quantities import Floats, InputError
 
 _PER_SWING, _FEWEST = 24, 9  # samples
 _MOST_SWINGS = 100_000  # between two places; the samples of more would fill the memory
-Integers = NDArray[np.intp]
 
 
 class Spots(NamedTuple):

@@ -27,32 +27,26 @@ class Lift(NamedTuple):
 def pitch_tangent(
     follower: RollerFollower, lift: Floats, slope: Floats, prime: Any
 ) -> tuple[Places, Places]:
-    """Return the pitch curve and its derivative by the rad, before the cam's turn."""
-    place, way, _ = follower.place(lift, prime)
-    return place, way * slope + 1j * place
-
-
-def pitch_path(follower: RollerFollower, lift: Lift, prime: Any) -> tuple[Places, Places, Places]:
-    """Return the pitch curve and its two derivatives by the rad, before the cam's turn.
+    """Return the pitch curve and its derivative by the rad, before the cam's turn.
 
     `prime` is the radius of the prime circle in mm, a number or an array.
     """
-    place, way, turn = follower.place(lift.lift, prime)
-    first = way * lift.slope
-    second = way * lift.bend + turn * lift.slope**2
-    return place, first + 1j * place, second + 2j * first - place
+    place, way, _ = follower.place(lift, prime)
+    return place, way * slope + 1j * place
 
 
 def pressure_angle(follower: RollerFollower, lift: Lift, prime: Any) -> Floats:
     """Return the angle in deg from the normal of the pitch curve to the follower's way."""
     _, way, _ = follower.place(lift.lift, prime)
-    _, tangent, _ = pitch_path(follower, lift, prime)
+    _, tangent = pitch_tangent(follower, lift.lift, lift.slope, prime)
     return np.degrees(np.angle(1j * way / tangent))
 
 
 def curvature(follower: RollerFollower, lift: Lift, prime: Any) -> Floats:
     """Return the curvature of the pitch curve in 1/mm, above 0 where it bulges outwards."""
-    _, tangent, bend = pitch_path(follower, lift, prime)
+    place, way, turn = follower.place(lift.lift, prime)
+    first, second = way * lift.slope, way * lift.bend + turn * lift.slope**2
+    tangent, bend = first + 1j * place, second + 2j * first - place
     return np.asarray((tangent.conj() * bend).imag / np.abs(tangent) ** 3)
 
 

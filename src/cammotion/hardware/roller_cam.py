@@ -20,12 +20,11 @@ from cammotion.hardware.disc_cam import (
 from cammotion.hardware.envelope import (
     Lift,
     curvature,
-    pitch_path,
     pitch_tangent,
     points,
     pressure_angle,
 )
-from cammotion.hardware.followers import CUTTER, PRIME, Places, RollerFollower
+from cammotion.hardware.followers import CUTTER, PRIME, RollerFollower
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -69,7 +68,8 @@ class RollerCam(DiscCam):
 
     def pitch_mm(self, angle_deg: ArrayLike) -> Floats:
         """Return the pitch curve, on which the roller's centre is, as points (..., 2) in mm."""
-        return points(self._path(self.lift(angle_deg))[0], angle_deg)
+        (lift,) = self.derivatives(angle_deg, 1)
+        return points(self.follower.place(lift, self.prime_radius_mm)[0], angle_deg)
 
     @checked
     def profile_mm(self, angle_deg: ArrayLike, *, outer: bool = False) -> Floats:
@@ -209,9 +209,6 @@ class RollerCam(DiscCam):
             self.motion.curve.pieces,
             lambda worst: self.roller_radius_mm - self.roller_radius_mm / (worst + 1),
         )
-
-    def _path(self, lift: Lift) -> tuple[Places, Places, Places]:
-        return pitch_path(self.follower, lift, self.prime_radius_mm)
 
     def _pressure(self, lift: Lift) -> Floats:
         return pressure_angle(self.follower, lift, self.prime_radius_mm)
