@@ -15,7 +15,7 @@ never grows, and no rounding does.
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -29,6 +29,7 @@ STIFFNESS = Quantity("stiffness of a spring", "N/mm", example=50)
 DAMPING = Quantity("damping", "N s/mm", example=0.05, low_included=True)
 NATURAL = Quantity("natural frequency", "Hz", example=12)
 DAMPING_RATIO = Quantity("damping ratio", "", example=0.02, low_included=True)
+UNDERDAMPED = replace(DAMPING_RATIO, high=0.99)  # of a mass that swings, which has a formula
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,7 +24,7 @@ import sympy
 from numpy.typing import ArrayLike
 
 from cammotion.alike import Alike
-from cammotion.dynamics.chain import tuned_mass
+from cammotion.dynamics.chain import UNDERDAMPED, tuned_mass
 from cammotion.dynamics.forcing import check_velocity
 from cammotion.dynamics.response import MoveResponse
 from cammotion.laws.catalogue import as_law
@@ -39,7 +39,6 @@ _ORDER = Quantity(
     "derivative (position, velocity, acceleration)", "", example=2, high=2, low_included=True
 )
 SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
-DAMPING = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
 _SAME, _PROBES = 1e-12, (0.3123, 0.7411)  # zones that differ by less there are one
 _ACCELERATION = 2  # the highest derivative a response is asked for
 tau, zeta = sympy.symbols("tau zeta", positive=True)
@@ -64,7 +63,7 @@ class OneMass(Alike):
 
     def __init__(self, law: str | MotionLaw, swings: Any, damping_ratio: Any = 0.02) -> None:
         self.law = as_law(law)
-        given = {tau: (SWINGS, swings), zeta: (DAMPING, damping_ratio)}
+        given = {tau: (SWINGS, swings), zeta: (UNDERDAMPED, damping_ratio)}
         self._of = {
             s: v if isinstance(v, sympy.Expr) else q.number(v) for s, (q, v) in given.items()
         }

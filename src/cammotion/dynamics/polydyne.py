@@ -22,7 +22,8 @@ from typing import Any
 
 import sympy
 
-from cammotion.dynamics.one_mass import DAMPING, SWINGS, OneMass
+from cammotion.dynamics.chain import UNDERDAMPED
+from cammotion.dynamics.one_mass import SWINGS, OneMass
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.laws.symbols import exact, x
@@ -78,7 +79,7 @@ def polydyne(law: str | MotionLaw, swings: float, damping_ratio: float = 0.0) ->
     5.32, 7.53, 7.51
     """
     wanted = as_law(law)
-    numbers = SWINGS.number(swings), DAMPING.number(damping_ratio)
+    numbers = SWINGS.number(swings), UNDERDAMPED.number(damping_ratio)
     _check(wanted)
     lead = 2 * exact(numbers[1]) / (2 * sympy.pi * exact(numbers[0]))
     give = 1 / (2 * sympy.pi * exact(numbers[0])) ** 2

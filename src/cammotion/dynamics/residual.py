@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
+from cammotion.dynamics.chain import UNDERDAMPED
 from cammotion.dynamics.forcing import check_velocity
 from cammotion.dynamics.swing import Complexes, Swing, ways_for
 from cammotion.laws.catalogue import as_law
@@ -21,7 +22,6 @@ from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
 
 RATIO = Quantity("period ratio tm/Tn", "", example=4, low=1e-6, high=1000, low_included=True)
-DAMPING_RATIO = Quantity("damping ratio", "", example=0.02, high=0.99, low_included=True)
 _RESONANT = 1e8  # times the stroke
 _MOST = 5_000_000  # masses times ways at once, which take some hundred MB
 
@@ -119,7 +119,7 @@ def _single(law: str | MotionLaw, ratios: ArrayLike, damping_ratio: float, asked
     check_velocity(moves)
 
     def answer(block: Floats) -> Floats:
-        swing = Swing(moves.curve, block, DAMPING_RATIO.number(damping_ratio))
+        swing = Swing(moves.curve, block, UNDERDAMPED.number(damping_ratio))
         return asked(swing, swing.from_rest, 0, len(swing.joints) - 1)
 
     return _in_blocks(answer, ratios)
@@ -130,7 +130,7 @@ def _running(motion: Motion, ratios: ArrayLike, damping_ratio: float, asked: Ask
     move = _first_move(motion)
 
     def answer(block: Floats) -> Floats:
-        damping = DAMPING_RATIO.number(damping_ratio)
+        damping = UNDERDAMPED.number(damping_ratio)
         swing = Swing(motion.curve, block, damping, move.angle_deg, abs(move.change_mm))
         v = swing.steady
         endless = ~(np.abs(v).max(axis=0) < _RESONANT * swing.roots.imag)
