@@ -28,6 +28,19 @@ def figure(motion: cm.Motion) -> LiveFigure:
     return cm.explore_cam(motion)
 
 
+@pytest.mark.parametrize("times", [1, 1e-3, 0.1, 10, 100])
+def test_the_controls_of_a_cam_of_another_size_are_of_that_size(times: float) -> None:
+    """Also of one that a magnifier shows, or one as large as a house."""
+    up, down = (make(50 * times, over_deg=120) for make in (cm.rise, cm.return_))
+    small = cm.motion("slide", up, cm.dwell(60), down, cm.dwell(60))
+    figure = cm.explore_cam(small, roller_radius_mm=10 * times, prime_radius_mm=60 * times)
+    spans = [
+        [control[end] / times for end in ("low", "high", "step")]
+        for control in figure.description["controls"]
+    ]
+    assert spans == [pytest.approx(span) for span in ([15, 240, 1], [-30, 30, 1], [3, 30, 1])]
+
+
 @pytest.mark.parametrize(("prime", "offset", "roller"), SETTINGS)
 def test_the_explorer_draws_the_cam_of_the_package(
     figure: LiveFigure, motion: cm.Motion, prime: float, offset: float, roller: float

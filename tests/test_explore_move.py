@@ -104,20 +104,32 @@ def test_a_reader_without_a_kernel_gets_picture_and_text(figure: LiveFigure) -> 
 
 
 @pytest.mark.parametrize(
-    "fast",
+    ("given", "rates", "strokes"),
     [
-        cm.Move(stroke_mm=400, angle_deg=300, rate_per_hour=60_000),
-        cm.Move(stroke_mm=0.5, angle_deg=3, rate_per_hour=30),
+        ((400, 300, 30_000), (500, 30_000, 50), (5, 400, 1)),
+        ((400, 300, 60_000), (50_000, 500_000, 5000), (5, 400, 1)),
+        ((0.5, 3, 30), (5, 50, 0.5), (0.5, 10, 0.1)),
+        ((0.02, 55, 200_000), (50_000, 500_000, 5000), (0.005, 0.1, 0.001)),
+        ((4000, 220, 499), (50, 500, 5), (500, 10_000, 100)),
     ],
 )
-def test_a_machine_beyond_the_usual_ranges_widens_them(fast: cm.Move) -> None:
-    figure = cm.explore_move(fast)
-    assert move_of(figure) == fast
-    for symbol, low, high in ((N, 500, 5000), (B_m, 20, 220), (h_m, 5, 100)):
-        control, start = control_of(figure, symbol), figure.values[symbol]
-        assert control["low"] == pytest.approx(min(low, start))
-        assert control["high"] == pytest.approx(max(high, start))
-    check_drawn(figure, fast)
+def test_a_machine_beyond_the_usual_ranges_has_others(
+    given: tuple[float, float, float],
+    rates: tuple[float, float, float],
+    strokes: tuple[float, float, float],
+) -> None:
+    """A little above they are wider; far off they are of its size, and so is the axis."""
+    stroke, angle, rate = given
+    move = cm.Move(stroke_mm=stroke, angle_deg=angle, rate_per_hour=rate)
+    figure = cm.explore_move(move)
+    assert move_of(figure) == move
+    angles = min(20, angle), max(220, angle), 1
+    for symbol, span in ((N, rates), (B_m, angles), (h_m, strokes)):
+        control = control_of(figure, symbol)
+        assert [control[end] for end in ("low", "high", "step")] == pytest.approx(span)
+    _, top = limits_of(figure, "displacement")
+    assert top == pytest.approx(strokes[1])
+    check_drawn(figure, move)
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.views.explorers.moving import ALPHA, Moving, Part, control
+from cammotion.views.explorers.moving import ALPHA, Moving, Part, control, sized, tens
 from cammotion.views.live.explore import explore
 from cammotion.views.live.expressions import NOW
 from cammotion.views.live.figure import LiveFigure
@@ -28,6 +28,7 @@ _SECONDS = 8
 _CAM_PX, _CURVE_PX = 330, 150
 _TURN = (ALPHA, 0, DEG_PER_TURN)
 _RAD = sp.pi / 180
+_PRIMES_MM = 15, 30  # and ten times as many, for which the spans of the other controls are made
 _COARSEST = 4  # times the smallest prime circle is the largest to be tried
 
 
@@ -65,14 +66,19 @@ def explore_cam(
     )
     least = smallest_prime_radius(motion, TranslatingRoller(roller_radius_mm))
     curves = _curves(motion)
-    largest_prime = _rounded_up(max(_COARSEST * prime_radius_mm, 1.5 * least))
+    times = tens(prime_radius_mm, *_PRIMES_MM)
+    tried = max(_COARSEST * prime_radius_mm, 1.5 * least) / times
+    primes, offsets, rollers = (
+        sized(span, times) for span in ((15, _rounded_up(tried), 1), (-30, 30, 1), (3, 30, 1))
+    )
+    low, high, step = offsets
     return explore(
         [[_cam(curves, motion)], _judged(curves)],
         _TURN,
         {
-            PRIME: control("prime circle Rp", (15, largest_prime, 1), prime_radius_mm, "mm"),
-            OFFSET: Control(low=-30, high=30, step=1, start=0, name="offset e", unit="mm"),
-            ROLLER: control("roller r", (3, 30, 1), roller_radius_mm, "mm"),
+            PRIME: control("prime circle Rp", primes, prime_radius_mm, "mm"),
+            OFFSET: Control(low=low, high=high, step=step, start=0, name="offset e", unit="mm"),
+            ROLLER: control("roller r", rollers, roller_radius_mm, "mm"),
         },
         says=_sentences(curves, motion),
         clock=ALPHA,

@@ -10,14 +10,15 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.machine.kinematics import MM_PER_M, STANDARD_GRAVITY, Move
-from cammotion.views.explorers.moving import ALPHA, LARGEST, control
+from cammotion.views.explorers.moving import ALPHA, LARGEST, control, sized, tens
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Line, Panel, Say, choice, pinned
 from cammotion.views.plots import CURVES
 
 N, B_m, h_m = sp.symbols("N B_m h_m", positive=True)
-_WIDEST_DEG, _LONGEST_MM = 220, 100
+_WIDEST_DEG = 220
+_RATES, _STROKES_MM = (500, 5000, 50), (5, 100, 1)  # low, high, step
 
 
 @checked
@@ -42,13 +43,15 @@ def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> Li
     stroke = h_m / MM_PER_M
     at = {x: ALPHA / B_m}
     curves = h_m * s.xreplace(at), stroke / t_m * v.xreplace(at), stroke / t_m**2 * a.xreplace(at)
+    rates = sized(_RATES, tens(reference.rate_per_hour, *_RATES[:2]))
+    strokes = sized(_STROKES_MM, tens(reference.stroke_mm, *_STROKES_MM[:2]))
     return explore(
-        _panels(curves, reference),
+        _panels(curves, reference, strokes[1]),
         (ALPHA, 0, B_m),
         {
-            N: control("rate N", (500, 5000, 50), reference.rate_per_hour, "pieces/h"),
+            N: control("rate N", rates, reference.rate_per_hour, "pieces/h"),
             B_m: control("angle Bm", (20, _WIDEST_DEG, 1), reference.angle_deg),
-            h_m: control("stroke hm", (5, _LONGEST_MM, 1), reference.stroke_mm, "mm"),
+            h_m: control("stroke hm", strokes, reference.stroke_mm, "mm"),
         },
         says=_sentences(c_a * stroke / t_m**2, c_a, t_m, is_several=len(known) > 1),
         pin="Pin this design as the reference",
@@ -56,10 +59,13 @@ def explore_move(reference: Move, *, laws: Iterable[str | MotionLaw] = ()) -> Li
     )
 
 
-def _panels(curves: Iterable[sp.Expr], reference: Move) -> list[Panel]:
-    """Return displacement, velocity and acceleration, on axes that the reference fits into."""
+def _panels(curves: Iterable[sp.Expr], reference: Move, longest_mm: float) -> list[Panel]:
+    """Return displacement, velocity and acceleration, on axes that the reference fits into.
+
+    `longest_mm` is the longest stroke that the figure offers.
+    """
     widest = max(_WIDEST_DEG, reference.angle_deg)
-    longest = max(_LONGEST_MM, reference.stroke_mm)
+    longest = max(longest_mm, reference.stroke_mm)
     low, high = as_law(reference.law).curve.extremes
     heights = {"displacement": (longest * min(low, 0), longest * max(high, 1))}
     return [

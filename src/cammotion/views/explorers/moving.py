@@ -21,6 +21,7 @@ from cammotion.views.named import names_in_full
 ALPHA = sp.Symbol("alpha", real=True)  # the cam angle, in deg, over which a figure draws a turn
 SECONDS_BY_DEG_AND_RATE = 10  # tm = 10 Bm / N
 _0, _360 = sp.Integer(0), sp.Integer(DEG_PER_TURN)
+Span = tuple[float, float, float]
 LARGEST = 1e300  # above it a peak is infinite
 _SLOW = 0.5  # m/s2: half of it has fewer than three digits among three decimals
 
@@ -122,9 +123,29 @@ class Moving:
         return sp.Piecewise(*pieces, (last, True), evaluate=False)
 
 
-def control(
-    name: str, span: tuple[float, float, float], start: float, unit: str = "deg"
-) -> Control:
+def tens(start: float, low: float, high: float) -> float:
+    """Return the power of ten by which a span has to be taken for a start far off it; else 1.
+
+    So a figure of a machine of another size has controls and axes of that size. A start up to ten
+    times above the span only widens it.
+
+    >>> tens(50, 5, 100), tens(300, 5, 100), tens(0.02, 5, 100), tens(4000, 5, 100)
+    (1.0, 1.0, 0.001, 100.0)
+    """
+    return 1.0 if low <= start <= 10 * high else float(f"1e{math.floor(math.log10(start / low))}")
+
+
+def sized(span: Span, times: float) -> Span:
+    """Return a span (low, high, step) of a control so many times as large.
+
+    >>> sized((5, 100, 1), 0.001)
+    (0.005, 0.1, 0.001)
+    """
+    low, high, step = (float(f"{each * times:.12g}") for each in span)
+    return low, high, step
+
+
+def control(name: str, span: Span, start: float, unit: str = "deg") -> Control:
     """Return a control over a span (low, high, step), made as wide as its start and `high` need."""
     low, high, step = span
     low, high = min(low, high / 2, start), max(high, start)
