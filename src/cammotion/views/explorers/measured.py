@@ -30,6 +30,7 @@ _STEPS = 20  # so many errors of half a digit is the largest on the slider
 _USUAL_MM = 0.01
 _TICK_DEG = 45
 _NOTHING = 1e-12
+_SLOW = 0.1  # m/s2: below it three decimals are less than three digits
 
 
 @checked
@@ -53,7 +54,7 @@ def explore_measured(table: CamTable, rate_per_hour: float, *, unit: str = "m") 
     random errors up to this size: ±0.028 m/s², root mean square
     """
     unit = one_of("unit of length", unit, METRES)
-    cycle = _cycle(table, float(cycle_time(RATE.number(rate_per_hour))), unit)
+    cycle = _cycle(table, RATE.number(rate_per_hour), unit)
     return explore(
         _panels(cycle),
         (_ANGLE, 0, DEG_PER_TURN),
@@ -71,6 +72,7 @@ class _Cycle(NamedTuple):
     """
 
     table: CamTable
+    rate_per_hour: float
     unit: str
     number: int
     waves: Sequence[Any]
@@ -88,8 +90,8 @@ class _Cycle(NamedTuple):
         return MM_PER_INCH if self.is_inch else 1.0
 
 
-def _cycle(table: CamTable, turn_s: float, unit: str) -> _Cycle:
-    number = _checked(table)
+def _cycle(table: CamTable, rate_per_hour: float, unit: str) -> _Cycle:
+    number, turn_s = _checked(table), float(cycle_time(rate_per_hour))
     length_mm = MM_PER_INCH if unit == "in" else 1.0
     scale = (2 * np.pi / turn_s) ** 2 * (1 if unit == "in" else 1 / MM_PER_M)  # of a length/rad2
     smoother, half = EvenCycle(number), number // 2 + 1
@@ -100,7 +102,7 @@ def _cycle(table: CamTable, turn_s: float, unit: str) -> _Cycle:
     bends = [float(bend) * scale * part for bend, part in zip(smoother.bends, kept, strict=False)]
     chords = -((number / np.pi * np.sin(np.pi * np.arange(half) / number)) ** 2) * scale
     waves = [(sp.Integer(1), _waves(table.position_mm / length_mm)), *_errors(number)]
-    return _Cycle(table, unit, number, waves, kept, bends, [*chords])
+    return _Cycle(table, rate_per_hour, unit, number, waves, kept, bends, [*chords])
 
 
 def _panels(cycle: _Cycle) -> list[Panel]:
@@ -146,9 +148,13 @@ def _controls(cycle: _Cycle) -> dict[sp.Symbol, Control]:
 
 def _sentences(cycle: _Cycle) -> Iterator[Say]:
     """Say how large the lowest acceleration is, and what random errors do to all of them."""
-    lowest = int(np.argmin(differences(cycle.table, 1.0).acceleration))
+    at_this_rate = differences(cycle.table, cycle.rate_per_hour).acceleration  # in m/s2
+    lowest = int(np.argmin(at_this_rate))
     low = _sum(cycle.waves, cycle.bends, sp.Integer(lowest))
-    written = "{low:.1f} in/s² = {si:.3f} m/s²" if cycle.is_inch else "{low:.3f} m/s²"
+    is_slow = np.abs(at_this_rate).max() < _SLOW
+    si = ".3g" if is_slow else ".3f"
+    own, fine = (".1f", ".2f") if cycle.is_inch and not is_slow else (si, si)
+    written = f"{{low:{own}}} {cycle.unit}/s²" + f" = {{si:{si}}} m/s²" * cycle.is_inch
     yield Say(
         f"at {cycle.table.angle_deg[lowest]:g}°: {written}",
         {"low": low, "si": low * METRES[cycle.unit]} if cycle.is_inch else {"low": low},
@@ -156,8 +162,7 @@ def _sentences(cycle: _Cycle) -> Iterator[Say]:
     twice = [*[2] * (len(cycle.bends) - 1), 1]  # but for the last rank, k and -k are two
     squares = sp.Add(*(two * bend**2 for two, bend in zip(twice, cycle.bends, strict=True)))
     yield Say(
-        f"random errors up to this size: ±{{by:.{2 if cycle.is_inch else 3}f}} {cycle.unit}/s², "
-        "root mean square",
+        f"random errors up to this size: ±{{by:{fine}}} {cycle.unit}/s², root mean square",
         {"by": ERROR / sp.sqrt(3) * sp.sqrt(squares / cycle.number)},
     )
 
