@@ -1,14 +1,17 @@
 """The numbers, axes and curves of a live figure's page, in Node: against Python and known ones."""
 
 import math
+from typing import Any
 
 import node
 import numpy as np
 import pytest
 import sympy as sp
+from matplotlib.axes import Axes
 
 import cammotion as cm
 from cammotion.quantities import Floats
+from cammotion.views.live import picture
 from cammotion.views.live.figure import LiveFigure
 
 EXACT = 1e-12
@@ -174,3 +177,57 @@ def test_without_node_it_is_said_that_nothing_is_tested(monkeypatch: pytest.Monk
     monkeypatch.setenv("REQUIRE_BROWSER", "1")
     with pytest.raises(pytest.fail.Exception, match=r"NOT TESTED: .* node is not on the PATH"):
         node.run("return 1")
+
+
+POWERS: dict[str, dict[tuple[float, ...], tuple[int, str]]] = {
+    "way in mm": {
+        (0, 0.0002, 0.0004): (-4, "way in 10⁻⁴ mm"),
+        (-0.015, 0, 0.015): (-2, "way in 10⁻² mm"),
+        (0, 200_000): (5, "way in 10⁵ mm"),
+        (0, 2000, 8000): (0, "way in mm"),
+        (-0.05, 0, 0.05): (0, "way in mm"),
+        (0, 1.5e-12): (-12, "way in 10⁻¹² mm"),
+        (): (0, "way in mm"),
+    },
+    "roller over radius": {(0, 0.0002): (0, "roller over radius")},
+    "difference in 0.001 in": {(0, 0.0002): (0, "difference in 0.001 in")},
+}
+
+
+@pytest.mark.parametrize("label", POWERS)
+def test_numbers_that_have_no_room_at_an_axis_get_a_power_of_ten(label: str) -> None:
+    script = """return given.axes.map((numbers) => {
+      const power = powerOf(numbers, given.label);
+      return [power, withPower(given.label, power)];
+    });"""
+    known = POWERS[label]
+    said = node.run(script, {"axes": [*map(list, known)], "label": label})
+    assert [*map(tuple, said)] == [*known.values()]
+
+
+@pytest.mark.parametrize(
+    ("times", "label", "last"),
+    [
+        (1.0, "way in mm", "3"),
+        (1e-3, "way\nin 10⁻³ mm", "3"),
+        (1e-9, "way\nin 10⁻⁹ mm", "3"),
+        (1e6, "way\nin 10⁶ mm", "3"),
+        (1e-2, "way\nin mm", "0.03"),
+    ],
+)
+def test_so_has_the_picture_of_a_figure(
+    times: float, label: str, last: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn: list[Axes] = []
+    plain_draw = picture._Drawn.draw
+
+    def draw(own: picture._Drawn, *given: Any) -> None:
+        plain_draw(own, *given)
+        drawn.append(own.ax)
+
+    monkeypatch.setattr(picture._Drawn, "draw", draw)
+    panel = cm.Panel(lines=[cm.Line(y=3 * times * t)], y="way in mm")
+    cm.explore(panel, (t, 0, 1), {k: (1, 2)}).picture()
+    (ax,) = drawn
+    assert ax.get_ylabel() == label.replace("way in", "way\nin")
+    assert f"{3 * times:g}" == last or ax.yaxis.get_major_formatter()(3 * times, 0) == last

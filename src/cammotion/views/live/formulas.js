@@ -109,6 +109,20 @@ function toEven(rounded, exact, digits) {
 }
 export const plain = (value) => format(Number(value.toPrecision(12)), ".12g");
 
+/** The power of ten that is taken out of the numbers of an axis, which have room for so many
+ * letters; 0 where they have room, and where the label has no unit to take it. */
+export function powerOf(numbers, label, letters = 5) {
+  const isLong = numbers.some((value) => plain(value).length > letters);
+  if (!isLong || !/\bin [^\s\d]/.test(label)) return 0;
+  return Math.floor(Math.log10(Math.max(...numbers.map(Math.abs))) + NEAR);
+}
+
+/** A label with a power of ten before its unit: "way in 10⁻³ mm". */
+export function withPower(label, power) {
+  const high = String(power).replace(/./g, (sign) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign] ?? "⁻");
+  return power ? label.replace(/\bin (?=[^\s\d])/, `in 10${high} `) : label;
+}
+
 /** The numbers that a typed text may be, none for what is no number. A decimal comma is a point;
  * one comma before three digits may also part thousands. */
 export function readings(text) {

@@ -210,7 +210,8 @@ class Panel {
     const top = 8,
       edge = panel.bare ? 8 : 74,
       room = Math.max(width - edge - 14, 1), // a page that is being laid out may have none
-      label = this.hasNumbers ? wrapped(panel.x_label, room + 28) : [],
+      powers = [powerOf(steps(x), panel.x_label), powerOf(steps(y), panel.y_label)],
+      label = this.hasNumbers ? wrapped(withPower(panel.x_label, powers[0]), room + 28) : [],
       below = panel.bare ? 8 : label.length ? 29 + 15 * label.length : 10,
       shape = (y[1] - y[0]) / (x[1] - x[0]);
     const height = panel.equal ? Math.min(room * shape, TALLEST_PX) : panel.height;
@@ -229,6 +230,8 @@ class Panel {
       X: axis(left, right, x),
       Y: axis(bottom, top, y),
       label,
+      units: powers.map((power) => 10 ** power),
+      yLabel: withPower(panel.y_label, powers[1]),
     };
     // on paper, where nothing is drawn anew, it is scaled and not cut
     put(root, { height: bottom + below, viewBox: `0 0 ${width} ${bottom + below}` });
@@ -247,8 +250,7 @@ class Panel {
 
   frame() {
     const {
-      panel,
-      view: { x, y, X, Y, left, right, top, bottom, label },
+      view: { x, y, X, Y, left, right, top, bottom, label, units, yLabel },
     } = this;
     const across = steps(x),
       every = Math.ceil((across.length * 34) / (right - left));
@@ -256,9 +258,9 @@ class Panel {
       ...across.map((value) => svg("path", { d: `M${X(value)} ${top}V${bottom}` })),
       ...steps(y).flatMap((value) => [
         svg("path", { d: `M${left} ${Y(value)}H${right}`, class: value === 0 ? "cm-zero" : "" }),
-        text({ x: left - 7, y: Y(value) + 4, "text-anchor": "end" }, plain(value)),
+        text({ x: left - 7, y: Y(value) + 4, "text-anchor": "end" }, plain(value / units[1])),
       ]),
-      ...panel.y_label
+      ...yLabel
         .split(/ (?=in )/)
         .map((words, i) =>
           text({ x: -(top + bottom) / 2, y: 14 + 15 * i, transform: "rotate(-90)" }, words),
@@ -269,7 +271,7 @@ class Panel {
       ...drawn,
       ...across
         .filter((_, i) => i % every === 0)
-        .map((value) => text({ x: X(value), y: bottom + 17 }, plain(value))),
+        .map((value) => text({ x: X(value), y: bottom + 17 }, plain(value / units[0]))),
       ...label.map((words, i) => text({ x: (left + right) / 2, y: bottom + 36 + 15 * i }, words)),
     ];
   }

@@ -1,11 +1,14 @@
 """A live figure as it stands, drawn once: for a reader who has neither kernel nor script."""
 
 import io
+import math
+import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
@@ -16,12 +19,16 @@ from cammotion.quantities import Floats
 from cammotion.views.broken import BROKEN
 from cammotion.views.names import add_legend, as_label, plain
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
+from cammotion.views.scales import short_number
 
 Functions = Sequence[Callable[..., Any]]
 
 _SAMPLES = 800
 _WIDTH_IN, _HEIGHT_IN = 8.2, 0.0145  # of a picture, and of a pixel of a panel's height
 _LABEL_IN, _NUMBERS_IN, _ROOM_IN = 0.95, 0.6, 0.14  # left of, under and between panels
+_PLAIN = range(-2, 5)  # powers of ten of the numbers that have room at an axis
+_IN_UNIT = re.compile(r"\bin (?=[^\s\d])")
+_HIGH = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _STYLES = {
     "alarm": {"color": BROKEN["edgecolor"], "linewidth": 5, "alpha": 0.8},
     "reference": REFERENCE_STYLE | {"linewidth": 1.2},
@@ -98,6 +105,8 @@ class _Drawn:
         for text, x, y in panel["words"]:
             plain(ax.text(x, y, text, fontsize=10, ha="center", va="center", path_effects=[_HALO]))
         self._draw_points()
+        for axis in (ax.xaxis, ax.yaxis):
+            _take_out_a_power(axis)
         if panel["equal"]:
             ax.set_aspect("equal")
         if panel["bare"]:
@@ -175,6 +184,16 @@ class _Drawn:
 
     def _at(self, formula: int) -> float:
         return float(self.now[formula](self.clock, self.clock))
+
+
+def _take_out_a_power(axis: Axis) -> None:
+    """Write numbers that have no room at an axis with a power of ten beside the unit."""
+    largest = float(np.abs(axis.get_view_interval()).max())
+    power = math.floor(math.log10(largest)) if 0 < largest < math.inf else 0
+    if power not in _PLAIN and _IN_UNIT.search(axis.get_label_text()):
+        axis.set_major_formatter(lambda value, _: short_number(value / 10.0**power))
+        high = str(power).translate(_HIGH)
+        axis.set_label_text(_IN_UNIT.sub(rf"\g<0>10{high} ", axis.get_label_text()))
 
 
 def _sampled(line: dict[str, Any], now: Functions, clock: float) -> tuple[Floats, Floats]:
