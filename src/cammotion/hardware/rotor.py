@@ -81,4 +81,11 @@ class Rotor:
         rows.append(("together", self.mass_kg, self.inertia_kg_m2))
         wide = max(len(name) for name, _, _ in rows)
         head = f"{'part':{wide}}  mass in kg  inertia in kg m²"
-        return "\n".join([head, *(f"{n:{wide}}  {m:10.3f}  {i:16.3f}" for n, m, i in rows)])
+        m_digits, i_digits = (_decimals(total) for total in rows[-1][1:])
+        lines = (f"{n:{wide}}  {m:10.{m_digits}f}  {i:16.{i_digits}f}" for n, m, i in rows)
+        return "\n".join([head, *lines])
+
+
+def _decimals(total: float) -> int:
+    """Return how many decimals a column has: three, or more for three digits of a small total."""
+    return max(3, 2 - math.floor(math.log10(total)))
