@@ -160,9 +160,8 @@ def test_what_makes_no_sense_is_refused_with_what_would_do(
 @pytest.mark.parametrize("times", [1.0, 1e-3, 1e-6, 1e3])
 def test_the_table_of_a_rotor_of_any_size_says_three_digits(times: float) -> None:
     """The dial of a watch has some 1e-9 kg m², and no 0.000."""
-    parts = {"plate": cm.Disc(radius_mm=20, mass_kg=0.3 * times), "ring": cm.OwnInertia(
-        mass_kg=0.1 * times, inertia_kg_m2=4e-5 * times)}  # fmt: skip
-    rotor = cm.Rotor(parts)
+    ring = cm.OwnInertia(mass_kg=0.1 * times, inertia_kg_m2=4e-5 * times)
+    rotor = cm.Rotor({"plate": cm.Disc(radius_mm=20, mass_kg=0.3 * times), "ring": ring})
     *_, together = (line.split() for line in str(rotor).splitlines())
     for said, total in zip(together[1:], (rotor.mass_kg, rotor.inertia_kg_m2), strict=True):
         assert float(said) == pytest.approx(total, rel=5.1e-3)

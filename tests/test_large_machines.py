@@ -1,7 +1,7 @@
 """Pictures of machines with large strokes: their numbers are read without a power of ten."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
 
@@ -70,3 +70,43 @@ def test_no_picture_writes_them_with_a_power_of_ten(machine: cm.TimingDiagram) -
     assert powers(re.findall(r">([^<>]+)<", cm.animate(machine).svg)) == []
     page = draw_chart(machine, 1, ("Line", "2026-11-28"), (), {}).axes[0]
     assert powers(text.get_text() for text in page.texts) == []
+
+
+RULE = cm.ClearanceRule(cm.beyond("lift", 100), only_while=cm.within("die", 20))
+UP, DOWN = (make(4000, over_deg=110) for make in (cm.rise, cm.return_))
+SLIDE = cm.motion("slide", UP, cm.dwell(60), DOWN, cm.dwell(80), start_deg=150)
+TABLE = cm.indexing_motion("table", cm.rise(8000, over_deg=140), cm.dwell(220), stops=8)
+SLOW = cm.TimingDiagram([SLIDE, TABLE], rate_per_hour=30)
+KEPT = cm.ClearanceRule(cm.beyond("slide", 3900), only_while=cm.within("table", 40))
+LOAD = cm.FollowerLoad(mass_kg=20_000, preload_N=1)
+SHAFT = cm.Camshaft(SLOW, {"slide": LOAD})
+CAM = cm.RollerCam(SLIDE, cm.TranslatingRoller(800), 4800)
+POINTS = CAM.profile_mm([*range(360)]).T
+SPRUNG = cm.FollowerLoad(mass_kg=20_000, stiffness_N_per_mm=2, preload_N=8000)
+FLIGHTS = cm.follower_flights(SLIDE, SPRUNG, 300)
+
+SENTENCES: dict[str, Callable[[], object]] = {
+    "broken rule": lambda: cm.find_violations(LINE, RULE),
+    "too near": lambda: cm.find_violations(LINE, cm.DistanceRule("die", "lift", 10)),
+    "reserves": lambda: [str(one) for one in cm.reserves(SLOW, KEPT)],
+    "limits": lambda: cm.rate_limits(SHAFT, force_N=20_000, torque_N_m=30_000),
+    "peaks": lambda: [*map(str, cm.compare(SLOW, SLOW.at_rate(9000), KEPT).effects)],
+    "forces": lambda: [*map(str, cm.compare(SHAFT, SHAFT.at_rate(60)).effects)],
+    "flat cam": lambda: cm.FlatFacedCam(SLIDE, 400).undercuts,
+    "flights": lambda: [str(FLIGHTS), cm.animate_follower(FLIGHTS).description],
+    "still": lambda: cm.animate(SLOW).still(70).description,
+    "gap": lambda: cm.animate_follower(FLIGHTS).still(290).description,
+    "cam": lambda: cm.explore_cam(SLIDE, roller_radius_mm=800, prime_radius_mm=4800).text,
+    "undercut": lambda: cm.explore_cam(SLIDE, roller_radius_mm=3000, prime_radius_mm=1500).text,
+    "overlap": lambda: cm.explore_overlap(SLOW, KEPT, contact_mm=3950).text,
+    "profile": lambda: cm.lift_from_profile(
+        *CAM.profile_mm([*range(360)]).T, follower=CAM.follower
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SENTENCES)
+def test_no_sentence_writes_them_with_a_power_of_ten(name: str) -> None:
+    said = str(SENTENCES[name]())
+    assert re.search(r"\d{4}", said), said
+    assert powers([said]) == []

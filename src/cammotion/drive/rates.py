@@ -23,7 +23,14 @@ from cammotion.drive.camshaft import LOADED, Camshaft
 from cammotion.drive.spans import Span
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError, rate_as_text
+from cammotion.quantities import (
+    Floats,
+    InputError,
+    Quantity,
+    WrongAnswerError,
+    as_text,
+    rate_as_text,
+)
 
 _ACCELERATION = Quantity("limit of the acceleration", "m/s2", example=4)
 _FORCE = Quantity("limit of the force", "N", example=500)
@@ -55,7 +62,7 @@ class RateLimit:
     def __str__(self) -> str:
         """Say it in words."""
         unit = {"acceleration": "m/s²", "force": "N", "torque": "N m"}[self.quantity]
-        what = f"the {self.quantity} of {self.limit:.4g} {unit}"
+        what = f"the {self.quantity} of {as_text(self.limit, '.4g')} {unit}"
         if self.at_deg is None:
             return f"at no rate the {self.mechanism} meets {what}"
         if not self.rate_per_hour:

@@ -26,6 +26,7 @@ from cammotion.quantities import (
     Numbers,
     Quantity,
     WrongAnswerError,
+    as_text,
     plain,
     shorten,
 )
@@ -133,8 +134,8 @@ class Flights:
         hardest = max(self.flights, key=lambda flight: flight.impact_m_per_s)
         said = [
             f"In {self.turns:g} turns the follower leaves its cam {_times(len(self.flights))}, by "
-            f"{widest.gap_mm:.4g} mm at most, and lands with up to "
-            f"{hardest.impact_m_per_s:.4g} m/s."
+            f"{as_text(widest.gap_mm, '.4g')} mm at most, and lands with up to "
+            f"{as_text(hardest.impact_m_per_s, '.4g')} m/s."
         ]
         if self.stuck_at_deg:
             said.append(

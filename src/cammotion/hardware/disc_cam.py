@@ -20,7 +20,7 @@ from cammotion.machine.arcs import unwrap
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
-from cammotion.quantities import Floats, InputError, Numbers
+from cammotion.quantities import Floats, InputError, Numbers, as_text
 
 PER_RAD = math.degrees(1.0)  # a slope in mm/deg becomes one in mm/rad
 
@@ -39,9 +39,10 @@ class Undercut:
     missing_mm: float
 
     def __str__(self) -> str:
+        missing = as_text(self.missing_mm, ".4g")
         return (
             f"the profile is undercut from {self.start_deg:.5g} to {self.end_deg:.5g} deg: at "
-            f"{self.worst_deg:.5g} deg its radius of curvature would be -{self.missing_mm:.4g} mm"
+            f"{self.worst_deg:.5g} deg its radius of curvature would be -{missing} mm"
         )
 
 

@@ -14,7 +14,7 @@ from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.outline import arcs_along
 from cammotion.hardware.roller_cam import RollerCam
-from cammotion.quantities import Floats, InputError, Quantity, shorten
+from cammotion.quantities import Floats, InputError, Quantity, as_text, shorten
 
 BORE = Quantity("diameter of the bore", "mm", example=20)
 KEY = Quantity("width and the height of the keyway", "mm", example=6)
@@ -106,9 +106,10 @@ def _bore(radius: float, keyway: tuple[float, float] | None, least: float) -> St
                 f"The keyway is {width:g} mm wide and the bore {2 * radius:g}: give a narrower one."
             )
     if reach >= least:
+        far, near = (as_text(radius, ".4g") for radius in (reach, least))
         raise InputError(
-            f"The bore and its keyway reach {reach:.4g} mm from the axis, and the profile comes as "
-            f"near as {least:.4g} mm: give a smaller bore, or a larger cam."
+            f"The bore and its keyway reach {far} mm from the axis, and the profile comes as "
+            f"near as {near} mm: give a smaller bore, or a larger cam."
         )
     if keyway is None:
         return _circle("BORE", np.zeros(2), radius)

@@ -17,7 +17,7 @@ from cammotion.arguments import checked
 from cammotion.hardware.followers import Places, RollerFollower, SwingingRoller, TranslatingRoller
 from cammotion.hardware.traced_profile import Traced
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats, InputError, Quantity, shorten
+from cammotion.quantities import Floats, InputError, Quantity, as_text, shorten
 
 PROBE = Quantity("radius of the probe", "mm", example=2, low_included=True)
 POINT = Quantity("points of the profile", "mm", example=50, low=-1e5, high=1e5)
@@ -54,8 +54,8 @@ class ProfileLift(Alike):
     off_mm: float
 
     def __repr__(self) -> str:
-        lift = f"{self.angle_deg.size} angles, up to {self.position_mm.max():.4g} mm"
-        circle = f"over a circle of {self.prime_radius_mm:.4g} mm"
+        lift = f"{self.angle_deg.size} angles, up to {as_text(self.position_mm.max(), '.4g')} mm"
+        circle = f"over a circle of {as_text(self.prime_radius_mm, '.4g')} mm"
         return f"ProfileLift({lift} {circle}, within {self.off_mm:.2g} mm of the points)"
 
 

@@ -13,7 +13,7 @@ from cammotion.limits.spread import SpreadDistance, with_errors
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Quantity, shorten
+from cammotion.quantities import Quantity, as_text, shorten
 from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.rule import Rule
@@ -57,9 +57,10 @@ class Reserve:
     def __str__(self) -> str:
         """Say it in words."""
         when, other = self.rule.motions
+        when_mm, other_mm = (as_text(room, ".3g") for room in (self.when_mm, self.other_mm))
         left = (
-            f"{self.early_deg:.3g} deg early, {self.late_deg:.3g} deg late, {self.when_mm:.3g} mm "
-            f"of the {when}, {self.other_mm:.3g} mm of the {other}"
+            f"{self.early_deg:.3g} deg early, {self.late_deg:.3g} deg late, {when_mm} mm of the "
+            f"{when}, {other_mm} mm of the {other}"
         )
         return f"{self.rule}: {'broken' if self.deg < 0 else 'kept'}; left are {left}"
 

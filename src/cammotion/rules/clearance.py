@@ -13,7 +13,7 @@ from typing import Self
 from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import InputError
+from cammotion.quantities import InputError, as_text
 from cammotion.rules.conditions import Condition, Moving, after
 from cammotion.rules.rule import Room, Rule
 
@@ -106,7 +106,7 @@ class ClearanceRule(Rule):
         """Say in words how it is broken by so much, at a cam angle."""
         said = self._measured
         own, other = said.motions
-        fault = f"the {own} is {excess_mm:.3g} mm {said.when.fault} at {at_deg:.5g} deg"
+        fault = f"the {own} is {as_text(excess_mm, '.3g')} mm {said.when.fault} at {at_deg:.5g} deg"
         return f"{fault}, while the {other} is not {said.only_while}"
 
     def renamed(self, called: Mapping[str, str]) -> Self:

@@ -18,7 +18,7 @@ from cammotion.machine.arcs import Arc, unwrap
 from cammotion.machine.diagram import TimingDiagram, as_diagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, InputError, Quantity, keep_numbers
+from cammotion.quantities import Floats, InputError, Quantity, as_text, keep_numbers
 from cammotion.rules.rule import Room, Rule
 
 _DISTANCE = Quantity("least distance", "mm", example=5, low=-math.inf)
@@ -123,7 +123,7 @@ class DistanceRule(Rule):
 
     def describe_fault(self, excess_mm: float, at_deg: float) -> str:
         """Say in words how it is broken by so much, at a cam angle."""
-        near = f"{excess_mm:.3g} mm too near above the {self.above}"
+        near = f"{as_text(excess_mm, '.3g')} mm too near above the {self.above}"
         return f"the {self.part} is {near} at {at_deg:.5g} deg"
 
     def renamed(self, called: Mapping[str, str]) -> Self:

@@ -13,6 +13,7 @@ from typing import NamedTuple, Self
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.quantities import as_text
 
 
 class Room(NamedTuple):
@@ -94,7 +95,7 @@ class Clearance:
 
     def __repr__(self) -> str:
         at = "" if self.angle_deg is None else f" at {self.angle_deg:.5g} deg"
-        return f"Clearance({self.clearance_mm:.4g} mm{at}: {self.rule})"
+        return f"Clearance({as_text(self.clearance_mm, '.4g')} mm{at}: {self.rule})"
 
 
 @dataclass(frozen=True, repr=False)

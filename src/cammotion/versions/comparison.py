@@ -171,7 +171,7 @@ def _of_shafts(before: Camshaft, after: Camshaft) -> Iterator[Effect]:
 
 
 def _number(value: float | None) -> str:
-    return NONE if value is None else f"{0.0 if abs(value) < SAME else value:.4g}"
+    return NONE if value is None else as_text(0.0 if abs(value) < SAME else value, ".4g")
 
 
 def _share(times: float | None) -> str:

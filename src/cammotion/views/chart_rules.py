@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from cammotion.quantities import as_text
 from cammotion.rules.rule import Clearance, Rule, Violation
 from cammotion.views.chart_lanes import MM_PER_POINT
 from cammotion.views.names import TITLE, printable, short, wrap
@@ -68,7 +69,11 @@ def lay_out(
 
 def _words(found: Clearance, called: Mapping[str, str], is_broken: bool) -> str:
     mm = round(found.clearance_mm, 9) + 0.0
-    left = f"BROKEN by {-mm:.3g} mm" if is_broken else f"kept, {mm:.3g} mm left"
+    left = (
+        f"BROKEN by {as_text(-mm, '.3g')} mm"
+        if is_broken
+        else f"kept, {as_text(mm, '.3g')} mm left"
+    )
     return printable(f"{left}: {_rule(found.rule, called)}")
 
 

@@ -97,9 +97,9 @@ class Design:
     def state(self, angle_deg: float) -> str:
         """Return where each motion is at a cam angle, in words."""
         return ", ".join(
-            f"{motion.name} {motion.offset_mm(angle_deg):.3g} mm from a stop"
+            f"{motion.name} {as_text(motion.offset_mm(angle_deg), '.3g')} mm from a stop"
             if motion.is_indexing
-            else f"{motion.name} at {motion.position_mm(angle_deg):.4g} mm"
+            else f"{motion.name} at {as_text(motion.position_mm(angle_deg), '.4g')} mm"
             for motion in self.diagram.motions
         )
 

@@ -21,7 +21,7 @@ from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time
-from cammotion.quantities import Floats, InputError, Quantity
+from cammotion.quantities import Floats, InputError, Quantity, as_text
 from cammotion.views.animation import svg
 from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.keyframes import CAMSHAFT, Trace
@@ -63,7 +63,7 @@ class FollowerAnimation(MovingPicture):
         """Return the picture at a cam angle from 0 to 360 deg; InputError for any other angle."""
         angle = SHOWN_ANGLE.number(angle_deg)
         gap = float(self.flights.gap_mm(self.angle_of(angle)))
-        said = f"{gap:.3g} mm above the cam" if gap else "on the cam"
+        said = f"{as_text(gap, '.3g')} mm above the cam" if gap else "on the cam"
         return Still(
             stopped(self.svg, angle), f"At a cam angle of {angle:g}° the follower is {said}."
         )
@@ -87,9 +87,10 @@ class FollowerAnimation(MovingPicture):
             f"pieces/h), shown in {self.turn_s:g} s."
         ]
         for leaves, lands, gap, impact in self.seen:
+            off, hit = as_text(gap, ".3g"), as_text(impact, ".3g")
             said.append(
-                f"It leaves the cam at {leaves % DEG_PER_TURN:.4g}°, by up to {gap:.3g} mm, and "
-                f"hits it at {lands % DEG_PER_TURN:.4g}° with {impact:.3g} m/s."
+                f"It leaves the cam at {leaves % DEG_PER_TURN:.4g}°, by up to {off} mm, and "
+                f"hits it at {lands % DEG_PER_TURN:.4g}° with {hit} m/s."
             )
         if not self.seen:
             said.append("It stays on the cam.")
@@ -261,7 +262,9 @@ class _Picture:
                 way = np.array([np.cos(turned), np.sin(turned)])
                 star.M(*map(svg.px, 12 * way)).L(*map(svg.px, 25 * way))
             hit.append(svg.placed(_AXIS[0], _AXIS[1] - top * self.scale, star))
-            hit.append(svg.label(f"{flight.impact_m_per_s:.2g} m/s", 14, _HEADER + 30, **alarm))
+            hit.append(
+                svg.label(f"{as_text(flight.impact_m_per_s, '.2g')} m/s", 14, _HEADER + 30, **alarm)
+            )
             yield hit
 
     @cached_property

@@ -15,7 +15,7 @@ from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.views.explorers.moving import ALPHA, Moving, Part, control, sized, tens
+from cammotion.views.explorers.moving import ALPHA, Moving, Part, control, of_lengths, sized, tens
 from cammotion.views.live.explore import explore
 from cammotion.views.live.expressions import NOW
 from cammotion.views.live.figure import LiveFigure
@@ -80,7 +80,7 @@ def explore_cam(
             OFFSET: Control(low=low, high=high, step=step, start=0, name="offset e", unit="mm"),
             ROLLER: control("roller r", rollers, roller_radius_mm, "mm"),
         },
-        says=_sentences(curves, motion),
+        says=_sentences(curves, motion, of_lengths(primes[1])),
         clock=ALPHA,
         seconds=_SECONDS,
         shares=(1, 1),
@@ -187,7 +187,7 @@ def _judged(curves: _Curves) -> list[Panel]:
     ]
 
 
-def _sentences(curves: _Curves, motion: Motion) -> Iterator[Say]:
+def _sentences(curves: _Curves, motion: Motion, mm: str) -> Iterator[Say]:
     most = _largest(curves.sharpness, motion)
     steepest = _largest(sp.Abs(curves.pressure_deg, evaluate=False), motion)
     numbers = {"radius": ROLLER / most, "roller": ROLLER, "times": 1 / most}
@@ -196,12 +196,12 @@ def _sentences(curves: _Curves, motion: Motion) -> Iterator[Say]:
         {"angle": steepest},
     )
     yield Say(
-        "UNDERCUT: at its sharpest the pitch curve has a radius of {radius:.3g} mm, and the roller "
-        "one of {roller:.3g} mm",
+        f"UNDERCUT: at its sharpest the pitch curve has a radius of {{radius:{mm}}} mm, and the "
+        f"roller one of {{roller:{mm}}} mm",
         numbers,
         most > 1,
         Say(
-            "at its sharpest the pitch curve has a radius of {radius:.3g} mm, "
+            f"at its sharpest the pitch curve has a radius of {{radius:{mm}}} mm, "
             "{times:.3g} times the roller's",
             numbers,
         ),

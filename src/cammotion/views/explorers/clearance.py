@@ -15,7 +15,15 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, Quantity
 from cammotion.rules.checks import as_rules
 from cammotion.rules.clearance import ClearanceRule
-from cammotion.views.explorers.moving import ALPHA, Moving, Part, check_rests, full_names, heights
+from cammotion.views.explorers.moving import (
+    ALPHA,
+    Moving,
+    Part,
+    check_rests,
+    full_names,
+    heights,
+    of_lengths,
+)
 from cammotion.views.live.formulas import inverse, largest, place_of_largest
 from cammotion.views.live.parts import ALARM, REFERENCE, Box, Line, Panel, Say
 from cammotion.views.named import short_diagram, short_rule
@@ -90,6 +98,7 @@ def verdict(die: Motion, moving: Moving, rule: ClearanceRule) -> Say:
     between = (ALPHA, OUT, IN)
     room = LIMIT - largest(moving.position(), between)
     place = sp.Mod(place_of_largest(moving.position(), between), DEG_PER_TURN)
+    mm = of_lengths(die.range_mm[1] - die.range_mm[0])
     numbers = {
         "room": sp.Max(room - ROUNDING_MM, 0, evaluate=False),
         "excess": -room,
@@ -99,12 +108,12 @@ def verdict(die: Motion, moving: Moving, rule: ClearanceRule) -> Say:
         "within": str(rule.only_while),
     }
     return Say(
-        "RULE BROKEN: the {die} is {excess:.3g} mm too deep at {at:.5g} deg, while the {mill} is "
-        "not {within}",
+        f"RULE BROKEN: the {{die}} is {{excess:{mm}}} mm too deep at {{at:.5g}} deg, while the "
+        "{mill} is not {within}",
         numbers,
         room < -ROUNDING_MM,
         Say(
-            "The rule is kept. At the tightest place, {at:.4g} deg, {room:.3g} mm are left.",
+            f"The rule is kept. At the tightest place, {{at:.4g}} deg, {{room:{mm}}} mm are left.",
             numbers,
         ),
     )

@@ -178,6 +178,15 @@ def of_peaks(diagram: TimingDiagram) -> str:
     return ".3f" if hardest >= _SLOW else ".3g"
 
 
+def of_lengths(largest_mm: float) -> str:
+    """Return the format of lengths up to one: three digits, or all before the point.
+
+    >>> of_lengths(50), of_lengths(4000)
+    ('.3g', '.4g')
+    """
+    return f".{max(3, 1 + math.floor(math.log10(largest_mm)))}g"
+
+
 def full_names(diagram: TimingDiagram, *names: str) -> list[Say]:
     """Return a sentence for each of the names, all unless given, that a figure shortens."""
     return [Say("{said}", {"said": said}) for said in names_in_full(diagram, *names)]
