@@ -81,6 +81,20 @@ def test_a_slow_peak_keeps_its_digits(name: str) -> None:
         assert len(number.partition("e")[0].replace(".", "").lstrip("−0")) >= FEWEST, text
 
 
+@pytest.mark.parametrize("size", [1.0, 4e-4])
+def test_the_gap_that_was_asked_for_is_reached_however_slow_and_small(size: float) -> None:
+    """A stroke of 0.02 mm at 30 pieces/h: its peak of 6e-8 m/s² was taken for none at all."""
+    mill = cm.indexing_motion("mill", cm.rise(100 * size, over_deg=150), cm.dwell(210), stops=24)
+    up, down = (make(50 * size, over_deg=55) for make in (cm.rise, cm.return_))
+    die = cm.motion("die", up, cm.dwell(100), down, cm.dwell(150), start_deg=150)
+    rule = cm.ClearanceRule(cm.beyond("die", 19 * size), only_while=cm.within("mill", 0.65 * size))
+    slow = cm.TimingDiagram([mill, die], 30)
+    travel = {"die": (0.0, 50 * size)}
+    found = cm.least_peak(slow, rule, still=STILL, travel_mm=travel, gap=0.05)
+    assert 0 < found.gap <= 0.05
+    assert found.gap == pytest.approx(1 - found.bound / found.reached)
+
+
 def test_two_values_are_rounded_away_from_what_is_between_them() -> None:
     rng = np.random.default_rng(7)
     for low in 10.0 ** rng.uniform(-9, 3, 2000):

@@ -16,6 +16,7 @@ import numpy as np
 from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import MM_PER_M
 from cammotion.quantities import Quantity, outward
 from cammotion.rules.rule import Rule
 from cammotion.whole.asked_of_all import read_task, weighted_peak
@@ -23,7 +24,7 @@ from cammotion.whole.joint_search import Search
 
 _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
-_NOTHING = 1e-6  # a peak that is rounding: all parts can stand
+_NOTHING = 1e-5  # of a way in the square of a cycle, a peak that is rounding: all parts can stand
 
 
 @dataclass(frozen=True, repr=False)
@@ -57,9 +58,18 @@ class LeastPeak:
     @property
     def gap(self) -> float:
         """How much better other motions could be at most, as a share of what is reached."""
-        if self.reached <= _NOTHING:
+        if self.reached <= _NOTHING * self._size:
             return 0.0
         return 1 - self.bound / self.reached if np.isfinite(self.reached) else 1.0
+
+    @property
+    def _size(self) -> float:
+        """A weighted peak of the size that the machine has."""
+        ways_m = (
+            weight * max(abs(motion.pitch_mm), float(np.ptp(motion.range_mm))) / MM_PER_M
+            for motion, weight in ((self.diagram[n], w) for n, w in self.weights.items())
+        )
+        return max(ways_m) / self.diagram.cycle_time_s**2
 
     def __repr__(self) -> str:
         """Say what is reached, and what cannot be."""
