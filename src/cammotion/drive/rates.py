@@ -35,7 +35,7 @@ from cammotion.quantities import (
 _ACCELERATION = Quantity("limit of the acceleration", "m/s2", example=4)
 _FORCE = Quantity("limit of the force", "N", example=500)
 _TORQUE = Quantity("limit of the torque", "N m", example=20)
-_LEAST = 1e-12  # N or N m, below which a room is none
+_LEAST = 1e-12  # of the limit: a room below it is none
 _SAME = 1e-6  # by such a share what is reached at the rate may miss the limit
 
 Parts = Callable[[Span, Floats], tuple[Floats, Floats]]
@@ -162,7 +162,7 @@ def _rate(
     def share(span: Span, angles: Floats) -> Floats:
         inertia, standing = parts(span, angles)
         room = limit - np.sign(inertia) * standing
-        return np.abs(inertia) / np.maximum(room, _LEAST)
+        return np.abs(inertia) / np.maximum(room, _LEAST * limit)
 
     def asked(span: Span, angles: Floats, faster: float) -> Floats:
         """Return what is asked with so many times the square of the rate."""

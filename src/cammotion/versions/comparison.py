@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from cammotion.arguments import checked
 from cammotion.drive.camshaft import Camshaft
+from cammotion.drive.rounding import torque_rounding
 from cammotion.limits.reserves import reserves
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, as_text, plural
@@ -22,7 +23,8 @@ _PEAKS = {"velocity": "m/s", "acceleration": "m/s²", "jerk": "m/s³"}
 class Effect:
     """A number of both versions, in a `unit`: a peak, a clearance, a torque.
 
-    `of` is a motion, a rule or "camshaft". What a version lacks is None.
+    `of` is a motion, a rule or "camshaft". What a version lacks is None; what is no more than its
+    `rounding` is 0.
     """
 
     of: str
@@ -30,11 +32,12 @@ class Effect:
     unit: str
     before: float | None
     after: float | None
+    rounding: float = SAME
 
     @property
     def times(self) -> float | None:
         """How many times what it was it is; None for no number, for 0 and for infinity."""
-        if self.before is None or self.after is None or abs(self.before) < SAME:
+        if self.before is None or self.after is None or abs(self.before) <= self.rounding:
             return None
         times = self.after / self.before
         return times if math.isfinite(times) and math.isfinite(self.before) else None
@@ -44,12 +47,22 @@ class Effect:
         """Whether the two numbers differ by more than rounding."""
         if self.before is None or self.after is None:
             return self.before is not self.after
-        return not math.isclose(self.before, self.after, rel_tol=SAME, abs_tol=SAME)
+        return not math.isclose(self.before, self.after, rel_tol=SAME, abs_tol=self.rounding)
 
     def __str__(self) -> str:
         """Say it in words."""
-        before, after = _number(self.before), _number(self.after)
+        before, after = self.said
         return f"{self.of}, {self.what}: {before} → {after} {self.unit}"
+
+    @property
+    def said(self) -> tuple[str, str]:
+        """Both numbers in four digits."""
+        return self._number(self.before), self._number(self.after)
+
+    def _number(self, value: float | None) -> str:
+        if value is None:
+            return NONE
+        return as_text(0.0 if abs(value) <= self.rounding else value, ".4g")
 
 
 @dataclass(frozen=True, repr=False)
@@ -76,10 +89,7 @@ class Comparison:
 
     def _repr_html_(self) -> str:
         changes = [(c.of, c.what, c.before, c.after, "") for c in self.changes]
-        effects = [
-            (e.of, f"{e.what} in {e.unit}", _number(e.before), _number(e.after), _share(e.times))
-            for e in self.effects
-        ]
+        effects = [(e.of, f"{e.what} in {e.unit}", *e.said, _share(e.times)) for e in self.effects]
         return as_table(_HEADING, [*changes, *effects])
 
     @property
@@ -131,11 +141,11 @@ def _peaks(before: TimingDiagram, after: TimingDiagram) -> Iterator[Effect]:
     """Yield the peaks of the motions that are other ones now."""
     for name, *motions in pairs(before, after):
         for what, unit in _PEAKS.items():
-            peaks = (
+            old, new = (
                 getattr(diagram, f"peak_{what}")(motion.name) if motion else None
                 for diagram, motion in zip((before, after), motions, strict=True)
             )
-            found = Effect(name, f"peak {what}", unit, *peaks)
+            found = Effect(name, f"peak {what}", unit, old, new, 0.0)
             if found.is_change:
                 yield found
 
@@ -156,22 +166,22 @@ def _of_rules(
 def _of_shafts(before: Camshaft, after: Camshaft) -> Iterator[Effect]:
     """Yield the peak forces, and what the shaft is asked."""
     for name, *motions in pairs(before.diagram, after.diagram):
-        forces = [
+        old, new = (
             abs(shaft.peak_force(motion.name).value)
             if motion and motion.name in shaft.loads
             else None
             for shaft, motion in zip((before, after), motions, strict=True)
-        ]
-        if forces != [None, None]:
-            yield Effect(name, "peak force", "N", *forces)
-    both = before, after
-    yield Effect("camshaft", "peak torque", "N m", *(abs(s.peak_torque().value) for s in both))
-    yield Effect("camshaft", "rms torque", "N m", *(s.rms_torque_N_m for s in both))
-    yield Effect("camshaft", "mean power", "W", *(s.mean_power_W for s in both))
-
-
-def _number(value: float | None) -> str:
-    return NONE if value is None else as_text(0.0 if abs(value) < SAME else value, ".4g")
+        )
+        if (old, new) != (None, None):
+            yield Effect(name, "peak force", "N", old, new, 0.0)
+    both, least = (before, after), max(map(torque_rounding, (before, after)))
+    speed = max(shaft.speed_rad_per_s for shaft in both)
+    old, new = (abs(shaft.peak_torque().value) for shaft in both)
+    yield Effect("camshaft", "peak torque", "N m", old, new, least)
+    old, new = (shaft.rms_torque_N_m for shaft in both)
+    yield Effect("camshaft", "rms torque", "N m", old, new, least)
+    old, new = (shaft.mean_power_W for shaft in both)
+    yield Effect("camshaft", "mean power", "W", old, new, least * speed)
 
 
 def _share(times: float | None) -> str:

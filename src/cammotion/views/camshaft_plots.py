@@ -6,6 +6,7 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 
 from cammotion.arguments import checked
 from cammotion.drive.camshaft import Camshaft
+from cammotion.drive.rounding import torque_rounding
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, as_text
@@ -28,7 +29,6 @@ from cammotion.views.timing_plots import LEFT_INCHES, WIDTH_INCHES
 _TORQUE_INCHES, _FORCES_INCHES, _PAD_INCHES = 2.27, 2.0, 0.2
 _SAMPLES = 1441
 _BEFORE_DEG = 1e-6  # so near before a jump is just before it
-_NOTHING_N_m, _ROUNDING = 1e-9, 1e-12  # a torque below it, or below so much of the peak, is none
 _LEVELS = {"mean": "-.", "rms": ":"}
 _EDGE_DEG = 60  # so near to an end of the turn a text over the peak would leave the picture
 
@@ -85,16 +85,16 @@ def _draw_torque(ax: Axes, shaft: Camshaft, places: Floats) -> None:
     ax.fill_between(places, torque, color="#dddddd", zorder=1)
     ax.axhline(0, color="#000000", linewidth=0.8)
     peak = shaft.peak_torque()
-    least = max(_NOTHING_N_m, _ROUNDING * abs(peak.value))
+    least = torque_rounding(shaft)
     levels = {"mean": shaft.mean_torque_N_m, "rms": shaft.rms_torque_N_m}
     for name, exact in levels.items():
-        value = 0.0 if abs(exact) < least else exact
+        value = 0.0 if abs(exact) <= least else exact
         level, style = np.full(places.shape, value), _LEVELS[name]
         said = f"{name} {_newton_metres(value)}"
         ax.plot(places, level, color="#333333", linewidth=1.4, linestyle=style, label=said)
     ax.plot(peak.at_deg, peak.value, "o", color="#000000", label="_peak")
     ax.margins(y=0.2)
-    at_peak = 0.0 if abs(peak.value) < least else peak.value
+    at_peak = 0.0 if abs(peak.value) <= least else peak.value
     if not at_peak:
         ax.set_ylim(-1, 1)  # and no scale for what is rounding
     aside = 8 * ((peak.at_deg < _EDGE_DEG) - (peak.at_deg > DEG_PER_TURN - _EDGE_DEG))

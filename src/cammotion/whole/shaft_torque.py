@@ -82,6 +82,16 @@ class ShaftTorque:
         self.fixed = np.array([(m.from_deg, m.angle_deg) for _, m in others]).reshape(-1, 2)
         self.pushes += [push(shaft, n, m, as_law(m.law), samples) for n, m in others]
 
+    @property
+    def size(self) -> float:
+        """The torque in N m that the hardest move would ask if it took the whole turn."""
+        asked = (
+            np.abs(one.of_mass).max() / DEG_PER_TURN**3 + np.abs(one.standing).max() / DEG_PER_TURN
+            for one in self.pushes
+            if one is not None
+        )
+        return float(max(asked, default=0.0))
+
     def at_samples(self, moves: Floats) -> Floats:
         """Return the torque in N m at close samples of all moves."""
         every = [*zip(self.pushes, [*moves, *self.fixed], strict=True)]

@@ -34,7 +34,7 @@ _AS_GIVEN_DEG = 1e-4  # so near to the moves of today are those that are taken f
 _FARTHEST = 0.6  # of the way to a corner of what is allowed, at which some angle is none
 _EARLY = 0.03  # what a start that is a degree earlier counts, if a move of that many is one wide
 _OFF_DEG = 1e-6  # by which a row may be missed
-_NOTHING = 1e-9  # N m
+_NOTHING = 1e-9  # of what a mechanism asks by itself
 _DIGITS = 7  # of a torque; what differs by less is rounding
 
 
@@ -112,7 +112,7 @@ class _Search:
         torque = self._torque(program, x, samples)
         first = x[within.columns]
         most = float(np.abs(torque.at_samples(first.reshape(-1, 2))).max(initial=0.0))
-        if most <= _NOTHING:
+        if most <= _NOTHING * torque.size:
             return _Low(program, x, most)
 
         def room(z: Floats) -> Floats:

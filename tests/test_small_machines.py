@@ -1,0 +1,67 @@
+"""Machines of the size of a watch: what is small there is not rounding."""
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+
+import cammotion as cm
+
+mpl.use("agg")
+
+BOTH = [(205, 305)]
+STILL = {"mill": BOTH, "die": BOTH}
+
+
+def machine(length: float, time: float) -> tuple[cm.TimingDiagram, cm.ClearanceRule]:
+    """Return the lesson's machine with so many times its lengths and its times."""
+    mill = cm.indexing_motion("mill", cm.rise(100 * length, over_deg=150), cm.dwell(210), stops=24)
+    up, down = (make(50 * length, over_deg=55) for make in (cm.rise, cm.return_))
+    die = cm.motion("die", up, cm.dwell(100), down, cm.dwell(150), start_deg=150)
+    rule = cm.ClearanceRule(cm.beyond("die", 19 * length), cm.within("mill", 0.65 * length))
+    return cm.TimingDiagram([mill, die], 2000 / time), rule
+
+
+def shaft(length: float, time: float, mass: float) -> cm.Camshaft:
+    """Return its shaft with so many times its masses."""
+    loads = {"mill": cm.FollowerLoad(mass_kg=40 * mass), "die": cm.FollowerLoad(mass_kg=12 * mass)}
+    return cm.Camshaft(machine(length, time)[0], loads)
+
+
+SIZES = [(1.0, 1.0, 1.0), (4e-4, 1.0, 1e-4), (4e-4, 60.0, 1e-4), (80.0, 60.0, 1700.0)]
+
+
+@pytest.mark.parametrize(("length", "time", "mass"), SIZES)
+def test_the_torque_of_any_size_is_brought_down_alike(
+    length: float, time: float, mass: float
+) -> None:
+    """A stroke of 0.02 mm and a gram ask for 1e-10 N m, which was taken for none."""
+    given = shaft(length, time, mass)
+    found = cm.optimise(given, machine(length, time)[1], still=STILL, minimise="torque")
+    assert found.reached / abs(given.peak_torque().value) == pytest.approx(0.877 / 3.373, rel=2e-3)
+
+
+@pytest.mark.parametrize(("length", "time", "mass"), SIZES)
+def test_rates_of_any_size_are_alike(length: float, time: float, mass: float) -> None:
+    unit = mass * length**2 / time**2
+    (limit,) = cm.rate_limits(shaft(length, time, mass), torque_N_m=30 * unit)
+    (usual,) = cm.rate_limits(shaft(1, 1, 1), torque_N_m=30)
+    assert limit.rate_per_hour * time == pytest.approx(usual.rate_per_hour)
+
+
+@pytest.mark.parametrize(("length", "time", "mass"), SIZES)
+def test_torques_of_any_size_are_drawn_and_compared(
+    length: float, time: float, mass: float
+) -> None:
+    given = shaft(length, time, mass)
+    ax = cm.plot_camshaft(given)
+    peak, top = given.peak_torque().value, np.abs(ax.get_ylim()).max()
+    assert abs(peak) < top < 2 * abs(peak)
+    assert not ax.texts[0].get_text().startswith("0 N m")
+    plt.close("all")
+    effects = cm.compare(given, given.at_rate(4000 / time)).effects
+    times = {e.what: e.times for e in effects if e.of == "camshaft"}
+    assert times["peak torque"] == pytest.approx(4)
+    assert times["rms torque"] == pytest.approx(4)
+    assert times["mean power"] is None  # masses give all back: what is left of it is rounding
+    assert all(effect.said[0] != "0" for effect in effects if effect.what != "mean power")
