@@ -65,3 +65,15 @@ def test_torques_of_any_size_are_drawn_and_compared(
     assert times["rms torque"] == pytest.approx(4)
     assert times["mean power"] is None  # masses give all back: what is left of it is rounding
     assert all(effect.said[0] != "0" for effect in effects if effect.what != "mean power")
+
+
+@pytest.mark.parametrize("length", [1.0, 4e-4])
+def test_a_rule_of_any_size_is_used_up_alike(length: float) -> None:
+    """The mill's still arc holds it, and with 36 mm three hundredths of the stroke are left."""
+    diagram, _ = machine(length, 1)
+    still = {"mill": [(165, 305)], "die": BOTH}
+    for limit, is_used in ((34, True), (36, False)):
+        rule = cm.ClearanceRule(cm.beyond("die", limit * length), cm.within("mill", 0.65 * length))
+        found = cm.improvements(cm.Machine("small", diagram, [rule], still), seconds=3)
+        (said,) = (one.said for one in found if one.kind == "widen" and one.mechanism == "mill")
+        assert (str(rule) in said) == is_used, said

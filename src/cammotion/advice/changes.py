@@ -24,7 +24,7 @@ from cammotion.whole.optimise import optimise
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
 _WORTH = 1e-3  # of a peak: less is no gain
 _SAME_DEG = 0.005
-_USED = 1e-3  # mm: of a rule that has no more room
+_USED_MM, _USED = 1e-3, 1e-4  # of a rule that has no more room; and of the ways in it at most
 _SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _ROUNDING = 1e-9  # deg
@@ -107,7 +107,9 @@ def improvement(
         largest=largest,
         rate_per_hour=machine.diagram.rate_per_hour * faster,
         mends=len(broken) - len(now),
-        worsens=sum(_is_worse(broken[rule], fault) for rule, fault in now.items()),
+        worsens=sum(
+            _is_worse(broken[rule], fault, _used_mm(changed, rule)) for rule, fault in now.items()
+        ),
     )
 
 
@@ -120,8 +122,14 @@ def _faults(violations: Iterable[Violation]) -> dict[Rule, tuple[float, float]]:
     return found
 
 
-def _is_worse(before: tuple[float, float], after: tuple[float, float]) -> bool:
-    return after[0] > before[0] + _USED or after[1] > before[1] + _SAME_DEG
+def _is_worse(before: tuple[float, float], after: tuple[float, float], used_mm: float) -> bool:
+    return after[0] > before[0] + used_mm or after[1] > before[1] + _SAME_DEG
+
+
+def _used_mm(diagram: TimingDiagram, rule: Rule) -> float:
+    """Return what a rule may have left, in mm, and be used up."""
+    ranges = (diagram[name].range_mm for name in rule.motions)
+    return min(_USED_MM, _USED * max(high - low for low, high in ranges))
 
 
 def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Improvement]:
@@ -166,7 +174,7 @@ def _asked_wider(
 
 
 def _is_used_up(diagram: TimingDiagram, rule: Rule) -> bool:
-    return abs(smallest_clearance(diagram, rule).clearance_mm) < _USED
+    return abs(smallest_clearance(diagram, rule).clearance_mm) < _used_mm(diagram, rule)
 
 
 def _dwells(motion: Motion) -> bool:
