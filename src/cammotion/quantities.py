@@ -17,7 +17,7 @@ from cammotion.typed import typed_numbers
 
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _PLAIN = 1e5  # a number below it is read without a power of ten
-_OUTWARD = 4  # decimals; of a small number as many digits
+_OUTWARD = 4  # decimals
 _SMALL = 0.1  # of a number below it fewer digits are left than there are decimals
 _MANY = 100  # pieces/h, from which whole ones are told
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
@@ -319,17 +319,25 @@ def rate_as_text(rate_per_hour: float) -> str:
     return as_text(rate_per_hour, ".0f" if rate_per_hour >= _MANY else ".3g")
 
 
+def decimals_of(value: float, fewest: int) -> int:
+    """Return how many decimals show a number: so many, or more for as many digits of a small one.
+
+    >>> decimals_of(38.5, 3), decimals_of(0.00046, 3)
+    (3, 6)
+    """
+    return max(fewest, fewest - 1 - math.floor(math.log10(value))) if 0 < value < 1 else fewest
+
+
 def outward(low: float, high: float) -> tuple[str, str]:
     """Return two values from 0 on as texts, rounded away from what is between them.
 
     >>> outward(0.51949, 0.51951), outward(0.00046753, 0.00046755)
     (('0.5194', '0.5196'), ('0.0004675', '0.0004676'))
     """
-    larger = math.floor(math.log10(high)) if 0 < high < _SMALL else -1
-    digits = 10.0 ** (decimals := _OUTWARD - 1 - larger)
-    return f"{np.floor(low * digits) / digits:.{decimals}f}", (
-        f"{np.ceil(high * digits) / digits:.{decimals}f}"
-    )
+    decimals = decimals_of(high, _OUTWARD)
+    parts = 10.0**decimals
+    ends = np.floor(low * parts) / parts, np.ceil(high * parts) / parts
+    return f"{ends[0]:.{decimals}f}", f"{ends[1]:.{decimals}f}"
 
 
 def plural(number: int | str, what: str) -> str:

@@ -99,14 +99,21 @@ class _Asked:
             if worst <= _ENOUGH:
                 return radius
             excess = partial(self._excess_at, piece, place)
-            wider = radius + step * 2.0 ** np.arange(60)
-            beyond = next((b for b in wider[wider < self._limits[1]] if excess(b) < 0), None)
+            beyond = next((b for b in self._wider(radius, step) if excess(b) < 0), None)
             if beyond is None:
                 raise InputError(self._impossible(radius))
             radius = brentq(excess, radius, beyond, xtol=_CLOSE_MM) + 2 * _CLOSE_MM
         raise WrongAnswerError(
             "smallest_prime_radius", f"at {place:g} deg {radius:g} mm is off by {worst:.2g} of it"
         )
+
+    def _wider(self, radius: float, step: float) -> Floats:
+        """Return larger radii, first by steps that double, of an arm also evenly to its largest."""
+        wider = radius + step * 2.0 ** np.arange(60)
+        high = self._limits[1]
+        if math.isfinite(high):
+            wider = np.union1d(wider[wider < high], np.linspace(radius, high, _RADII)[1:-1])
+        return np.asarray(wider)
 
     def _among_samples(self) -> tuple[float, float]:
         """Return the least radius that is good at samples, and how finely it is known."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from cammotion.hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
 from cammotion.machine.kinematics import MM_PER_M, STANDARD_GRAVITY
-from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.quantities import InputError, Quantity, decimals_of, shorten
 
 _GRAVITY = Quantity("acceleration of gravity", "m/s2", example=9.81)
 _KINDS = (Disc, Ring, Cuboid, Cross, PointMasses, OwnInertia)
@@ -81,11 +81,6 @@ class Rotor:
         rows.append(("together", self.mass_kg, self.inertia_kg_m2))
         wide = max(len(name) for name, _, _ in rows)
         head = f"{'part':{wide}}  mass in kg  inertia in kg m²"
-        m_digits, i_digits = (_decimals(total) for total in rows[-1][1:])
+        m_digits, i_digits = (decimals_of(total, 3) for total in rows[-1][1:])
         lines = (f"{n:{wide}}  {m:10.{m_digits}f}  {i:16.{i_digits}f}" for n, m, i in rows)
         return "\n".join([head, *lines])
-
-
-def _decimals(total: float) -> int:
-    """Return how many decimals a column has: three, or more for three digits of a small total."""
-    return max(3, 2 - math.floor(math.log10(total)))
