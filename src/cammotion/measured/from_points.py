@@ -100,21 +100,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
             "out, or give fit='smooth'."
         )
     amount = None if smoothing is None else AMOUNT.number(smoothing)
-    given = (float(slopes[0]), float(slopes[1]))
-    found: Fit
-    match kind:
-        case "through":
-            found = Through(places, given)
-        case "smooth":
-            smoother = AnyPoints(places, "clamped", slopes=given)
-            if amount is None:
-                amount = chosen_amount(smoother, smoother.modes(ways))
-            found = Through(places, given, smoother, amount)
-        case "monotone":
-            _check_steepness(places, ways, given)
-            found = Monotone(places, given)
-        case _:
-            found = Periodic(places, amount or 0.0)
+    found = _fitted(kind, places, ways, (float(slopes[0]), float(slopes[1])), amount)
     told = step_of(ways) if ways.size >= _TABLE else 0.0
     grain = told if step is None else _STEP.number(step)
     law = SampledLaw(name, places, ways, found, grain)
@@ -180,6 +166,24 @@ def step_of(values: ArrayLike) -> float:
     counts = np.round(numbers * 10**_DIGITS).astype(np.int64)
     is_cubic = not np.any(np.diff(counts, _CUBIC))
     return 0.0 if is_cubic else float(np.gcd.reduce(counts)) / 10**_DIGITS
+
+
+def _fitted(
+    kind: str, places: Floats, ways: Floats, slopes: tuple[float, float], amount: float | None
+) -> Fit:
+    """Return the fit of a kind; an amount of smoothing that is None is chosen."""
+    match kind:
+        case "through":
+            return Through(places, slopes)
+        case "smooth":
+            smoother = AnyPoints(places, "clamped", slopes=slopes)
+            if amount is None:
+                amount = chosen_amount(smoother, smoother.modes(ways))
+            return Through(places, slopes, smoother, amount)
+        case "monotone":
+            _check_steepness(places, ways, slopes)
+            return Monotone(places, slopes)
+    return Periodic(places, amount or 0.0)
 
 
 def _check_steepness(places: Floats, ways: Floats, slopes: tuple[float, float]) -> None:

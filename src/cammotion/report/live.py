@@ -7,8 +7,10 @@ import sympy as sp
 
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.machine.segments import Segment
 from cammotion.own import Machine
 from cammotion.views.live.explore import explore
+from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Control, Line, Panel, Point, Say
 
 _NARROWEST, _WIDEST = 0.4, 3.0  # times the angle of today
@@ -23,20 +25,34 @@ _FIT = (  # the frame is as high as the figure in it, also when that gets anothe
 
 def live_figure(machine: Machine) -> str:
     """Return the figure in a frame of its own; nothing if it has no move with a peak."""
-    all_moves = machine.diagram[machine.hardest].moves
-    moves = [move for move in all_moves if math.isfinite(as_law(move.law).Ca)]
+    moves = [m for m in machine.diagram[machine.hardest].moves if math.isfinite(_of_turn(m))]
     if not moves:
         return ""
-    move = max(moves, key=lambda one: as_law(one.law).Ca * abs(one.change_mm) / one.angle_deg**2)
+    move = max(moves, key=_of_turn)
+    name = f"The {move.kind} of the {machine.hardest}"
+    figure = _figure(move, machine.diagram.rate_per_hour, name)
+    return (
+        f"<p>{escape(name)}, which is driven hardest: what it would need over another angle, at "
+        f'another rate.</p>\n<div class="screen"><iframe title="{escape(name)}" '
+        f'onload="{_FIT}" srcdoc="{escape(figure.as_page())}"></iframe></div>\n'
+    )
+
+
+def _of_turn(move: Segment) -> float:
+    """Return the peak of a move in mm/deg²; infinite where its velocity jumps."""
+    return as_law(move.law).Ca * abs(move.change_mm) / move.angle_deg**2
+
+
+def _figure(move: Segment, rate: float, name: str) -> LiveFigure:
+    """Return the figure of a move from rest to rest, today at a rate in pieces/h."""
     law, way = as_law(move.law), abs(move.change_mm) / MM_PER_M
     B, at, N = sp.symbols("B at N", positive=True)  # noqa: N806 - the symbols of the lessons
-    peak = law.Ca * way / (B / DEG_PER_TURN * 3600 / N) ** 2
+    per_factor = way / (B / DEG_PER_TURN * 3600 / N) ** 2
+    peak, least = law.Ca * per_factor, 4 * per_factor  # such a law rests at both its ends
     low = _NARROWEST * move.angle_deg
     high = min(_WIDEST * move.angle_deg, float(DEG_PER_TURN))
-    rate = machine.diagram.rate_per_hour
-    least = 4 * way / (B / DEG_PER_TURN * 3600 / N) ** 2  # such a law rests at both its ends
-    name = f"The {move.kind} of the {machine.hardest}"
-    figure = explore(
+    step = min(_STEP_DEG, (high - low) / _FEWEST)
+    return explore(
         Panel(
             lines=[
                 Line(y=peak, name=law.name, colour=0),
@@ -50,12 +66,7 @@ def live_figure(machine: Machine) -> str:
         (B, low, high),
         {
             at: Control(
-                low=low,
-                high=high,
-                step=min(_STEP_DEG, (high - low) / _FEWEST),
-                start=move.angle_deg,
-                name="its angle",
-                unit="deg",
+                low=low, high=high, step=step, start=move.angle_deg, name="its angle", unit="deg"
             ),
             N: Control(
                 low=_SLOWEST * rate,
@@ -68,9 +79,4 @@ def live_figure(machine: Machine) -> str:
         },
         says=[Say("peak of the move: {a:.4g} m/s²", {"a": peak.subs(B, at)})],
         title=name,
-    )
-    return (
-        f"<p>{escape(name)}, which is driven hardest: what it would need over another angle, at "
-        f'another rate.</p>\n<div class="screen"><iframe title="{escape(name)}" '
-        f'onload="{_FIT}" srcdoc="{escape(figure.as_page())}"></iframe></div>\n'
     )
