@@ -62,6 +62,15 @@ def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
     assert int(above) == math.ceil(100 * (float(reached) / float(low) - 1))
 
 
+def test_a_part_that_could_stand_all_the_turn_has_no_bound(tmp_path: Path) -> None:
+    """Who says of its work alone that it has to stand there is told what is missing."""
+    diagram = cm.TimingDiagram([cm.EXAMPLE.die], 2000)
+    machine = cm.Machine("press", diagram, [], {"die": [(205, 305)]})
+    page = cm.write_report(machine, tmp_path).page.read_text("utf-8")
+    assert "Nothing in the table makes these parts move, so that no bound is above 0" in page
+    assert "below 0.0000 m/s²" not in page.partition("The conditions of this bound")[0]
+
+
 def test_the_checker_sees_a_wrong_peak(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     report = cm.write_report(PRESS, tmp_path, seconds=1)
     assert check(report.folder / "tables.xlsx") == []

@@ -78,9 +78,14 @@ def _bound(found: Findings) -> str:
     least = found.least
     if least is None:
         return ""
+    whose = _free(found.machine, "these parts")
+    if least.reached == 0:
+        return (
+            f"Nothing in the table makes {whose} move, so that no bound is above 0: say of more "
+            "than one dwell in the column 'still' that a part has to stand there."
+        )
     reached = max(found.improved.peaks[name] for name in least.parts)
     low, high = outward(least.bound, reached)
-    whose = _free(found.machine, "these parts")
     sentence = f"No motions of {whose} can have a largest peak below {low} m/s²"
     if least.bound > 0 and math.isfinite(reached):
         above = math.ceil(100 * (reached / least.bound - 1))
