@@ -418,6 +418,13 @@ def test_what_a_response_refuses() -> None:
         cm.tuned_mass(0)
 
 
+def test_a_follower_that_creeps_is_not_called_undamped() -> None:
+    stiff, syrup = cm.Chain([1, 1], [10, 20], [1e6] * 2), cm.Chain([1, 1], [10, 20], [1e12] * 2)
+    assert cm.SteadyResponse(stiff, DIE, RATE).peak_deflection_mm().value < 1e-4
+    with pytest.raises(cm.InputError, match=r"creeps back by less than .* give it less damping"):
+        cm.SteadyResponse(syrup, DIE, RATE)
+
+
 def test_resonance_undamped_is_refused() -> None:
     with pytest.raises(cm.InputError, match="swings 18 times in a turn and nothing damps it"):
         cm.SteadyResponse(cm.tuned_mass(10), DIE, RATE)

@@ -290,7 +290,8 @@ class SteadyResponse(_TurnResponse):
     """A follower in a machine that has run for long: each turn is as the one before.
 
     `at` is any cam angle in deg. Raises InputError where nothing damps the follower and it swings
-    a whole number of times in a turn: then it swings more with each turn, without end.
+    a whole number of times in a turn: then it swings more with each turn, without end; and where it
+    is damped so strongly that a turn brings it back by less than 1e-8 of its deflection.
     """
 
     @checked
@@ -299,14 +300,22 @@ class SteadyResponse(_TurnResponse):
         matrix, row = self._course.passage
         left = np.eye(len(row)) - matrix
         if np.linalg.svd(left, compute_uv=False)[-1] < _RESONANT:
-            swings = chain.natural_Hz * float(cycle_time(self.rate_per_hour))
-            nearest = swings[np.argmin(np.abs(swings - np.round(swings)))]
-            raise InputError(
-                f"At {self.rate_per_hour:g} pieces/h the follower swings {nearest:.9g} times in a "
-                "turn and nothing damps it, so that it swings more with each turn: give it some "
-                "damping, or another rate."
-            )
+            raise InputError(f"At {self.rate_per_hour:g} pieces/h the follower {self._endless()}")
         self._repeated = np.linalg.solve(left.T, row)
+
+    def _endless(self) -> str:
+        """Return in words why no turn is as the one before, and what to give."""
+        if np.min(self.chain.damping_ratios) > 1:
+            return (
+                "is damped so strongly that it creeps back by less than a hundred millionth of its "
+                "deflection in a turn: give it less damping, or stiffer springs."
+            )
+        swings = self.chain.natural_Hz * float(cycle_time(self.rate_per_hour))
+        nearest = swings[np.argmin(np.abs(swings - np.round(swings)))]
+        return (
+            f"swings {nearest:.9g} times in a turn and nothing damps it, so that it swings more "
+            "with each turn: give it some damping, or another rate."
+        )
 
     def _start(self, turn: int) -> Floats:  # noqa: ARG002 - all turns are alike
         return np.asarray(self._repeated)
