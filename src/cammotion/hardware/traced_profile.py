@@ -85,7 +85,8 @@ class Traced:
         bend = np.abs(turned) / self._steps
         beside = np.mean([np.roll(bend, n) for n in (-5, -4, -3, 3, 4, 5)], axis=0)
         shaken = _SHAKEN * self.noise_mm / self._steps
-        sharper = -turned - _KINKED * np.maximum(beside * self._steps, shaken)
+        net = turned + np.roll(turned, 1) + np.roll(turned, -1)  # a stray's own turns cancel
+        sharper = np.minimum(-turned, -net) - _KINKED * np.maximum(beside * self._steps, shaken)
         worst = int(np.argmax(sharper))
         if sharper[worst] > _KINK:
             raise InputError(
