@@ -1,6 +1,7 @@
 """Points of a profile give the lift back, whatever probe went round, and noise stays what it is."""
 
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -77,6 +78,27 @@ def test_a_stray_among_uneven_points_is_one() -> None:
     x, y = cam.profile_mm(angles).T * np.where(angles == 250, 1.001, 1)  # a fifth of a mm
     with pytest.raises(InputError, match=r"The point at 250 deg lies about 0\.2 mm off"):
         lift_from_profile(x, y, follower=cam.follower)
+
+
+@pytest.mark.parametrize("up_mm", [-5, -0.3, 0.1, 1])
+def test_a_stray_among_dense_points_is_no_hollow(up_mm: float) -> None:
+    cam, angles = RollerCam(DIE, cm.TranslatingRoller(10), 160), np.arange(3600) / 10
+    x, y = cam.profile_mm(angles).T * np.where(angles == 250, 1 + up_mm / 200, 1)
+    with pytest.raises(InputError, match=r"The point at 250 deg lies about [\d.]+ mm off"):
+        lift_from_profile(x, y, follower=cam.follower)
+
+
+def test_noise_beside_a_long_step_makes_no_point_lie_far_off() -> None:
+    """Two points close together and two far away foretell a third badly."""
+    cam = RollerCam(DIE, cm.TranslatingRoller(10), 160)
+    parts = [np.arange(*ends, 5) for ends in DWELLS] + [np.arange(*ends, 0.1) for ends in MOVES]
+    points = cam.profile_mm(np.sort(np.concatenate(parts)))
+    for seed in range(8):
+        try:
+            lift_from_profile(*noisy(points, 0.02, seed).T, follower=cam.follower)
+        except InputError as wrong:
+            (told,) = re.findall(r"lies about ([\d.]+) mm off", str(wrong))
+            assert float(told) < 0.15, seed
 
 
 def test_noise_of_points_close_together_is_no_kink() -> None:

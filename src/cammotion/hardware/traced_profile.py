@@ -20,6 +20,7 @@ _DENSE, _PLACES = 16, 8000  # of the answer's own check: places between two poin
 _KINK, _KINKED = 0.05, 4.0  # rad at one point, beside so many times what its neighbours turn
 _SHAKEN = 1.5 * math.sqrt(6)  # of the noise over the step, which turns the line at any point
 _STRAY, _STRAYED = 0.025, 4.0  # of the step, beside so many times what neighbours are off
+_EVEN = 1 + 34 / 36  # the sum of squares of 1 and the weights of four even neighbours
 _ROUNDING = 1e-8  # of the size
 _RESIDUAL = math.sqrt(18 / 35)  # of the noise is off a parabola through five points
 _MEDIAN = 0.6745  # of a normal scatter is the median of its magnitude
@@ -142,14 +143,19 @@ class Traced:
         return (steps + np.roll(steps, 1)) / 2
 
     def _off_neighbours(self) -> Floats:
-        """Return how far each point is off the cubic through two neighbours on either side."""
+        """Return how far each point is off the cubic through two neighbours on either side.
+
+        Of uneven points it is less by as much as noise of theirs would make it more.
+        """
         apart = np.array([np.roll(self.points, n) - self.points for n in (2, 1, -1, -2)])
         seen = apart / self._tangents(2)
-        off = np.zeros(len(self.points))
+        off, noise = np.zeros(len(self.points)), np.ones(len(self.points))
         for number, way in enumerate(seen.real):
             others = np.delete(seen.real, number, axis=0)
-            off += seen.imag[number] * np.prod(others / (others - way), axis=0)
-        return np.abs(off)
+            weight = np.prod(others / (others - way), axis=0)
+            off += weight * seen.imag[number]
+            noise += weight**2
+        return np.asarray(np.abs(off) * np.sqrt(_EVEN / noise))
 
     def _parabolas(self, window: int) -> Places:
         """Return value and slope, at each point, of the parabola that fits best about it."""
