@@ -1,11 +1,16 @@
 """Machines of the size of a watch: what is small there is not rounding."""
 
+import re
+from pathlib import Path
+
 import matplotlib as mpl
 import numpy as np
 import pytest
+from bs4 import BeautifulSoup
 from matplotlib import pyplot as plt
 
 import cammotion as cm
+from cammotion.report.sheets import _cam
 
 mpl.use("agg")
 
@@ -77,3 +82,35 @@ def test_a_rule_of_any_size_is_used_up_alike(length: float) -> None:
         found = cm.improvements(cm.Machine("small", diagram, [rule], still), seconds=3)
         (said,) = (one.said for one in found if one.kind == "widen" and one.mechanism == "mill")
         assert (str(rule) in said) == is_used, said
+
+
+@pytest.mark.parametrize(("length", "time", "_"), SIZES)
+def test_a_report_of_any_size_warns_of_a_rule_that_is_used_up(
+    length: float, time: float, _: float, tmp_path: Path
+) -> None:
+    """Of a stroke of 4 m some 0.0003 mm were left in the best design, and so no word of it."""
+    diagram, rule = machine(length, time)
+    report = cm.write_report(cm.Machine("press", diagram, [rule], STILL), tmp_path, seconds=1)
+    soup = BeautifulSoup(report.page.read_text("utf-8"), "html.parser")
+    page = " ".join(soup.get_text(" ").split())
+    assert "The design uses up 1 of 1 rules" in page
+    rate = float(re.findall(r"At the peak of today that is ([\d.e+]+) pieces/h", page)[0])
+    assert rate * time == pytest.approx(4198, rel=5e-3)
+
+
+@pytest.mark.parametrize(("length", "time", "_"), SIZES)
+def test_the_cam_tables_of_a_report_of_any_size_have_their_digits(
+    length: float, time: float, _: float
+) -> None:
+    diagram = machine(length, time)[0]
+    columns = np.array(_cam("die", diagram, diagram)[1:]).T
+    for exact, column in zip((diagram.velocity, diagram.acceleration), columns[2:4], strict=True):
+        wanted = exact("die", columns[0])
+        assert column == pytest.approx(wanted, abs=1e-5 * np.abs(wanted).max())
+
+
+def test_the_rate_of_a_slow_machine_has_three_digits() -> None:
+    """From 3 pieces/h to 6.3, and not to 6."""
+    diagram, rule = machine(1, 2000 / 3)
+    found = cm.improvements(cm.Machine("slow", diagram, [rule], STILL), seconds=3)
+    assert found[0].row[-1] == "6.3"

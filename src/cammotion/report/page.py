@@ -21,7 +21,7 @@ from cammotion.rules.rule import Clearance, Rule
 from cammotion.views.whole_page import whole_page
 
 _STYLE = Path(__file__).with_name("page.css")
-_NOTHING = 1e-5  # mm: a rule that is just kept
+_NOTHING = 2e-7  # of the ways in a rule, that is left where it is just kept
 
 
 def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
@@ -116,7 +116,10 @@ def _rules(found: Findings) -> str:
             "whether its limit is what was meant."
         )
     heading += ["of the design, mm"] if found.best else []
-    used = sum(one.clearance_mm < _NOTHING for one in found.improved.clearances)
+    used = sum(
+        one.clearance_mm < _nothing_mm(found.improved, one.rule)
+        for one in found.improved.clearances
+    )
     if found.best and used:
         broken += paragraph(
             f"The design uses up {used} of {len(machine.rules)} rules: it leaves nothing for play, "
@@ -134,8 +137,13 @@ def _clearance(machine: Machine, rule: Rule, one: Clearance) -> Opened | str:
         for name in rule.motions
     )
     whence = f"Least at {at:.5g} deg: there {there} (of a turret: from its stop). {_meant(rule)}"
-    value = 0.0 if abs(one.clearance_mm) < _NOTHING else one.clearance_mm
+    value = 0.0 if abs(one.clearance_mm) < _nothing_mm(machine, rule) else one.clearance_mm
     return Opened(short(value), whence)
+
+
+def _nothing_mm(machine: Machine, rule: Rule) -> float:
+    ranges = (machine.diagram[name].range_mm for name in rule.motions)
+    return _NOTHING * max(high - low for low, high in ranges)
 
 
 def _meant(rule: Rule) -> str:

@@ -10,6 +10,7 @@ from cammotion.exchange.machine_files import machine_rows
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
+from cammotion.quantities import Floats
 from cammotion.report.findings import Findings
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import Condition, Moving
@@ -19,7 +20,7 @@ from cammotion.rules.rule import Rule
 STEP_DEG = 0.5
 """Of the cam tables: fine enough for a spline through them."""
 
-_PLACES = 7
+_PLACES, _DIGITS = 7, 6  # of a number in a cam table at least: decimals, or digits of the largest
 _MECHANISMS = (
     "mechanism",
     "indexing stops",
@@ -100,9 +101,15 @@ def _cam(name: str, *diagrams: TimingDiagram) -> list[list[Any]]:
             diagram.velocity(name, angles),
             diagram.acceleration(name, angles),
         )
-        columns += [np.asarray(each).round(_PLACES) + 0.0 for each in values]
+        columns += [_rounded(np.asarray(each)) for each in values]
         heading += [f"{what}{whose}" for what in _CURVES]
     return [[*heading], *np.column_stack(columns).tolist()]
+
+
+def _rounded(column: Floats) -> Floats:
+    largest = float(np.abs(column).max())
+    before = math.floor(math.log10(largest)) + 1 if 0 < largest < math.inf else 0
+    return column.round(max(_PLACES, _DIGITS - before)) + 0.0
 
 
 def _finite(value: float) -> Any:
