@@ -101,6 +101,7 @@ def test_two_values_are_rounded_away_from_what_is_between_them() -> None:
         high = low * (1 + rng.uniform(0, 0.1))
         least, most = map(float, outward(low, high))
         assert least <= low <= high <= most
+        assert all(len(text) <= len("0.0001234") for text in outward(low, high))
         assert most - least <= high - low + 2.2e-3 * max(high, 0.1)
 
 

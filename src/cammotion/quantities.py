@@ -17,7 +17,12 @@ from cammotion.typed import typed_numbers
 
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _PLAIN = 1e5  # a number below it is read without a power of ten
-_OUTWARD = 4  # decimals
+    decimals = decimals_of(high, _OUTWARD)
+    parts = 10.0**decimals
+    ends = np.floor(low * parts) / parts, np.ceil(high * parts) / parts
+    if decimals > _MOST_DECIMALS:
+        return f"{ends[0]:.{_OUTWARD - 1}e}" if ends[0] else "0", f"{ends[1]:.{_OUTWARD - 1}e}"
+    return f"{ends[0]:.{decimals}f}", f"{ends[1]:.{decimals}f}"
 _SMALL = 0.1  # of a number below it fewer digits are left than there are decimals
 _MANY = 100  # pieces/h, from which whole ones are told
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
@@ -331,12 +336,14 @@ def decimals_of(value: float, fewest: int) -> int:
 def outward(low: float, high: float) -> tuple[str, str]:
     """Return two values from 0 on as texts, rounded away from what is between them.
 
-    >>> outward(0.51949, 0.51951), outward(0.00046753, 0.00046755)
-    (('0.5194', '0.5196'), ('0.0004675', '0.0004676'))
+    >>> outward(0.51949, 0.51951), outward(0.00046753, 0.00046755), outward(5.3881e-8, 5.9006e-8)
+    (('0.5194', '0.5196'), ('0.0004675', '0.0004676'), ('5.388e-08', '5.901e-08'))
     """
     decimals = decimals_of(high, _OUTWARD)
     parts = 10.0**decimals
     ends = np.floor(low * parts) / parts, np.ceil(high * parts) / parts
+    if decimals > _MOST_DECIMALS:
+        return f"{ends[0]:.{_OUTWARD - 1}e}" if ends[0] else "0", f"{ends[1]:.{_OUTWARD - 1}e}"
     return f"{ends[0]:.{decimals}f}", f"{ends[1]:.{decimals}f}"
 
 
