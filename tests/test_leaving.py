@@ -8,6 +8,7 @@ from notebook_lint import _svg_faults
 from test_animation import parse
 
 import cammotion as cm
+from cammotion.views.animation.leaving import _Picture
 
 LOAD = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=1, preload_N=30)
 FLIGHTS = cm.follower_flights(cm.EXAMPLE.die, LOAD, 3000)
@@ -49,6 +50,48 @@ def test_it_says_what_is_to_be_seen() -> None:
     slow = cm.animate_follower(cm.follower_flights(cm.EXAMPLE.die, LOAD, 2000))
     assert "It stays on the cam." in slow.description
     assert slow.magnify == 1
+
+
+FAR = {  # stiffness, turns: what is said of the last turn, and the angles over which it flies
+    (0.01, 4): (
+        "It comes into the turn in the air, and hits the cam at 26.2° with 0.37 m/s.",
+        236.2,
+    ),
+    (0.01, 3): ("It leaves the cam at 177.7°, by up to 318 mm, and lands in a later turn.", 332.3),
+    (0.01, 1.5): ("It is in the air all the turn, and does not come back to the cam in it.", 360),
+    (0.05, 3): (
+        "It leaves the cam at 177.9°, by up to 145 mm, and hits it at 90.4° with 0.373 m/s.",
+        272.5,
+    ),
+}
+
+
+@pytest.mark.parametrize(("stiffness", "turns"), FAR)
+def test_a_flight_may_be_longer_than_the_turn_that_is_shown(stiffness: float, turns: float) -> None:
+    """A soft spring brings it back two turns later: it was said to stay on the cam."""
+    load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=stiffness, preload_N=1)
+    found = cm.follower_flights(cm.EXAMPLE.die, load, 2000, turns=turns)
+    picture = cm.animate_follower(found)
+    said, flies_deg = FAR[stiffness, turns]
+    assert picture.description.splitlines()[1] == said
+    assert "It stays on the cam" not in picture.description
+    assert not [*_svg_faults(picture.svg)]
+    angles = np.arange(0.05, 360, 0.1)
+    assert 0.1 * np.sum(found.gap_mm(picture.angle_of(angles)) > 0) == pytest.approx(
+        flies_deg, abs=1
+    )
+    air = _Picture(picture)._air
+    assert sum(end - start for start, end in air) == pytest.approx(flies_deg, abs=1)
+
+
+def test_turns_in_one_long_flight_are_none_that_come_again() -> None:
+    load = cm.FollowerLoad(mass_kg=20_000, stiffness_N_per_mm=0.01, preload_N=10)
+    found = cm.follower_flights(cm.EXAMPLE.die, load, 2000, turns=4)
+    assert len(found) == 1
+    assert found.period is None
+    assert "the turn before was another" in cm.animate_follower(found).svg
+    on_cam = cm.follower_flights(cm.EXAMPLE.die, LOAD, 1000, turns=4)
+    assert (len(on_cam), on_cam.period) == (0, 1)
 
 
 def test_the_gap_of_the_still_is_the_gap() -> None:

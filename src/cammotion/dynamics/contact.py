@@ -80,6 +80,11 @@ class Flights:
         return self._of_turn(1)
 
     @property
+    def into_last_turn(self) -> Flight | None:
+        """The flight in which the follower is where the last turn begins, None on the cam."""
+        return self._over(self._begin_of(1), self._begin_of(1))
+
+    @property
     def period(self) -> int | None:
         """After how many turns the flights come again; None if they have not yet.
 
@@ -89,6 +94,8 @@ class Flights:
         1
         """
         for turns in range(1, int(self.turns) // 2 + 1):
+            if self._over(self._begin_of(2 * turns), self._begin_of(turns)):
+                continue  # such a flight begins in none of the turns that are compared
             last, before = (
                 [f for back in range(turns) for f in self._of_turn(first + back)]
                 for first in (1, 1 + turns)
@@ -148,8 +155,17 @@ class Flights:
     def _cam(self) -> Cam:
         return Cam.of(self.motion, self.rate_per_hour)
 
+    def _begin_of(self, back: int) -> float:
+        """Return where the turn begins that is so many back from the end, the last being 1."""
+        return self.begins_at_deg + DEG_PER_TURN * (self.turns - back)
+
+    def _over(self, first_deg: float, last_deg: float) -> Flight | None:
+        """Return the flight that begins before one angle and lands after another."""
+        before, after = first_deg - _SAME_DEG, last_deg + _SAME_DEG
+        return next((f for f in self.flights if f[0] < before and f[1] > after), None)
+
     def _of_turn(self, back: int) -> tuple[Flight, ...]:
-        end = self.begins_at_deg + DEG_PER_TURN * (self.turns - back + 1)
+        end = self._begin_of(back - 1)
         return tuple(
             flight
             for flight in self.flights

@@ -79,6 +79,23 @@ class FollowerAnimation(MovingPicture):
         return self.flights.last_turn
 
     @property
+    def carried(self) -> Flight | None:
+        """The flight in which the turn that is shown begins, if the turn is another than before."""
+        return None if self.flights.period == 1 else self.flights.into_last_turn
+
+    @property
+    def ends_at_deg(self) -> float:
+        """Where the turn that is shown ends, counted on from the first one."""
+        return self.flights.begins_at_deg + self.flights.turns * DEG_PER_TURN
+
+    @property
+    def landing(self) -> list[Flight]:
+        """The flights that end in the turn that is shown, or in one like it."""
+        flights = [*filter(None, [self.carried]), *self.seen]
+        is_alike = self.flights.period == 1
+        return [each for each in flights if is_alike or each.lands_at_deg < self.ends_at_deg]
+
+    @property
     def description(self) -> str:
         """What there is to see, in words."""
         found = self.flights
@@ -86,19 +103,27 @@ class FollowerAnimation(MovingPicture):
             f"A follower on its cam, {self.cycle_s:.4g} s a turn ({found.rate_per_hour:g} "
             f"pieces/h), shown in {self.turn_s:g} s."
         ]
-        for leaves, lands, gap, impact in self.seen:
-            off, hit = as_text(gap, ".3g"), as_text(impact, ".3g")
-            said.append(
-                f"It leaves the cam at {leaves % DEG_PER_TURN:.4g}°, by up to {off} mm, and "
-                f"hits it at {lands % DEG_PER_TURN:.4g}° with {hit} m/s."
+        said += [self._coming] if self.carried else []
+        for flight in self.seen:
+            leaves, off = flight.leaves_at_deg % DEG_PER_TURN, as_text(flight.gap_mm, ".3g")
+            comes = (
+                f"hits it {_impact(flight)}" if flight in self.landing else "lands in a later turn"
             )
-        if not self.seen:
+            said.append(f"It leaves the cam at {leaves:.4g}°, by up to {off} mm, and {comes}.")
+        if not self.seen and not self.carried:
             said.append("It stays on the cam.")
         elif self.magnify > 1:
             said.append(f"The gap is drawn {self.magnify:g} times as large.")
         if not self.is_repeated:
             said.append("The turn before was another: the picture jumps where this one begins.")
         return "\n".join(said)
+
+    @property
+    def _coming(self) -> str:
+        """How a follower that comes into the turn in the air lands in it, if it does."""
+        if self.carried in self.landing:
+            return f"It comes into the turn in the air, and hits the cam {_impact(self.carried)}."
+        return "It is in the air all the turn, and does not come back to the cam in it."
 
     @property
     def is_repeated(self) -> bool:
@@ -147,10 +172,16 @@ def animate_follower(
 def _fitting(flights: Flights) -> float:
     """Return 1, 2, 5, 10, ... as the widest gap of the turn needs it to be seen."""
     low, high = flights.motion.range_mm
-    widest = max((flight.gap_mm for flight in flights.last_turn), default=0.0)
+    shown = filter(None, [*flights.last_turn, flights.into_last_turn])
+    widest = max((flight.gap_mm for flight in shown), default=0.0)
     steps = [step * 10.0**decade for decade in range(6) for step in (1, 2, 5)]
     fit = [step for step in steps if widest * step <= _SEEN * (high - low)]
     return max(fit, default=1.0) if widest else 1.0
+
+
+def _impact(flight: Flight) -> str:
+    lands = flight.lands_at_deg % DEG_PER_TURN
+    return f"at {lands:.4g}° with {as_text(flight.impact_m_per_s, '.3g')} m/s"
 
 
 class _Picture:
@@ -167,9 +198,10 @@ class _Picture:
         )
         self.cam = RollerCam(motion, roller, max(prime, 1.5 * self.travel))
         self.scale = _CAM_PX / (self.cam.prime_radius_mm + self.travel - roller.radius_mm)
-        leaves = [end for flight in animation.seen for end in flight[:2]]
+        ends = [end for flight in animation.seen for end in flight[:2]]
+        ends += [flight.lands_at_deg for flight in animation.landing]
         even = np.arange(0, DEG_PER_TURN + _STEP_DEG / 2, _STEP_DEG)
-        own = np.mod([*leaves, motion.start_deg, *within_short_moves(motion)], DEG_PER_TURN)
+        own = np.mod([*ends, motion.start_deg, *within_short_moves(motion)], DEG_PER_TURN)
         self.angles: Floats = np.union1d(even, own)
         whole = animation.angle_of(self.angles)
         self.gap = np.asarray(animation.flights.gap_mm(whole)) * animation.magnify
@@ -252,7 +284,7 @@ class _Picture:
             air = svg.seen_during(self._air, self.turn_s)
             air.append(svg.label("in the air", 14, _HEADER + 12, size=svg.LARGE, **alarm))
             yield air
-        for flight in self.of.seen:
+        for flight in self.of.landing:
             lands = flight.lands_at_deg % DEG_PER_TURN
             hit = svg.seen_during(arcs([(lands, lands + _BURST_DEG)]), self.turn_s)
             lift = float(np.interp(lands, self.angles, self.lift))
@@ -269,7 +301,12 @@ class _Picture:
 
     @cached_property
     def _air(self) -> list[Arc]:
-        return arcs([flight[:2] for flight in self.of.seen])
+        of, last = self.of, self.of.ends_at_deg
+        own = [*of.seen, *filter(None, [of.carried])]
+        if of.flights.period == 1:
+            return arcs([flight[:2] for flight in own])
+        first = last - DEG_PER_TURN
+        return arcs([(max(f.leaves_at_deg, first), min(f.lands_at_deg, last)) for f in own])
 
     @property
     def _curves(self) -> Curves:
