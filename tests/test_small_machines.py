@@ -114,3 +114,22 @@ def test_the_rate_of_a_slow_machine_has_three_digits() -> None:
     diagram, rule = machine(1, 2000 / 3)
     found = cm.improvements(cm.Machine("slow", diagram, [rule], STILL), seconds=3)
     assert found[0].row[-1] == "6.3"
+
+
+@pytest.mark.parametrize("length", [1.0, 80.0])
+@pytest.mark.parametrize("cells", [90, 360])
+def test_the_bound_of_what_can_stand_is_not_below_zero(length: float, cells: int) -> None:
+    """It was -2e-19 m/s², and rounded outward -0.0001."""
+    up, down = (make(50 * length, over_deg=110) for make in (cm.rise, cm.return_))
+    slide = cm.motion("slide", up, cm.dwell(70), down, cm.dwell(70))
+    pin = cm.motion("pin", cm.rise(20, over_deg=40), cm.dwell(100), cm.return_(20, over_deg=220))
+    rule = cm.ClearanceRule(cm.beyond("pin", 5), only_while=cm.beyond("slide", 19 * length))
+    found = cm.least_acceleration(
+        cm.TimingDiagram([slide, pin], 30),
+        *("slide", rule),
+        still=[(110, 180)],
+        travel_mm=(0, 50 * length),
+        cells=cells,
+    )
+    assert found.bound == 0
+    assert "between 0 and " in repr(found) or "between 0.0000 and " in repr(found)

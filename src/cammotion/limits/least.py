@@ -128,7 +128,7 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     if room.still_cells.all():
         lowest, curve = 0.0, GridMotion(times, room.low_mm, *np.zeros((3, len(times))))
     else:
-        lowest = from_below(room, times, limit).bound / part**2
+        lowest = max(from_below(room, times, limit).bound, 0.0) / part**2  # no peak is below 0
         room, curve = _reach(room, times, limit)
     best = curve.build(own, room)
     found = LeastAcceleration(diagram, lowest / MM_PER_M, best, most_jerk)
