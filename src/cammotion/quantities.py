@@ -17,12 +17,8 @@ from cammotion.typed import typed_numbers
 
 _TINY = 1e-50  # no divisor is smaller, and no number larger than 1/that: their powers overflow
 _PLAIN = 1e5  # a number below it is read without a power of ten
-    decimals = decimals_of(high, _OUTWARD)
-    parts = 10.0**decimals
-    ends = np.floor(low * parts) / parts, np.ceil(high * parts) / parts
-    if decimals > _MOST_DECIMALS:
-        return f"{ends[0]:.{_OUTWARD - 1}e}" if ends[0] else "0", f"{ends[1]:.{_OUTWARD - 1}e}"
-    return f"{ends[0]:.{decimals}f}", f"{ends[1]:.{decimals}f}"
+_OUTWARD = 4  # decimals
+_MOST_DECIMALS = 7  # what needs more is written with a power of ten
 _SMALL = 0.1  # of a number below it fewer digits are left than there are decimals
 _MANY = 100  # pieces/h, from which whole ones are told
 _LONG, _LISTED = 60, 600  # of a name that is compared with others; of a list of names
