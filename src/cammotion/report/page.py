@@ -79,7 +79,7 @@ def _bound(found: Findings) -> str:
     if least is None:
         return ""
     whose = _free(found.machine, "these parts")
-    if least.reached == 0:
+    if least.can_stand:
         return (
             f"Nothing in the table makes {whose} move, so that no bound is above 0: say of more "
             "than one dwell in the column 'still' that a part has to stand there."

@@ -58,9 +58,14 @@ class LeastPeak:
     @property
     def gap(self) -> float:
         """How much better other motions could be at most, as a share of what is reached."""
-        if self.reached <= _NOTHING * self._size:
+        if self.can_stand:
             return 0.0
         return 1 - self.bound / self.reached if np.isfinite(self.reached) else 1.0
+
+    @property
+    def can_stand(self) -> bool:
+        """Whether nothing makes the parts move: what is reached is no more than rounding."""
+        return self.reached <= _NOTHING * self._size
 
     @property
     def _size(self) -> float:
