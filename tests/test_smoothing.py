@@ -202,15 +202,29 @@ def test_the_reading_error_is_found_again() -> None:
     assert np.std(raw) > 100 * np.std(off)
 
 
+@pytest.mark.parametrize("amount", [1e-10, 1e-6, 1e-4])
+@pytest.mark.parametrize("step", [2, 10])
+def test_the_reading_error_is_found_again_however_little_is_smoothed(
+    amount: float, step: int
+) -> None:
+    """Noise that is nearly all left in the points is told by the little that is not."""
+    rng, angle = np.random.default_rng(6), turn(360 // step)
+    told = []
+    for _ in range(60):
+        y = 5 * np.cos(np.radians(angle)) + rng.normal(0, 0.02, angle.size)
+        told.append(cm.smoothed(cm.CamTable(angle, y, is_cycle=True), amount).error_mm)
+    assert np.mean(told) == pytest.approx(0.02, rel=0.06)
+
+
 def test_the_error_is_over_what_noise_would_lose() -> None:
-    """The share is 1 less the weight of each point in its own value, which unit readings tell."""
-    weights = [
-        cm.smoothed(cm.CamTable(CAM.angle_deg, unit, is_cycle=True), 1e-4).position_mm[n]
-        for n, unit in enumerate(np.eye(36))
+    """Each unit reading leaves a column of what is smoothed away of any readings."""
+    left = [
+        unit - cm.smoothed(cm.CamTable(CAM.angle_deg, unit, is_cycle=True), 1e-4).position_mm
+        for unit in np.eye(36)
     ]
     found = cm.smoothed(CAM, 1e-4)
-    left = np.sum((found.position_mm - CAM.position_mm) ** 2)
-    assert found.error_mm == pytest.approx(np.sqrt(left / (36 - sum(weights))))
+    off = np.sum((found.position_mm - CAM.position_mm) ** 2)
+    assert found.error_mm == pytest.approx(np.sqrt(off / np.sum(np.square(left))))
 
 
 def test_points_of_a_smooth_curve_are_left_as_they_are() -> None:

@@ -24,7 +24,7 @@ class SmoothedTable(Alike):
 
     `position_mm` are its positions in mm at the table's angles, `error_mm` the root mean square of
     the reading error in mm that the points themselves suggest: what was smoothed away, over the
-    root of the share of it that noise would lose too; 0 without smoothing.
+    root of the share that noise would lose of its mean square; 0 without smoothing.
     """
 
     table: CamTable
@@ -113,8 +113,8 @@ def smoothed(table: CamTable, amount: float | None = None) -> SmoothedTable:
     taken = chosen_amount(smoother, modes) if amount is None else AMOUNT.number(amount)
     positions = smoother.smoothed(table.position_mm, taken)
     left = np.sum((table.position_mm - positions) ** 2)
-    freedom = np.sum(1 - 1 / (1 + taken * smoother.eigenvalues))
-    error = float(np.sqrt(left / freedom)) if freedom else 0.0
+    lost = 1 - 1 / (1 + taken * smoother.eigenvalues)  # of each mode
+    error = float(np.sqrt(left / np.sum(lost**2))) if taken else 0.0
     return SmoothedTable(table, taken, positions, error, smoother)
 
 
