@@ -80,7 +80,8 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
 
     Exact but for what a curve through the points leaves open between them; noise is not smoothed
     away, and lowers what is taken as 0, as ProfileLift says. Raises InputError for points that are
-    not once round the axis, and for a hollow into which the probe or the follower does not reach.
+    not once round the axis, for a hollow into which the probe or the follower does not reach, and
+    for steps so uneven that noise would sway the curve over a long one by ten times as much.
 
     >>> import cammotion as cm
     >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=160)
@@ -102,6 +103,8 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
         )
     places = COUNT.whole(count)
     traced = Traced(_checked(x_mm, y_mm, clockwise=clockwise), away, follower)
+    allowed = _NOISE * traced.noise_mm + _ROUNDING * traced.size_mm
+    traced.refuse_gaps(allowed)
     traced.refuse_kinks()
     traced.refuse_strays()
     degrees = np.arange(places, dtype=np.float64) * (DEG_PER_TURN / places)
@@ -109,7 +112,7 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     if not answers:
         traced.refuse_turning_back()
     off, position = min(answers, key=lambda each: each[0])
-    if off > _NOISE * traced.noise_mm + _ROUNDING * traced.size_mm:
+    if off > allowed:
         traced.refuse_cut(off)
     lowest = float(position.min())
     return ProfileLift(

@@ -20,6 +20,8 @@ _DENSE, _PLACES = 16, 8000  # of the answer's own check: places between two poin
 _KINK, _KINKED = 0.05, 4.0  # rad at one point, beside so many times what its neighbours turn
 _SHAKEN = 1.5 * math.sqrt(6)  # of the noise over the step, which turns the line at any point
 _STRAY, _STRAYED = 0.025, 4.0  # of the step, beside so many times what neighbours are off
+_SCATTERED = 5.0  # times what noise makes of it, which of thousands of points hardly one is off
+_SWAYED = 3 * math.sqrt(2) * 4 / 27  # three scatters of a slope, and what it makes of a cubic
 _EVEN = 1 + 34 / 36  # the sum of squares of 1 and the weights of four even neighbours
 _ROUNDING = 1e-8  # of the size
 _RESIDUAL = math.sqrt(18 / 35)  # of the noise is off a parabola through five points
@@ -100,12 +102,30 @@ class Traced:
         """Raise InputError for a point that lies off where its neighbours say it should."""
         off = self._off_neighbours()
         beside = np.max([np.roll(off, n) for n in (-6, -5, -4, -3, 3, 4, 5, 6)], axis=0)
-        further = (off - _STRAYED * beside) / self._steps
+        scatter = _SCATTERED * math.sqrt(_EVEN) * self.noise_mm
+        further = (off - np.maximum(_STRAYED * beside, scatter)) / self._steps
         worst = int(np.argmax(further))
         if further[worst] > _STRAY:
             raise InputError(
                 f"The point {self._where(worst)} lies about {off[worst]:.2g} mm off the line "
                 "of its neighbours: leave it out, or measure it again."
+            )
+
+    def refuse_gaps(self, allowed_mm: float) -> None:
+        """Raise InputError where noise of points close together sways the curve over a long step.
+
+        What it turns the curve by, at the end of the long step, goes by the short one beside it.
+        """
+        steps = np.diff(self.along)
+        times = steps / np.minimum(np.roll(steps, 1), np.roll(steps, -1))
+        worst = int(np.argmax(times))
+        swayed = _SWAYED * self.noise_mm * times[worst]
+        if swayed > allowed_mm:
+            raise InputError(
+                f"The step from the point {self._where(worst)} is {times[worst]:.3g} times as long "
+                f"as one beside it, and the points scatter by {self.noise_mm:.2g} mm: over it the "
+                f"curve through them may be {swayed:.2g} mm off. Measure there, too, or leave "
+                "points out where they lie close together."
             )
 
     def refuse_turning_back(self) -> NoReturn:
