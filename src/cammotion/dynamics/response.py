@@ -305,16 +305,18 @@ class SteadyResponse(_TurnResponse):
 
     def _endless(self) -> str:
         """Return in words why no turn is as the one before, and what to give."""
-        if np.min(self.chain.damping_ratios) > 1:
+        turn_s, roots = float(cycle_time(self.rate_per_hour)), self.chain.roots_per_s
+        root = roots[np.argmin(np.abs(np.expm1(roots * turn_s)))]  # of what is left after a turn
+        if not root.imag:
             return (
                 "is damped so strongly that it creeps back by less than a hundred millionth of its "
                 "deflection in a turn: give it less damping, or stiffer springs."
             )
-        swings = self.chain.natural_Hz * float(cycle_time(self.rate_per_hour))
-        nearest = swings[np.argmin(np.abs(swings - np.round(swings)))]
+        swings = abs(root.imag) / (2 * np.pi) * turn_s
+        what = "hardly anything" if any(self.chain.dampings_N_s_per_mm) else "nothing"
         return (
-            f"swings {nearest:.9g} times in a turn and nothing damps it, so that it swings more "
-            "with each turn: give it some damping, or another rate."
+            f"swings {swings:.9g} times in a turn and {what} damps it, so that it swings more with "
+            "each turn: give it some damping, or another rate."
         )
 
     def _start(self, turn: int) -> Floats:  # noqa: ARG002 - all turns are alike
