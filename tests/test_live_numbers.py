@@ -187,6 +187,7 @@ POWERS: dict[str, dict[tuple[float, ...], tuple[int, str]]] = {
         (0, 2000, 8000): (0, "way in mm"),
         (-0.05, 0, 0.05): (0, "way in mm"),
         (0, 1.5e-12): (-12, "way in 10⁻¹² mm"),
+        (0, 1e-06, 2e-06): (-6, "way in 10⁻⁶ mm"),
         (): (0, "way in mm"),
     },
     "roller over radius": {(0, 0.0002): (0, "roller over radius")},

@@ -109,10 +109,10 @@ function toEven(rounded, exact, digits) {
 }
 export const plain = (value) => format(Number(value.toPrecision(12)), ".12g");
 
-/** The power of ten that is taken out of the numbers of an axis, which have room for so many
- * letters; 0 where they have room, and where the label has no unit to take it. */
-export function powerOf(numbers, label, letters = 5) {
-  const isLong = numbers.some((value) => plain(value).length > letters);
+/** The power of ten that is taken out of the numbers of an axis, which have room for five letters;
+ * 0 where they have room, and where the label has no unit to take it. */
+export function powerOf(numbers, label) {
+  const isLong = numbers.some((value) => /e|.{6}/.test(plain(value)));
   if (!isLong || !/\bin [^\s\d]/.test(label)) return 0;
   return Math.floor(Math.log10(Math.max(...numbers.map(Math.abs))) + NEAR);
 }
