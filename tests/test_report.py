@@ -52,10 +52,10 @@ def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
     machine = cm.Machine("press", PRESS.diagram.with_motion(hard), PRESS.rules, still)
     page = cm.write_report(machine, tmp_path).page.read_text("utf-8")
     text = " ".join(BeautifulSoup(page, "html.parser").get_text(" ").split())
-    assert "With all moves of die balanced the largest peak is 15.71 m/s², today 15.71." in text
+    assert "With all moves of the die balanced the largest peak is 15.71 m/s², today 15.71." in text
     (low, reached, above) = re.findall(
-        r"No motions of die can have a largest peak below ([\d.]+) m/s², so that the design, with "
-        r"([\d.]+), is at most (\d+) % above the best",
+        r"No motions of the die can have a largest peak below ([\d.]+) m/s², so that the design, "
+        r"with ([\d.]+), is at most (\d+) % above the best",
         text,
     )[0]
     assert float(low) < float(reached) < 2

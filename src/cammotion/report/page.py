@@ -70,7 +70,8 @@ def _summary(found: Findings) -> str:
 def _free(machine: Machine, all_of_them: str) -> str:
     """Return the parts that have still arcs by name, or in words if these are all that move."""
     moving = (motion.name for motion in machine.diagram.motions if motion.moves)
-    return all_of_them if {*moving} == {*machine.free} else " and ".join(machine.free)
+    names = " and the ".join(machine.free)
+    return all_of_them if {*moving} == {*machine.free} else f"the {names}"
 
 
 def _bound(found: Findings) -> str:
