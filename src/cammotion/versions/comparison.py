@@ -55,14 +55,19 @@ class Effect:
         return f"{self.of}, {self.what}: {before} → {after} {self.unit}"
 
     @property
+    def shown(self) -> tuple[float | None, float | None]:
+        """Both numbers, with 0 for what is no more than rounding."""
+        before, after = (
+            0.0 if value is not None and abs(value) <= self.rounding else value
+            for value in (self.before, self.after)
+        )
+        return before, after
+
+    @property
     def said(self) -> tuple[str, str]:
         """Both numbers in four digits."""
-        return self._number(self.before), self._number(self.after)
-
-    def _number(self, value: float | None) -> str:
-        if value is None:
-            return NONE
-        return as_text(0.0 if abs(value) <= self.rounding else value, ".4g")
+        before, after = (NONE if value is None else as_text(value, ".4g") for value in self.shown)
+        return before, after
 
 
 @dataclass(frozen=True, repr=False)

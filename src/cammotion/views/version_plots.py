@@ -123,7 +123,7 @@ def _draw_bars(
         face = "#dddddd" if number is None else mixed(colour(number), "white", 0.6)
         edge = "#000000" if number is None else colour(number)
         ax.barh(row, share, 0.6, facecolor=face, edgecolor=edge)
-        before, after = (as_text(value or 0.0, ".3g") for value in (effect.before, effect.after))
+        before, after = (as_text(value or 0.0, ".3g") for value in effect.shown)
         said = f"{before} → {after} {effect.unit}"
         say_beside(ax, row, said, _SAID)
     ax.axvline(_FULL, color="#000000", linewidth=1)
