@@ -100,7 +100,7 @@ class Covered:
             self.lines.setdefault(path, {})[test] = ran
 
     def tests_of(self, mutant: Mutant, most: float) -> list[str]:
-        """Return the tests that run a changed line, first those that run most of its file.
+        """Return the tests that run a changed line, first those that run most of its file a second.
 
         Those of the starter start it as another program, which nobody watches: all of them. Of more
         than so many seconds in all, `most`, only the first.
@@ -112,7 +112,7 @@ class Covered:
         else:
             tests = sorted(
                 (test for test, lines in here.items() if lines.intersection(mutant.lines)),
-                key=lambda test: (-len(here[test]), self.seconds[test]),
+                key=lambda test: self.seconds[test] / len(here[test]),
             )
         spent = accumulate((self.seconds[test] for test in tests), initial=0.0)
         return [test for test, before in zip(tests, spent, strict=False) if before <= most]
