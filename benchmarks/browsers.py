@@ -13,10 +13,20 @@ from pathlib import Path
 from findings import Finding, say
 from live import ROOT
 
-sys.path.append(str(ROOT / "tests"))
+sys.path += [str(ROOT / "tests"), str(ROOT)]
 
 from firefox import running_firefox
-from lab import free_port, own_folders, running_browser, running_lab, wait_for_address
+from hub import running_hub
+from hub_environment import installed
+from hub_lesson import make_course
+from lab import (
+    PATIENCE_SECONDS,
+    free_port,
+    own_folders,
+    running_browser,
+    running_lab,
+    wait_for_address,
+)
 from walking import Walk
 from windows import ChromiumWindow, Window
 
@@ -25,7 +35,11 @@ NOTEBOOK = "notebook>=7.6,<7.7"  # that of JupyterLab 4.6; it is no part of the 
 START = "00_start_here.ipynb"
 READY = r"(http://127\.0\.0\.1:\d+/tree\?token=\S+)"
 ROW = "{:<9} {:<11} {:<3} {:>5} {:>6} {:>9} {:>8}"
+HEADINGS = ("browser", "front end", "nb", "moved", "played", "seconds", "findings")
 TEN = 10
+EXPOSED = 'c.Spawner.args += ["--LabApp.expose_app_in_browser=True"]'
+FRONT_END_BY = {"/user/": "JupyterHub", "/lab/": "JupyterLab", "": "Notebook 7"}
+"""What an address shows of its front end."""
 
 
 def measure_browsers() -> list[Finding]:
@@ -36,6 +50,30 @@ def measure_browsers() -> list[Finding]:
 def measure_browsers_ten() -> list[Finding]:
     """Walk through every notebook ten times in JupyterLab and Chromium: nothing may be chance."""
     return _walk_all("Chromium", "JupyterLab", rounds=TEN)
+
+
+def measure_browsers_hub() -> list[Finding]:
+    """Walk through every notebook in Chromium as a student of a hub, who logs in (needs root)."""
+    say(ROW.format(*HEADINGS))
+    findings = []
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        running_hub(installed(), make_course(Path(folder)), 1, more=EXPOSED) as hub,
+        running_browser() as browser,
+    ):
+        window, student = ChromiumWindow(browser), hub.accounts[0]
+        window.goto(hub.link)
+        window.page.get_by_label("Username").fill(student.name)
+        window.page.get_by_label("Password").fill(student.password)
+        window.press("Enter")
+        window.page.wait_for_url("**/lab/tree/**", timeout=PATIENCE_SECONDS * 1000)
+        for name in _names():
+            address = f"{hub.address}/user/{student.name}/lab/tree/cam-class/{name}?"
+            found = _walk(window, address, f"cam-class/{name}")
+            findings.append(
+                Finding(f"Chromium, JupyterHub: findings in {name[:2]}", len(found), 0, "")
+            )
+    return findings
 
 
 @contextmanager
@@ -95,9 +133,9 @@ PLACES = [(browser, front_end) for browser in BROWSERS for front_end in FRONT_EN
 
 def _walk_all(browser: str, front_end: str, *, rounds: int) -> list[Finding]:
     """Walk through all notebooks so many times; return how much was found wrong in each."""
-    names = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
+    names = _names()
     wrong = dict.fromkeys(names, 0)
-    say(ROW.format("browser", "front end", "nb", "moved", "played", "seconds", "findings"))
+    say(ROW.format(*HEADINGS))
     for _ in range(rounds):
         with tempfile.TemporaryDirectory() as folder, _workbook(Path(folder), front_end) as address:
             for name in names:
@@ -108,6 +146,10 @@ def _walk_all(browser: str, front_end: str, *, rounds: int) -> list[Finding]:
                 wrong[name] += len(found)
     what = f"{browser}, {front_end}" + f", {rounds} rounds" * (rounds > 1)
     return [Finding(f"{what}: findings in {name[:2]}", wrong[name], 0, "") for name in names]
+
+
+def _names() -> list[str]:
+    return sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
 
 
 @contextmanager
@@ -130,7 +172,7 @@ def _walk(window: Window, address: str, path: str) -> list[str]:
     seconds = time.monotonic() - began
     played = walk.moved.pop("clock", 0)
     browser = type(window).__name__.removesuffix("Window").removesuffix("Page")
-    front_end = "JupyterLab" if "/lab/" in address else "Notebook 7"
+    front_end = next(name for part, name in FRONT_END_BY.items() if part in address)
     counts = (walk.moved.total(), played, f"{seconds:.0f}", len(walk.findings))
     say(ROW.format(browser, front_end, Path(path).name[:2], *counts))
     for finding in walk.findings:

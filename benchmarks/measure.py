@@ -11,7 +11,7 @@ from collections.abc import Callable
 from accessibility import measure_accessibility
 from advice import measure_advice
 from animation import measure_animation
-from browsers import measure_browsers, measure_browsers_ten
+from browsers import measure_browsers, measure_browsers_hub, measure_browsers_ten
 from cams import measure_cams, measure_rival_cams
 from class_server import measure_hub
 from curves import measure_factors, measure_lines
@@ -38,6 +38,7 @@ MEASURES: dict[str, Callable[[], list[Finding]]] = {
     "animation": measure_animation,
     "browsers": measure_browsers,
     "browsers-ten": measure_browsers_ten,
+    "browsers-hub": measure_browsers_hub,
     "cams": measure_cams,
     "cams-rival": measure_rival_cams,
     "exercises": measure_exercises,

@@ -150,7 +150,6 @@ def set_up(options: argparse.Namespace) -> int:
     """Set up and leave it at that."""
     work = folder.find(options.work)
     environment.ensure()
-    lab.write_settings()  # whoever opens it may not be allowed to
     copies.lay_missing(work)
     print(f"The workbook is ready. Open it with: {START}{folder.option(work)}")
     return 0

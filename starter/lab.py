@@ -1,6 +1,5 @@
 """A port, and JupyterLab on it."""
 
-import json
 import os
 import socket
 import subprocess
@@ -12,8 +11,8 @@ from http.client import HTTPConnection, HTTPException
 from pathlib import Path
 
 from starter import processes
-from starter.errors import CLOSED, WorkbookError
-from starter.paths import ON_WINDOWS, VENV, VENV_PYTHON
+from starter.errors import WorkbookError
+from starter.paths import ON_WINDOWS, VENV_PYTHON
 
 DEFAULT_PORT = 8888
 PORTS = range(1, 65536)
@@ -27,16 +26,6 @@ from jupyterlab.labapp import main
 sys.argv.append("--IdentityProvider.token=" + os.environ.pop("JUPYTER_TOKEN"))
 sys.exit(main())
 """
-SETTINGS = VENV / "share" / "jupyter" / "lab" / "settings" / "overrides.json"
-DEFAULTS = {
-    # A notebook that is opened again the next day shows its sliders as they were left.
-    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
-    # No question about news at the first start, and nothing that needs a network.
-    "@jupyterlab/apputils-extension:notification": {
-        "fetchNews": "false",
-        "checkForUpdates": False,
-    },
-}
 
 
 def choose_port(wanted: int | None) -> int:
@@ -70,7 +59,6 @@ def is_free(port: int) -> bool:
 
 def start(port: int, token: str, served: Path, passed_on: list[str]) -> "subprocess.Popen[str]":
     """Start JupyterLab and return when it answers; raise if it ends or refuses before that."""
-    write_settings()
     process = subprocess.Popen(
         command(port, served, passed_on),
         env=processes.environ(JUPYTER_TOKEN=token),
@@ -126,16 +114,6 @@ def explain(code: int | None, status: int, port: int) -> str:
         f"JupyterLab {said} on port {port} after {PATIENCE} s, and was ended. Start again; if this "
         "stays, ask whether a firewall or a virus scanner keeps programs from talking to 127.0.0.1."
     )
-
-
-def write_settings() -> None:
-    """Set JupyterLab's defaults for this environment; the learner can still change them."""
-    try:
-        SETTINGS.parent.mkdir(parents=True, exist_ok=True)
-        SETTINGS.write_text(json.dumps(DEFAULTS, indent=2), encoding="utf-8")
-    except OSError as error:  # a .venv that the teacher has closed will do
-        if error.errno not in CLOSED:
-            raise
 
 
 def command(port: int, served: Path, passed_on: list[str]) -> list[str]:

@@ -12,7 +12,7 @@ PROJECT = ROOT / "pyproject.toml"
 ETC = ROOT / "etc" / "jupyter"
 # what the package lays into its environment for Jupyter
 SERVER_SWITCH = ETC / "jupyter_server_config.d" / "cammotion.json"
-LAB_SETTING = ETC / "labconfig" / "default_setting_overrides.d" / "cammotion_widgets.json"
+LAB_SETTING = ETC / "labconfig" / "default_setting_overrides.d" / "cammotion_lab.json"
 VENV = ROOT / ".venv"
 
 ON_WINDOWS = os.name == "nt"

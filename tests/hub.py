@@ -80,11 +80,11 @@ class Hub:
 
 @contextmanager
 def running_hub(
-    environment: Path, course: Path, students: int, at_once: int = 100
+    environment: Path, course: Path, students: int, at_once: int = 100, more: str = ""
 ) -> Iterator[Hub]:
     """Start a hub for so many students, who are given a course by the page's link.
 
-    It starts no more than `at_once` servers at the same time.
+    It starts no more than `at_once` servers at the same time; `more` are settings.
     """
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="cammotion-hub-")))
@@ -103,7 +103,7 @@ def running_hub(
             at_once=at_once,
             names={each.name for each in accounts},
         )
-        (own / "jupyterhub_config.py").write_text(settings, "utf-8")
+        (own / "jupyterhub_config.py").write_text(settings + more, "utf-8")
         address = f"http://127.0.0.1:{port}"
         process = stack.enter_context(started(environment, own, address))
         link = LINK.replace(REPOSITORY, quote(git, safe=""))

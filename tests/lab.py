@@ -3,7 +3,6 @@
 Shared by the browser test and the benchmarks.
 """
 
-import json
 import os
 import re
 import shutil
@@ -32,10 +31,6 @@ CHROMIUM_FLAGS = [
     "--disable-component-update",
     "--disable-sync",
 ]
-SETTINGS = {
-    "notebook-extension/tracker": {"windowingMode": "none"},  # keep every output in the page
-    "apputils-extension/notification": {"fetchNews": "false", "checkForUpdates": False},
-}
 # The toolbar says "idle" before the session is ready, and what is asked for then is lost.
 READY = """async name => {
   const notebook = () => window.jupyterapp?.shell.currentWidget?.context;
@@ -109,11 +104,7 @@ def free_port() -> int:
 
 
 def own_folders(home: Path) -> dict[str, str]:
-    """Return the environment that keeps JupyterLab's files, and our settings, in `home`."""
-    for plugin, values in SETTINGS.items():
-        file = home / "settings" / "@jupyterlab" / f"{plugin}.jupyterlab-settings"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(json.dumps(values))
+    """Return the environment that keeps JupyterLab's files in `home`."""
     return {
         "JUPYTER_CONFIG_DIR": str(home / "config"),
         "JUPYTER_DATA_DIR": str(home / "data"),
@@ -170,6 +161,13 @@ def opened_notebook(
         shutil.rmtree(ROOT / work, ignore_errors=True)
 
 
+def type_into(field: Locator, words: str) -> None:
+    """Go to a field and put something else into it: out of sight its text cannot be selected."""
+    field.scroll_into_view_if_needed()
+    field.fill(words)
+    field.press("Enter")
+
+
 class LabPage:
     """JupyterLab in a page of its own; what goes wrong there is collected in `complaints`."""
 
@@ -207,7 +205,7 @@ class LabPage:
 
     def troubles(self) -> list[str]:
         """Return what a learner would see of errors in the outputs."""
-        return [text.strip() for text in self.notebook.locator(TROUBLE).all_inner_texts()]
+        return [text.strip() for text in self.notebook.locator(TROUBLE).all_text_contents()]
 
     @property
     def notebook(self) -> Locator:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 from keyboard import Keyboard
-from lab import ROOT, LabPage, opened_notebook
+from lab import ROOT, LabPage, opened_notebook, type_into
 from playwright.sync_api import Browser, expect
 
 import cammotion as cm
@@ -65,8 +65,7 @@ class ExplorerOutput:
 
     def set_angle(self, degrees: float) -> None:
         """Type an angle, and wait until the text follows."""
-        self.angle.fill(f"{degrees:g}")
-        self.angle.press("Enter")
+        type_into(self.angle, f"{degrees:g}")
         expect(self.text).to_contain_text(
             f"your design: tm = {cm.indexing_time(degrees, RATE):.4g}"
         )
@@ -169,9 +168,7 @@ def test_a_pinned_design_is_the_reference(lesson: LabPage) -> None:
 
 def test_the_next_cell_goes_on_with_what_the_hand_has_set(lesson: LabPage) -> None:
     output = lesson.output_of("cm.explore([h, v, a]")
-    angle = output.get_by_label("indexing angle Bm, deg").first
-    angle.fill("123,5")
-    angle.press("Enter")
+    type_into(output.get_by_label("indexing angle Bm, deg").first, "123,5")
     expect(output.locator(".cm-said")).to_contain_text("indexing time tm = 0.6175 s")
     assert "B_m: 123.5" in lesson.page.evaluate(ASK_KERNEL, OWN_FIGURE)
 

@@ -7,7 +7,7 @@ from io import BytesIO
 
 import numpy as np
 import pytest
-from lab import ROOT, LabPage, opened_notebook
+from lab import ROOT, LabPage, opened_notebook, type_into
 from machines import RULE, make_diagram
 from PIL import Image
 from playwright.sync_api import Browser, Locator, expect
@@ -45,9 +45,7 @@ def output(lesson: LabPage) -> Locator:
 
 
 def set_to(output: Locator, name: str, value: float) -> None:
-    field = output.get_by_role("textbox", name=name)
-    field.fill(f"{value:g}")
-    field.press("Enter")
+    type_into(output.get_by_role("textbox", name=name), f"{value:g}")
 
 
 def test_the_widest_move_is_found_by_a_button(output: Locator) -> None:

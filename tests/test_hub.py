@@ -135,8 +135,12 @@ def test_the_servers_have_our_settings(hub: Hub, works: list[Work]) -> None:
     """They lie in the environment, and no administrator has to know of them."""
     said = "cammotion.teaching.extension | extension was successfully loaded"
     assert hub.log.read_text("utf-8").count(said) >= STUDENTS
-    settings = works[0].student.ask("lab/api/settings/@jupyter-widgets/jupyterlab-manager:plugin")
-    assert settings["schema"]["properties"]["saveState"]["default"] is False
+    for plugin, name, usual in [
+        ("@jupyter-widgets/jupyterlab-manager:plugin", "saveState", False),
+        ("@jupyterlab/apputils-extension:notification", "fetchNews", "false"),
+    ]:
+        settings = works[0].student.ask(f"lab/api/settings/{plugin}")
+        assert settings["schema"]["properties"][name]["default"] == usual
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,6 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name in ("images/cam.svg", "data/cam.csv"):
         (root / "notebooks" / name).parent.mkdir()
         (root / "notebooks" / name).write_text(name)
-    lab.write_settings()
     return root
 
 
@@ -69,16 +68,6 @@ def test_copies_lie_anywhere_and_the_workbook_stays_as_it_is(
     assert start(*shlex.split(command)[2:]) == [f"A fresh copy: {fresh}"]
     assert laid.items() <= keep(mine).items()
     assert set(keep(mine)) - set(laid) == {fresh.name}
-
-
-def test_who_sets_it_up_for_others_sets_the_lab_up_too(
-    root: Path, start: Callable[..., list[str]]
-) -> None:
-    """They may not write beside the environment."""
-    shutil.rmtree(root / ".venv")
-    start("setup")
-    assert json.loads(lab.SETTINGS.read_text("utf-8")) == lab.DEFAULTS
-    assert lab.SETTINGS.is_relative_to(root)
 
 
 def test_every_link_of_the_real_notebooks_leads_on_from_elsewhere(tmp_path: Path) -> None:
@@ -187,6 +176,7 @@ def can_bind() -> bool:
 def test_a_shared_folder_that_is_only_to_be_read(root: Path, tmp_path: Path) -> None:
     """The learner works elsewhere; without that, or without an environment, it is said."""
     mine = tmp_path / "home"
+    (root / ".venv").mkdir()
     well = start_shared(root, "ready", "--work", str(mine))
     assert (well.returncode, well.stderr) == (0, "")
     assert (mine / "00_start_here.ipynb").is_file()

@@ -45,15 +45,18 @@ function nameOf(element) {
   return (name ?? element.getAttribute("alt") ?? element.textContent).trim().slice(0, 50);
 }
 
-/** Whatever an element's figure shows; what is in no figure shows in all outputs. */
+/**
+ * Whatever an element's figure shows; what is in no figure shows in all outputs. Of those out of
+ * sight a browser lays out nothing, so that they have no innerText.
+ */
 function scene(element) {
   const figure = element.closest(OURS);
   if (!figure) {
     const others = all("input, [role=slider]").filter((each) => each !== element);
     const values = others.map((each) => each.ariaValueNow ?? each.value);
-    return [...outputs().map((each) => each.innerText), ...values].join();
+    return [...outputs().map((each) => each.textContent), ...values].join();
   }
-  const words = all(".cm-said, .cm-angle", figure).map((each) => each.innerText);
+  const words = all(".cm-said, .cm-angle", figure).map((each) => each.textContent);
   const settings = all("select", figure).map((each) => each.value);
   const drawings = all("svg", figure).map((each) => each.innerHTML);
   const times = figure.matches(".cm-player") ? [figure.querySelector("svg").getCurrentTime()] : [];
@@ -107,9 +110,10 @@ const walk = {
   },
 
   /** Give an element the focus, and keep what its figure shows; false if it takes none. */
-  focus(number) {
+  async focus(number) {
     const element = marked(number);
     element.scrollIntoView({ block: "center" });
+    await pause(FRAME_MS); // out of sight nothing is laid out, and no text can be selected
     element.focus();
     element.select?.();
     window.walked = scene(element);
@@ -161,10 +165,10 @@ const walk = {
 
   /** What a learner sees of errors. */
   async troubles() {
-    const isBroken = (each) => /^(Error displaying|Loading) widget/.test(each.innerText.trim());
-    await until(() => !outputs().some((each) => /^Loading widget/.test(each.innerText.trim())));
+    const isBroken = (each) => /^(Error displaying|Loading) widget/.test(each.textContent.trim());
+    await until(() => !outputs().some((each) => /^Loading widget/.test(each.textContent.trim())));
     const wrong = outputs().filter((each) => each.matches(ERRORS) || isBroken(each));
-    return wrong.map((each) => each.innerText.trim().slice(-300));
+    return wrong.map((each) => each.textContent.trim().slice(-300));
   },
 
   /** What has no name for a screen reader. */

@@ -21,6 +21,7 @@ ARROWS = ("ArrowUp", "ArrowRight", "ArrowDown", "ArrowLeft")
 OF_OTHERS = (
     "noUi-handle",  # of ipywidgets' slider, which only the setup check of 00 shows: has no name
     "Canceled future for",  # JupyterLab, of what it still asked a kernel that has ended
+    "Could not restore the debugger state",  # likewise, where there is none, as on a hub of ours
 )
 OF_NOTEBOOK_7 = (  # 7.6.5 says it on its home page too, in an empty folder, in Chromium and Firefox
     "Cannot read properties of undefined (reading 'schema')",
