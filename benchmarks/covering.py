@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -100,19 +101,21 @@ class Covered:
             self.lines.setdefault(path, {})[test] = ran
 
     def tests_of(self, mutant: Mutant, most: float) -> list[str]:
-        """Return the tests that run a changed line, first those that run most of its file a second.
+        """Return the tests that run a changed line, those that tell most of its file first.
 
-        Those of the starter start it as another program, which nobody watches: all of them. Of more
-        than so many seconds in all, `most`, only the first.
+        That is by the second. A line tells the less, the more tests run it: what a file does when
+        it is loaded, all do. Those of the starter start it as another program, which nobody
+        watches: all of them. Of more than so many seconds in all, `most`, only the first.
         """
         path = str(mutant.path.relative_to(ROOT))
         here = {test: {*lines} for test, lines in self.lines.get(path, {}).items()}
         if path.startswith("starter/"):
             tests = [test for test in self.seconds if "starter" in test or "workbook" in test]
         else:
+            ran = Counter(line for lines in here.values() for line in lines)
             tests = sorted(
                 (test for test, lines in here.items() if lines.intersection(mutant.lines)),
-                key=lambda test: self.seconds[test] / len(here[test]),
+                key=lambda test: self.seconds[test] / sum(1 / ran[line] for line in here[test]),
             )
         spent = accumulate((self.seconds[test] for test in tests), initial=0.0)
         return [test for test, before in zip(tests, spent, strict=False) if before <= most]

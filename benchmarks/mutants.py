@@ -3,7 +3,7 @@
 ``.venv/bin/python benchmarks/mutants.py --seed 1 --count 150`` breaks a copy of the workbook, one
 place at a time: a comparison, a sign, a number, a returned value, a removed statement. First each
 quick file of tests runs alone, and coverage watches which lines it runs. Then each mutant meets the
-tests that run its line, those that run most of its file a second first, until one fails. A line
+tests that run its line, those that tell most of its file a second first, until one fails. A line
 that all tests run would take half an hour with each mutant that lives: `--most 300` leaves it at so
 many seconds of tests. The survivors are printed as diffs, for somebody to judge whether they change
 anything at all. It needs coverage: `python -m pip install -e '.[benchmark]'`.
