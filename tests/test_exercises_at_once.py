@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
@@ -124,6 +125,30 @@ def held(work: Path) -> Iterator[threading.Event]:
     yield over
     over.set()
     holder.join()
+
+
+def test_who_has_waited_once_waits_no_longer_until_the_lock_is_free(
+    held: threading.Event, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    waited: list[float] = []
+    long, short = store._PATIENCE_S, store._WHEN_TRIED_S
+
+    def soon(file: Path, seconds: float) -> AbstractContextManager[None]:
+        waited.append(seconds)
+        return lock.only_one(file, 0.01 if not held.is_set() else 30)
+
+    monkeypatch.setattr(store, "only_one", soon)
+    restart()
+    for answer in (140, 70):
+        cm.check("01.1", answer)
+    assert waited == [long, *[short] * (len(waited) - 1)]
+    assert len(waited) > 1
+    held.set()
+    waited.clear()
+    for answer in (140, 70):
+        cm.check("01.1", answer)
+    assert waited == [short, *[long] * (len(waited) - 1)]
+    assert len(waited) > 1
 
 
 def test_while_a_lock_is_held_for_long_nothing_is_written_and_nothing_lost(

@@ -93,6 +93,19 @@ def test_a_broken_rule_is_mended_first() -> None:
     assert "narrow" in repr(found)
 
 
+def test_what_mends_no_rule_comes_last_however_much_it_gains() -> None:
+    fan = cm.motion(
+        "fan",
+        *(cm.rise(9, over_deg=20), cm.dwell(120), cm.return_(9, over_deg=20), cm.dwell(200)),
+    )
+    wide = PRESS.diagram.with_motion(cm.with_angle(cm.EXAMPLE.die, 126))
+    both = cm.TimingDiagram([*wide.motions, fan], wide.rate_per_hour)
+    found = cm.improvements(cm.Machine("wide", both, PRESS.rules))
+    assert [one.mends for one in found] == [1, 1, 0, 0]
+    assert found[2].mechanism == "fan"
+    assert found[2].largest < found[0].largest
+
+
 def test_a_still_arc_bounds_the_widest_move() -> None:
     near = replace(PRESS, still={"die": [(205, 305), (100, 140)]})
     wider = next(one for one in cm.improvements(near) if one.mechanism == "die")

@@ -46,6 +46,11 @@ def test_a_program_that_knows_only_the_tables_agrees(pads: cm.Report) -> None:
     assert "cammotion" not in CHECKER.read_text("utf-8").split('"""')[2]
 
 
+def test_a_machine_without_rules_says_so(tmp_path: Path) -> None:
+    found = cm.write_report(cm.Machine("press", PRESS.diagram), tmp_path)
+    assert "The table has no rules." in found.page.read_text("utf-8")
+
+
 def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
     hard = cm.indexing_motion("mill", cm.rise(100, over_deg=40), cm.dwell(320), stops=24)
     still = {"die": [(205, 305)]}
