@@ -5,6 +5,8 @@ const NUMBER =
   /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?))?(?![.,]?\d|\s*\/\s*\d)(?:\s*%)?/giu;
 const UNSURE =
   /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥]|\b(?:sqrt|root|less|more|below|above|least|most|than)\b/iu;
+const BLANK = /(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)/g; // 4 500
+const SECONDS_OR_G = /\d\s*[sg](?![\p{L}\p{N}_])/u;
 const OTHER = ["mm", "cm", "µm", "rad", "min", "sec"],
   SHARES = ["percent", "fraction"];
 const LARGEST = 1e12,
@@ -19,12 +21,14 @@ export function verdict({ off, edges, places, said }, given, format) {
 }
 
 /** The numbers that a typed prediction may be: one, none, or two that make sense. */
-export function numbersIn({ asked, low, high }, text, readings) {
+export function numbersIn({ asked, low, high }, typed, readings) {
+  const text = typed.replace(BLANK, "$1$2");
   const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
   const isShare = saysShare(text);
   const isOne =
     !(isShare && !SHARES.some((share) => asked.includes(share))) &&
     !UNSURE.test(text) &&
+    !SECONDS_OR_G.test(text) &&
     !OTHER.some((unit) => asked && text.includes(unit) && !asked.includes(unit));
   if (found.length !== 1 || !isOne) return [];
   const [{ value, over }] = found;
