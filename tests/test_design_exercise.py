@@ -12,8 +12,10 @@ from cammotion.teaching import session
 from cammotion.teaching.classroom.collect import read_class
 from cammotion.teaching.design_exercise import DesignExercise, balanced, bound_of, largest_jerk
 from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.places import GRADING, Place
+from cammotion.teaching.reasons import short_name
 from cammotion.teaching.session import Session
 from cammotion.teaching.store import Store
 from cammotion.teaching.variants import machine_for
@@ -58,6 +60,15 @@ def test_what_is_not_met_is_told_all_at_once_with_what_is_measured() -> None:
     assert "have to stand where they stood. The die does not." in said
     assert "The clearance rule is broken. For the die is" in said
     assert said.endswith("Of the 8 requirements 5 are met.")
+
+
+@pytest.mark.parametrize("exercise", [OPEN, CONTEST])
+def test_every_fault_of_a_design_is_counted_under_a_name_that_is_known(exercise: Exercise) -> None:
+    alone = cm.TimingDiagram((EXAMPLE.mill,), EXAMPLE.rate_per_hour)
+    slow = EXAMPLE.diagram.at_rate(1000)
+    reasons = [exercise.judge(design, EXAMPLE).reason for design in (alone, slow)]
+    assert len({*reasons}) == 2
+    assert {*reasons} <= {*map(short_name, exercise.faults)}
 
 
 @pytest.mark.parametrize("law", ["modified trapezoid", "3-4-5 polynomial"])

@@ -73,8 +73,8 @@ class DesignExercise(Exercise):
             return verdict
         if verdict.state == "right":
             return Verdict("right", f"{self.right} {said_of(design, machine)}")
-        first = next((r for r in self.requirements if r.reason in verdict.text), None)
-        return Verdict("wrong", verdict.text, short_name(first.reason)) if first else verdict
+        first = next((reason for reason in self.faults if reason in verdict.text), None)
+        return Verdict("wrong", verdict.text, short_name(first)) if first else verdict
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return which requirements a design does not meet; "" if it meets all."""
