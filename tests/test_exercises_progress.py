@@ -365,6 +365,17 @@ def test_what_was_right_for_a_name_is_right_when_the_name_comes_back(work: Path)
     assert read_file(work)["exercises"]["01.1"]["right"] == ["anna", "ben"]
 
 
+def test_so_it_is_where_an_earlier_version_kept_only_whose_answer_was_the_last(work: Path) -> None:
+    old = {"01.1": {"state": "right", "tries": 1, "who": "anna"}}
+    (work / FILE).write_text(json.dumps({"exercises": old}))
+    restart()
+    cm.variant("Ben")
+    cm.check("01.1", 1)
+    assert line_of("01.1").startswith("not yet")
+    cm.variant("Anna")
+    assert line_of("01.1").startswith("right")
+
+
 def test_what_another_version_has_written_beside_it_stays(work: Path) -> None:
     others = {"version": 3, "notes": ["a"], "later": {"01.1": None}}
     cm.check("01.1", 70)

@@ -55,9 +55,10 @@ class Session:
             nonlocal was_right
             is_same_who, right = before.get("who") == who, right_for(before)
             was_right = who in right
-            changes: Record = {"who": who, "state": "right" if was_right else verdict.state}
-            if changes["state"] == "right":
-                changes["right"] = sorted({*right, who})
+            right |= {who} if verdict.state == "right" else set()
+            changes: Record = {"who": who, "state": "right" if who in right else verdict.state}
+            if right:
+                changes["right"] = sorted(right)
             if score is not None:
                 best = before.get("best") if is_same_who else None
                 changes["best"] = min(score, best) if isinstance(best, float) else score
