@@ -205,10 +205,26 @@ def test_the_page_is_written_over_no_progress_file(
     assert before == {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
+@pytest.mark.parametrize("overwrite", [[], ["--overwrite"]])
+def test_a_page_that_no_file_can_be_is_a_sentence(
+    folder: Path, overwrite: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    loop = folder / "loop.html"
+    try:
+        loop.symlink_to(loop)
+    except OSError:
+        pytest.skip("no links here")
+    for output in (loop, folder / f"{'x' * 300}.html"):
+        assert main([str(folder), "--output", str(output), *overwrite]) == 1
+        assert re.fullmatch(
+            r"The file .*(there already|cannot be written).*\.\n", capsys.readouterr().err
+        )
+
+
 def test_no_folder_is_a_sentence(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for wrong in (tmp_path / "nowhere", folder / "carla.JSON"):
+    for wrong in (tmp_path / "nowhere", folder / "carla.JSON", tmp_path / ("x" * 300)):
         assert main([str(wrong), "--output", str(tmp_path / "x.html")]) == 1
         said = capsys.readouterr().err
         assert re.fullmatch(r"There is no folder .*: give the one into which you have .*\.\n", said)

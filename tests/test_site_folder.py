@@ -59,6 +59,8 @@ def test_what_others_have_made_is_left_as_it_is(tmp_path: Path, kind: str) -> No
 def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="The folder site cannot be written"):
         folder.write(tmp_path / "not there" / "site", FILES)
+    with pytest.raises(InputError, match=r"The folder xxx.* cannot be written \("):
+        folder.check_free(tmp_path / ("x" * 300))
 
 
 def test_the_folder_of_before_stays_where_the_new_one_cannot_be_put(

@@ -1,10 +1,10 @@
 """The folder of pages on a disk: what is in it was made by us, or it is left alone."""
 
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
-from cammotion.files import is_folder
 from cammotion.quantities import InputError, shorten
 
 MARKER = "made-by-workbook"
@@ -13,15 +13,16 @@ _MARK = "workbook.py site made this folder, and writes it anew.\n"
 
 def check_free(folder: Path) -> None:
     """Raise InputError where there is something that `workbook.py site` has not made."""
-    if not folder.exists() and not folder.is_symlink():
-        return
-    is_ours = is_folder(folder) and not folder.is_symlink() and (folder / MARKER).is_file()
-    is_empty = is_folder(folder) and not folder.is_symlink() and not any(folder.iterdir())
-    if not is_ours and not is_empty:
-        raise InputError(
-            f"{shorten(folder.name, of=str)} is there already, was not made by this command, and "
-            "was left as it is: give another folder with --folder."
-        )
+    with _told(folder):
+        if not folder.exists() and not folder.is_symlink():
+            return
+        is_folder = folder.is_dir() and not folder.is_symlink()
+        if is_folder and ((folder / MARKER).is_file() or not any(folder.iterdir())):
+            return
+    raise InputError(
+        f"{shorten(folder.name, of=str)} is there already, was not made by this command, and was "
+        "left as it is: give another folder with --folder."
+    )
 
 
 def write(folder: Path, files: Mapping[str, bytes]) -> None:
@@ -30,14 +31,23 @@ def write(folder: Path, files: Mapping[str, bytes]) -> None:
     Raises InputError where there is something else, or where nothing can be written.
     """
     check_free(folder)
+    with (
+        _told(folder),
+        tempfile.TemporaryDirectory(prefix=f".{folder.name}-", dir=folder.parent) as beside,
+    ):
+        made = Path(beside) / folder.name
+        for name, content in {MARKER: _MARK.encode(), **files}.items():
+            file = made / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+        _put(made, folder, Path(beside) / "before")
+
+
+@contextmanager
+def _told(folder: Path) -> Iterator[None]:
+    """Say in a sentence why a folder cannot be written, or not even be looked at."""
     try:
-        with tempfile.TemporaryDirectory(prefix=f".{folder.name}-", dir=folder.parent) as beside:
-            made = Path(beside) / folder.name
-            for name, content in {MARKER: _MARK.encode(), **files}.items():
-                file = made / name
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_bytes(content)
-            _put(made, folder, Path(beside) / "before")
+        yield
     except OSError as wrong:
         raise InputError(
             f"The folder {shorten(folder.name, of=str)} cannot be written ({wrong.strerror}): give "

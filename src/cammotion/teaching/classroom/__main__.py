@@ -1,6 +1,7 @@
 """What ``workbook.py class FOLDER`` runs: read the files, write the page, say what is with both."""
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from datetime import date
@@ -31,12 +32,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> int:
-    if output.resolve().suffix.casefold() != ".html":  # a file that is read ends in .json
+    written = Path(os.path.realpath(output))  # a link to itself is no error here
+    if written.suffix.casefold() != ".html":  # a file that is read ends in .json
         raise InputError(
             f"The page of the class is {clean(str(output), 200)}, which is no name of a page: give "
             "one that ends in .html with --output."
         )
-    if output.exists() and not overwrite:
+    if os.path.lexists(output) and not overwrite:
         raise InputError(
             f"The file {clean(str(output), 200)} is there already and was left as it is: give "
             "another name with --output, or add --overwrite."

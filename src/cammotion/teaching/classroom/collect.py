@@ -10,6 +10,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from cammotion.files import is_folder
 from cammotion.quantities import InputError
 from cammotion.teaching.classroom.clean import clean
 from cammotion.teaching.places import FILE, KINDS
@@ -54,7 +55,7 @@ def read_class(folder: Path) -> SchoolClass:
 
     Raises InputError where there is no folder, or no progress file in it.
     """
-    if not folder.is_dir():
+    if not is_folder(folder):
         raise InputError(
             f"There is no folder {clean(str(folder), 200)}: give the one into which you have "
             "collected your students' progress files or work folders."
