@@ -5,6 +5,7 @@ import math
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 from desk import STRANGERS
@@ -70,6 +71,23 @@ def test_what_is_hidden_or_was_put_aside_is_no_student(folder: Path) -> None:
     school = read_class(folder)
     assert len(school.students) == 3
     assert not school.notices
+
+
+def test_a_folder_that_cannot_be_opened_is_said(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    look_into = os.scandir
+
+    def refuse(path: Any) -> Any:
+        if Path(path).name == "work-ben":
+            raise PermissionError(13, "Permission denied", str(path))
+        return look_into(path)
+
+    monkeypatch.setattr(os, "scandir", refuse)
+    school = read_class(folder)
+    assert [student.name for student in school.students] == ["Anna", "carla"]
+    (notice,) = school.notices
+    assert notice == ("The folder work-ben was left out: it cannot be opened (Permission denied).")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there are no such files there")

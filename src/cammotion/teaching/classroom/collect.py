@@ -4,7 +4,7 @@ import json
 import os
 import unicodedata
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -62,8 +62,13 @@ def read_class(folder: Path) -> SchoolClass:
         )
     notices: list[str] = []
     students: dict[tuple[str, bytes], Student] = {}
-    for file in _json_files(folder):
-        place = clean(file.relative_to(folder).as_posix(), 200)
+
+    def leave_out(closed: OSError) -> None:
+        place = _place(closed.filename, folder)
+        notices.append(f"The folder {place} was left out: it {_cannot_be_opened(closed)}.")
+
+    for file in _json_files(folder, leave_out):
+        place = _place(file, folder)
         try:
             raw, content = _read(file)
         except _NoProgressError as wrong:
@@ -91,9 +96,21 @@ def _plain(name: str) -> str:
     return "".join(c for c in parts if not unicodedata.combining(c))
 
 
-def _json_files(folder: Path) -> Iterator[Path]:
-    """Yield the JSON files in an order that is always the same; what is hidden is left."""
-    for here, folders, names in os.walk(folder):
+def _place(path: str | Path, folder: Path) -> str:
+    """Return where something lies within the folder."""
+    return clean(Path(path).relative_to(folder).as_posix(), 200)
+
+
+def _cannot_be_opened(wrong: OSError) -> str:
+    return f"cannot be opened ({wrong.strerror or wrong})"
+
+
+def _json_files(folder: Path, leave_out: Callable[[OSError], None]) -> Iterator[Path]:
+    """Yield the JSON files in an order that is always the same; what is hidden is left.
+
+    A folder that cannot be opened is for `leave_out`.
+    """
+    for here, folders, names in os.walk(folder, onerror=leave_out):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
             if name.lower().endswith(".json") and not name.startswith((".", _ASIDE)):
@@ -109,7 +126,7 @@ def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
             raise _NoProgressError("is far too large")
         raw = file.read_bytes()
     except OSError as wrong:
-        raise _NoProgressError(f"cannot be opened ({wrong.strerror or wrong})") from None
+        raise _NoProgressError(_cannot_be_opened(wrong)) from None
     if not raw.strip():
         raise _NoProgressError("is empty")
     try:
