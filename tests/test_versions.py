@@ -75,6 +75,19 @@ def test_motions_that_come_and_go_and_moves_that_are_added() -> None:
     assert "1.117 → – m/s²" in str(gone)
 
 
+def test_what_stayed_is_not_told_where_moves_are_added_before_it() -> None:
+    turn = [cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=55)]
+    more = [cm.rise(5, over_deg=20), cm.dwell(5), cm.return_(5, over_deg=20), cm.dwell(105)]
+    longer = make_diagram(cm.motion("die", *more, *turn))
+    added = [
+        "die, rise: – → 0 to 20 deg, 5 mm, cycloidal",
+        "die, return: – → 25 to 45 deg, 5 mm, cycloidal",
+    ]
+    assert [*map(str, cm.compare(make_diagram(make_die()), longer).changes)] == added
+    taken = [change.before for change in cm.compare(longer, make_diagram(make_die())).changes]
+    assert taken == ["0 to 20 deg, 5 mm, cycloidal", "25 to 45 deg, 5 mm, cycloidal"]
+
+
 def test_what_it_cost_is_what_each_has() -> None:
     shafts = [cm.Camshaft(each, LOADS) for each in (BEFORE, AFTER)]
     found = cm.compare(shafts[0], shafts[1], RULE)

@@ -1,7 +1,7 @@
 """What one version of a machine has in another way than the other, by numbers and not by words."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import zip_longest
 
@@ -57,10 +57,9 @@ def _of_motion(old: Motion, new: Motion) -> Iterator[Change]:
         what = f"position before the {start.kind}" if before else "position"
         places = (f"{each.from_mm:.12g} mm" for each in (start, other_start))
         yield Change(old.name, what, *places)
-    for one, other in zip_longest(before, after):
-        if one is None or other is None or not _is_same_move(one, other):
-            kinds = {move.kind for move in (one, other) if move}
-            yield Change(old.name, kinds.pop() if len(kinds) == 1 else "move", *_said(one, other))
+    for one, other in zip_longest(_not_in(after, before), _not_in(before, after)):
+        kinds = {move.kind for move in (one, other) if move}
+        yield Change(old.name, kinds.pop() if len(kinds) == 1 else "move", *_said(one, other))
 
 
 def _is_same(one: float, other: float, period: float = 0.0) -> bool:
@@ -69,6 +68,11 @@ def _is_same(one: float, other: float, period: float = 0.0) -> bool:
     if period:
         apart = min(apart % period, period - apart % period)
     return apart <= SAME * max(1.0, abs(one), abs(other))
+
+
+def _not_in(others: Iterable[Segment], moves: Iterable[Segment]) -> list[Segment]:
+    """Return those moves of a version that the other one does not have."""
+    return [move for move in moves if not any(_is_same_move(move, other) for other in others)]
 
 
 def _is_same_move(one: Segment, other: Segment) -> bool:
