@@ -210,9 +210,8 @@ def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
     moved = []
     for name, arcs in _still(machine).items():
         asked = Asked((), tuple(arcs), (-np.inf, np.inf), np.inf)
-        if design[name].is_indexing == before[name].is_indexing:
-            moved += [name for _ in find_faults(before, design[name], asked)][:1]
-        else:
+        is_of_another_kind = design[name].is_indexing != before[name].is_indexing
+        if is_of_another_kind or any(find_faults(before, design[name], asked)):
             moved.append(name)
     names = " and the ".join(moved)
     return f"The {names} {'do' if len(moved) > 1 else 'does'} not." if moved else ""
