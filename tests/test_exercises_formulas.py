@@ -86,6 +86,8 @@ ODD_FORMULAS: list[tuple[Any, str]] = [
     (3.0, "another formula"),
     (sympy.sqrt(-h_m), "real, finite"),
     (sympy.zoo + t, "divided by zero"),
+    (sympy.Derivative(t**2, t), "still to be worked out"),
+    (h_m * sympy.Integral(t, t), "still to be worked out"),
     (lambda t, h_m, t_m: None, "returns nothing. Has return been forgotten"),  # noqa: ARG005
     (lambda t, h_m, t_m: "3", "what your function returns. This is a text"),  # noqa: ARG005
     (lambda t, h_m, t_m: [t], "what your function returns. This may hold several"),  # noqa: ARG005
