@@ -6,7 +6,8 @@ fields that are not known are left as they are:
 exercises    "01.1": state; tries; hints, the furthest one; who, whose numbers were asked for;
              right, the names for whose numbers it was right;
              given, the last number; choice, a letter; slips, how often each reason was given, by
-             its short name; again, the rows with fresh numbers
+             its short name; best, how many times the bound a right design reaches; again, the
+             rows with fresh numbers
 predictions  "01.half": text, as it was typed
 learner      "variant": name, as it was given to cm.variant
 """
