@@ -105,7 +105,8 @@ class Session:
 
     def prediction(self, key: str, asked: str) -> PredictionControl:
         """Return the field of a prediction, the same one each time: its reveals listen to it."""
-        kept = str(self.store.records("predictions").get(key, {}).get("text", ""))
+        text = self.store.records("predictions").get(key, {}).get("text")
+        kept = text if isinstance(text, str) else ""
         field = self.predictions.get((key, asked))
         if field is None:
             field = self.predictions[key, asked] = PredictionControl(
