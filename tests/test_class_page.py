@@ -165,6 +165,19 @@ def test_the_numbers_are_in_no_order_of_the_names(tmp_path: Path) -> None:
     assert school.anonymous() == school.anonymous()
 
 
+def test_who_knows_the_names_of_all_files_cannot_reckon_out_whose_number_is_whose(
+    tmp_path: Path,
+) -> None:
+    orders = []
+    for tries in (1, 100):
+        for number in range(12):
+            record = {"exercises": {"01.1": {"state": "wrong", "tries": tries + number}}}
+            put(tmp_path, f"student {number}.json", record)
+        mixed = read_class(tmp_path).anonymous().students
+        orders.append([student.exercises["01.1"]["tries"] - tries for student in mixed])
+    assert orders[0] != orders[1]
+
+
 def test_the_command_writes_one_page_and_overwrites_nothing(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

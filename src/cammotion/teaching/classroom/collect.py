@@ -22,12 +22,16 @@ _ASIDE = "progress-unreadable-"  # what the store itself has put aside
 
 @dataclass(frozen=True)
 class Student:
-    """What one progress file holds; `place` is where it lies within the folder."""
+    """What one progress file holds; `place` is where it lies within the folder.
+
+    `digest` is of the whole file, which another student hardly knows.
+    """
 
     name: str
     place: str
     exercises: Mapping[str, Record]
     predictions: Mapping[str, str]
+    digest: bytes
 
 
 @dataclass(frozen=True)
@@ -38,8 +42,11 @@ class SchoolClass:
     notices: tuple[str, ...]
 
     def anonymous(self) -> "SchoolClass":
-        """Return the class with numbers for names, in an order that tells nothing of the names."""
-        mixed = sorted(self.students, key=lambda student: sha256(student.place.encode()).digest())
+        """Return the class with numbers for names, in an order that tells nothing of the names.
+
+        Nor can it be reckoned out of names and places, which a class knows.
+        """
+        mixed = sorted(self.students, key=lambda student: student.digest)
         numbered = (
             replace(student, name=f"{number}", place="") for number, student in enumerate(mixed, 1)
         )
@@ -74,7 +81,7 @@ def read_class(folder: Path) -> SchoolClass:
         except _NoProgressError as wrong:
             notices.append(f"{place} was left out: it {wrong}.")
             continue
-        student, told = _student(content, place, folder)
+        student, told = _student(content, sha256(raw).digest(), place, folder)
         key = (student.name.casefold(), raw if told else os.fsencode(file))
         if key in students:
             notices.append(f"{place} was left out: it is the same file as {students[key].place}.")
@@ -145,13 +152,16 @@ def _records(content: dict[str, Any], kind: str) -> dict[str, Record]:
     return {key: record for key, record in items if isinstance(record, dict)}
 
 
-def _student(content: dict[str, Any], place: str, folder: Path) -> tuple[Student, bool]:
+def _student(
+    content: dict[str, Any], digest: bytes, place: str, folder: Path
+) -> tuple[Student, bool]:
     """Return what a file holds, and whether it tells itself whose it is."""
     exercises = _records(content, "exercises")
     typed = {key: record.get("text") for key, record in _records(content, "predictions").items()}
     texts = {key: text for key, text in typed.items() if isinstance(text, str) and text.strip()}
     told = _told_name(content, exercises)
-    return Student(told or _name_of(place, folder), place, exercises, texts), bool(told)
+    name = told or _name_of(place, folder)
+    return Student(name, place, exercises, texts, digest), bool(told)
 
 
 def _told_name(content: dict[str, Any], exercises: dict[str, Record]) -> str:
