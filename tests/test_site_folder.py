@@ -16,7 +16,7 @@ from cammotion.site.build import build
 from cammotion.site.formulas import mathml
 from cammotion.site.lessons import find_lessons
 from cammotion.site.pictures import Pictures, at_rest, embedded_svg, size_of
-from starter import commands
+from starter import commands, environment, installer
 
 ROOT = Path(__file__).parents[1]
 FILES = {"index.html": b"new", "shared/page.css": b"x"}
@@ -54,6 +54,19 @@ def test_what_others_have_made_is_left_as_it_is(tmp_path: Path, kind: str) -> No
         folder.write(target, FILES)
     assert thesis.read_text() == "mine"
     assert not list(tmp_path.rglob("index.html"))
+
+
+def test_the_environment_of_the_workbook_is_no_folder_of_pages(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = tmp_path / ".venv"
+    monkeypatch.setattr(environment, "VENV", made)
+    monkeypatch.setattr(environment, "MARKER", made / environment.MARKER.name)
+    monkeypatch.setattr(installer, "find_uv", lambda: "uv")
+    environment.create()
+    with pytest.raises(InputError, match=r"\.venv is there already, was not made by this command"):
+        folder.write(made, FILES)
+    assert (made / "pyvenv.cfg").is_file()
 
 
 def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:

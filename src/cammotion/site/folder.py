@@ -8,7 +8,7 @@ from pathlib import Path
 from cammotion.quantities import InputError, shorten
 
 MARKER = "made-by-workbook"
-_MARK = "workbook.py site made this folder, and writes it anew.\n"
+_MARK = b"workbook.py site made this folder, and writes it anew.\n"
 
 
 def check_free(folder: Path) -> None:
@@ -17,7 +17,7 @@ def check_free(folder: Path) -> None:
         if not folder.exists() and not folder.is_symlink():
             return
         is_folder = folder.is_dir() and not folder.is_symlink()
-        if is_folder and ((folder / MARKER).is_file() or not any(folder.iterdir())):
+        if is_folder and (_is_ours(folder) or not any(folder.iterdir())):
             return
     raise InputError(
         f"{shorten(folder.name, of=str)} is there already, was not made by this command, and was "
@@ -36,11 +36,17 @@ def write(folder: Path, files: Mapping[str, bytes]) -> None:
         tempfile.TemporaryDirectory(prefix=f".{folder.name}-", dir=folder.parent) as beside,
     ):
         made = Path(beside) / folder.name
-        for name, content in {MARKER: _MARK.encode(), **files}.items():
+        for name, content in {MARKER: _MARK, **files}.items():
             file = made / name
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(content)
         _put(made, folder, Path(beside) / "before")
+
+
+def _is_ours(folder: Path) -> bool:
+    """Tell whether this command made a folder; the environment has a file of this name too."""
+    marker = folder / MARKER
+    return marker.is_file() and marker.read_bytes().split() == _MARK.split()  # any line end
 
 
 @contextmanager
