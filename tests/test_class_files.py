@@ -90,6 +90,17 @@ def test_a_folder_that_cannot_be_opened_is_said(
     assert notice == ("The folder work-ben was left out: it cannot be opened (Permission denied).")
 
 
+def test_a_link_to_a_folder_is_not_followed_and_said(folder: Path) -> None:
+    try:
+        (folder / "work-ben" / "again").symlink_to(folder, target_is_directory=True)
+    except OSError:
+        pytest.skip("no links here")
+    school = read_class(folder)
+    assert len(school.students) == 3
+    (notice,) = school.notices
+    assert notice.startswith("The folder work-ben/again was left out: it is a link")
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="there are no such files there")
 def test_what_is_no_file_does_not_hold_up(folder: Path) -> None:
     os.mkfifo(folder / "pipe.json")

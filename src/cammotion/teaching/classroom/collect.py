@@ -70,9 +70,8 @@ def read_class(folder: Path) -> SchoolClass:
     notices: list[str] = []
     students: dict[tuple[str, bytes], Student] = {}
 
-    def leave_out(closed: OSError) -> None:
-        place = _place(closed.filename, folder)
-        notices.append(f"The folder {place} was left out: it {_cannot_be_opened(closed)}.")
+    def leave_out(path: str | Path, why: str) -> None:
+        notices.append(f"The folder {_place(path, folder)} was left out: it {why}.")
 
     for file in _json_files(folder, leave_out):
         place = _place(file, folder)
@@ -112,13 +111,19 @@ def _cannot_be_opened(wrong: OSError) -> str:
     return f"cannot be opened ({wrong.strerror or wrong})"
 
 
-def _json_files(folder: Path, leave_out: Callable[[OSError], None]) -> Iterator[Path]:
+def _json_files(folder: Path, leave_out: Callable[[str | Path, str], None]) -> Iterator[Path]:
     """Yield the JSON files in an order that is always the same; what is hidden is left.
 
-    A folder that cannot be opened is for `leave_out`.
+    A folder into which nobody looks, and why, is for `leave_out`.
     """
-    for here, folders, names in os.walk(folder, onerror=leave_out):
+
+    def tell(closed: OSError) -> None:
+        leave_out(closed.filename, _cannot_be_opened(closed))
+
+    for here, folders, names in os.walk(folder, onerror=tell):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for linked in filter(os.path.islink, (Path(here, name) for name in folders)):
+            leave_out(linked, "is a link, which may lead in a circle; copy what it leads to")
         for name in sorted(names):
             if name.lower().endswith(".json") and not name.startswith((".", _ASIDE)):
                 yield Path(here, name)
