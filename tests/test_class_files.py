@@ -59,6 +59,12 @@ def test_a_folder_without_any(tmp_path: Path) -> None:
             read_class(tmp_path)
 
 
+def test_an_archive_is_named_and_not_opened(folder: Path) -> None:
+    (folder / "Dora.ZIP").write_bytes(b"PK")
+    school = read_class(folder)
+    assert school.notices == ("Dora.ZIP was left out: it is an archive: unpack it first.",)
+
+
 def test_what_is_hidden_or_was_put_aside_is_no_student(folder: Path) -> None:
     for place in (
         "Anna/.ipynb_checkpoints/progress-checkpoint.json",

@@ -41,6 +41,13 @@ def test_who_has_done_what(folder: Path) -> None:
     assert [text_of(h) for h in soup("h2")] == ["Notebook 01", "Notebook 02"]
 
 
+def test_what_was_right_under_a_name_is_right_when_it_was_forgotten_later(tmp_path: Path) -> None:
+    record = {"state": "wrong", "who": "", "right": ["anna"], "tries": 2}
+    put(tmp_path, "Anna/progress.json", {"exercises": {"01.1": record}})
+    (_, (_, first, *_), *_) = table_of(show(read_class(tmp_path)), "Exercises of notebook 01")
+    assert first == "✓ right 2 tries"
+
+
 def test_which_slips_were_made_most_with_the_words_that_the_learner_got(folder: Path) -> None:
     soup = show(read_class(folder))
     both_ways, work_forgotten = (slip.reason for slip in EXERCISES["01.1"].slips[:2])  # type: ignore[attr-defined]

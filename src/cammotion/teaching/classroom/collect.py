@@ -18,6 +18,7 @@ from cammotion.teaching.store import Record
 
 _LARGEST_BYTES = 5_000_000  # a hundred times what all lessons fill
 _ASIDE = "progress-unreadable-"  # what the store itself has put aside
+_ARCHIVE = ".zip"
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,7 @@ def read_class(folder: Path) -> SchoolClass:
     def leave_out(path: str | Path, why: str) -> None:
         notices.append(f"The folder {_place(path, folder)} was left out: it {why}.")
 
-    for file in _json_files(folder, leave_out):
+    for file in _files(folder, leave_out):
         place = _place(file, folder)
         try:
             raw, content = _read(file)
@@ -111,8 +112,8 @@ def _cannot_be_opened(wrong: OSError) -> str:
     return f"cannot be opened ({wrong.strerror or wrong})"
 
 
-def _json_files(folder: Path, leave_out: Callable[[str | Path, str], None]) -> Iterator[Path]:
-    """Yield the JSON files in an order that is always the same; what is hidden is left.
+def _files(folder: Path, leave_out: Callable[[str | Path, str], None]) -> Iterator[Path]:
+    """Yield JSON files and archives in an order that is always the same; what is hidden is left.
 
     A folder into which nobody looks, and why, is for `leave_out`.
     """
@@ -125,12 +126,14 @@ def _json_files(folder: Path, leave_out: Callable[[str | Path, str], None]) -> I
         for linked in filter(os.path.islink, (Path(here, name) for name in folders)):
             leave_out(linked, "is a link, which may lead in a circle; copy what it leads to")
         for name in sorted(names):
-            if name.lower().endswith(".json") and not name.startswith((".", _ASIDE)):
+            if name.lower().endswith((".json", _ARCHIVE)) and not name.startswith((".", _ASIDE)):
                 yield Path(here, name)
 
 
 def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
     """Return the bytes of a progress file, and what they mean; raise _NoProgressError."""
+    if file.suffix.lower() == _ARCHIVE:
+        raise _NoProgressError("is an archive: unpack it first")
     try:
         if not file.is_file():
             raise _NoProgressError("is no file")

@@ -13,6 +13,7 @@ from cammotion.teaching.lessons import EXERCISES, PREDICTIONS
 from cammotion.teaching.messages import Outcome
 from cammotion.teaching.places import FILE
 from cammotion.teaching.prediction import Prediction
+from cammotion.teaching.store import right_for
 from cammotion.teaching.variants import machine_for
 from cammotion.views.whole_page import whole_page, wide_table
 
@@ -50,9 +51,9 @@ def _has_begun(lesson: str, students: Iterable[Student]) -> bool:
 
 
 def _outcomes(student: Student, lesson: str) -> list[Outcome]:
-    return [
-        Outcome.of(number, student.exercises.get(number, {})) for number in _exercises_of(lesson)
-    ]
+    """Return how each exercise stands; it is right if it once was, for whatever name."""
+    kept = ((number, student.exercises.get(number, {})) for number in _exercises_of(lesson))
+    return [Outcome.of(number, each, is_right=bool(right_for(each))) for number, each in kept]
 
 
 def _overview(lessons: Sequence[str], students: Sequence[Student]) -> str:
