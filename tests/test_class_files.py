@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -234,6 +235,17 @@ def test_one_odd_number_does_not_press_the_others_into_one_bar() -> None:
     assert (bars.edge(0), bars.step) == (50, 5)
     assert bars.counts == (2, 2, 1, 0, 1)
     assert (bars.below, bars.above) == (0, 1)
+
+
+@pytest.mark.parametrize("odd", [[-4154], [-4154, -4154]])
+def test_what_is_far_below_has_a_bar_of_its_own_before_the_first_edge(odd: list[float]) -> None:
+    drawn = histogram.draw([*odd, *2 * [50, 52, 55, 55, 60, 70]], "deg", 60)
+    place = {
+        words: float(x) for x, words in re.findall(r'<text[^>]* x="([\d.]+)"[^>]*>([^<]+)<', drawn)
+    }
+    width = place["55"] - place["50"]
+    assert place["less"] == pytest.approx(place["50"] - width / 2, abs=0.2)
+    assert place["true: 60"] == pytest.approx(place["60"], abs=0.2)
 
 
 def test_numbers_of_very_different_size() -> None:

@@ -26,6 +26,7 @@ from test_animation import (
 
 import cammotion as cm
 from cammotion.quantities import Floats
+from cammotion.views.animation.magnifier import LENS_PX
 from cammotion.views.animation.picture import animate
 
 SECOND = cm.motion(
@@ -147,6 +148,11 @@ def test_every_die_has_its_lenses() -> None:
             lens(root, "left", row).itertext()
         )
         assert said == TWO.names[row + 1]
+    held = [each for each in root.iter() if each.find("./*[@data-lens]") is not None]
+    places = {tuple(map(float, re.findall(r"[\d.]+", each.attrib["transform"]))) for each in held}
+    wide, high = (max(ends) for ends in zip(*places, strict=True))
+    assert places == {(0, 0), (wide, 0), (0, high), (wide, high)}
+    assert high > LENS_PX
 
 
 def test_a_magnifier_is_only_where_it_is_wanted() -> None:

@@ -217,6 +217,15 @@ def test_no_text_of_the_machine_in_motion_lies_over_another(
         assert shown[:6].replace(" ", "") in written
 
 
+def test_names_about_a_turret_stand_at_both_sides() -> None:
+    diagram = packaging_machine(12)
+    found, sheet = svg_texts(cm.animate(diagram, rules=all_dies(diagram)).svg)
+    first = {text.partition(" #")[0]: box for text, box in reversed(found.items())}
+    dies = [first[name] for name in diagram.names[1:9]]  # the others have columns of their own
+    assert sum(box.x1 < sheet.width / 2 for box in dies) == 4
+    assert sum(box.x0 > sheet.width / 2 for box in dies) == 4
+
+
 def test_the_words_of_the_machine_in_motion_have_the_names_in_full() -> None:
     animation = cm.animate(packaging_machine(14, ODD_NAMES))
     for name, shown in zip(ODD_NAMES, short_names(ODD_NAMES), strict=True):

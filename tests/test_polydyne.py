@@ -82,6 +82,14 @@ def test_the_cam_is_a_law_like_others() -> None:
     assert math.isfinite(cm.polydyne(SMOOTHER, 3).cam.Cj)
 
 
+def test_a_jump_that_is_rounding_is_none() -> None:
+    x, off = cm.x, 1e-10
+    s = 35 * x**4 - 84 * x**5 + 70 * x**6 - 20 * (1 + off) * x**7
+    rounded = cm.MotionLaw("rounded", s / (1 - 20 * off))
+    assert 0 < abs(float(rounded.j.subs(x, 1))) < 1e-6
+    assert cm.polydyne(rounded, 3).cam.Ca == pytest.approx(cm.polydyne(SMOOTH, 3).cam.Ca)
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [
