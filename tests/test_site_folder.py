@@ -97,9 +97,13 @@ def test_the_folder_of_before_stays_where_the_new_one_cannot_be_put(
 def test_the_command_says_what_is_wrong(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
     assert "There are no notebooks in the folder" in capsys.readouterr().err
-    (tmp_path / "00_broken.ipynb").write_text("{")
-    assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
-    assert "00_broken.ipynb is no notebook" in capsys.readouterr().err
+    cell = {"cell_type": "code", "id": "a", "source": "", "metadata": {}, "outputs": []}
+    by_a_script = json.dumps({**notebook(), "cells": [cell]})
+    for content, why in (("{", ""), (by_a_script, r" \('execution_count' is a required .*\)")):
+        (tmp_path / "00_broken.ipynb").write_text(content)
+        assert command.main([str(tmp_path), str(tmp_path / "site")]) == 1
+        said = rf"00_broken\.ipynb is no notebook that can be read{why}: take it"
+        assert re.match(said, capsys.readouterr().err)
     assert not (tmp_path / "site").exists()
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from nbformat import NotebookNode
+from nbformat import NotebookNode, ValidationError, validate
 from nbformat.v4 import to_notebook
 
 from cammotion.files import is_folder, read_text
@@ -28,11 +28,15 @@ class Lesson:
     def notebook(self) -> NotebookNode:
         """The notebook as it is stored."""
         try:
-            return to_notebook(json.loads(read_text(self.path)))  # type: ignore[no-untyped-call,no-any-return]
-        except (ValueError, KeyError, AttributeError):
+            notebook: NotebookNode = to_notebook(json.loads(read_text(self.path)))  # type: ignore[no-untyped-call]
+            validate(notebook)
+        except (ValueError, KeyError, AttributeError, ValidationError) as wrong:
+            why = f" ({wrong.message})" if isinstance(wrong, ValidationError) else ""
             raise InputError(
-                f"{self.path.name} is no notebook that can be read: take it from a fresh download."
+                f"{self.path.name} is no notebook that can be read{why}: take it from a fresh "
+                "download."
             ) from None
+        return notebook
 
     @property
     def name(self) -> str:
