@@ -7,7 +7,17 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from machines import RULE, Array, die_mm, examples, make_diagram, make_die, make_mill, mill_off_mm
+from machines import (
+    OVERSHOOTING,
+    RULE,
+    Array,
+    die_mm,
+    examples,
+    make_diagram,
+    make_die,
+    make_mill,
+    mill_off_mm,
+)
 from numpy.typing import NDArray
 
 import cammotion as cm
@@ -70,6 +80,21 @@ def test_one_of_two_always_moves() -> None:
     other = cm.ClearanceRule(cm.standing("die"), only_while=cm.standing("mill"))
     (broken,) = cm.find_violations(make_diagram(), other)
     assert (broken.start_deg, broken.end_deg, broken.excess_mm) == (0, 150, 50)
+
+
+def test_a_move_that_overshoots_is_at_its_end_on_the_way_there_too() -> None:
+    """It passes its end at three fifths of the move, as near to standing as it comes."""
+    die = cm.motion(
+        "die",
+        *(cm.rise(50, over_deg=100, law=OVERSHOOTING), cm.dwell(100)),
+        *(cm.return_(50, over_deg=100), cm.dwell(60)),
+    )
+    flap = cm.motion(
+        "flap", cm.rise(9, over_deg=180), cm.return_(9, over_deg=160), cm.dwell(20), start_deg=70
+    )
+    rule = cm.ClearanceRule(cm.standing("flap"), only_while=cm.moving("die"))
+    (found,) = cm.find_clearances(make_diagram(die, flap), rule)
+    assert (found.clearance_mm, found.angle_deg) == pytest.approx((0, 60), abs=1e-9)
 
 
 @pytest.mark.parametrize("rule", [DEEP, DEEP.reverse])

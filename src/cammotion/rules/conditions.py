@@ -89,10 +89,15 @@ class Moving(Condition):
 
     def turning_degs(self, diagram: TimingDiagram) -> tuple[float, ...]:
         """Return the cam angles at which the room can be least."""
-        moves = diagram[self.motion].moves
-        middles = ((move, (move.from_mm + move.to_mm) / 2) for move in moves)
-        passed = (end for move, mm in middles for arc in move.curve.where(mm, 1) for end in arc)
-        return (*diagram[self.motion].turning_degs, *passed)
+        motion = diagram[self.motion]
+        passed = (
+            end
+            for move in motion.moves
+            for mm in (move.from_mm, (move.from_mm + move.to_mm) / 2, move.to_mm)
+            for arc in move.curve.where(mm, 1)
+            for end in arc
+        )
+        return (*motion.turning_degs, *passed)
 
     @property
     def fault(self) -> str:
