@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 from machines import examples
@@ -143,6 +144,20 @@ def test_peaks_are_those_of_finite_differences(data: st.DataObject) -> None:
         else:
             assert seen <= peak * (1 + 1e-6) + 1e-4 * (order == 3)
             assert seen >= 0.97 * peak - 1e-4
+
+
+@pytest.mark.parametrize("apart", [5e-10, 2e-14, 0, -2e-14, -5e-10])
+def test_a_law_that_is_real_only_from_0_to_1_has_a_value_at_every_joint(apart: float) -> None:
+    """Segments may miss each other by a billionth of a degree; there it was not a number."""
+    power = sympy.Rational(7, 2)
+    slowing, late = (cm.MotionLaw("root", s) for s in (1 - (1 - cm.x) ** power, cm.x**power))
+    up = cm.Segment(from_deg=0.3, to_deg=90.1, from_mm=0, to_mm=50, law=slowing)
+    down = cm.Segment(from_deg=90.1 + apart, to_deg=360.3, from_mm=50, to_mm=0, law=late)
+    motion = cm.Motion("die", [up, down])
+    places = 90.1 + np.array([0, apart / 2, apart, np.spacing(90.1), -np.spacing(90.1)])
+    assert motion.position_mm(places) == pytest.approx(50)
+    for order in (1, 2, 3):
+        assert motion.derivative(order, places, RATE) == pytest.approx(0, abs=1e-3)
 
 
 def test_a_start_with_many_digits_is_a_start_like_any_other() -> None:

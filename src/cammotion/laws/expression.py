@@ -48,8 +48,9 @@ class Expression(Proved):
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given."""
+        inside = np.clip(places, self.low, self.high)  # rounding may put one where it has no value
         with np.errstate(all="ignore"):
-            values = _compile(self._expression, "numpy")(places) + np.zeros(np.shape(places))
+            values = _compile(self._expression, "numpy")(inside) + np.zeros(np.shape(places))
         if out is None:
             return np.asarray(values)
         out[...] = values
