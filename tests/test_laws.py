@@ -230,6 +230,9 @@ def test_polynomials_from_their_boundary_values() -> None:
     [
         ((0, 0, 0), (1, 3, 0), r"dips below 0, to S = -0\.01276"),
         ((0, 3, 0), (1, 0, 0), r"rises above 1, to S = 1\.013"),
+        ((0, 3, 0), (1, 0, 0), "choose end velocities nearer to 1, or join a straight line"),
+        ((0, 1, -30), (1, 1, 0), "nearer to 1, accelerations and jerks nearer to 0, or join"),
+        ((0, 1, 0, -200), (1, 1, 0), "nearer to 1, accelerations and jerks nearer to 0, or join"),
         ((0.1, 0, 0), (1, 0, 0), "goes from s = 0.1 to 1; a motion law goes from 0 to 1"),
         ((0, 0), (1, 0, 0), r"values at the start are \(0, 0\): give s, v and a"),
         ((0, 0, 0), None, "is given end=None: give a list"),

@@ -52,9 +52,11 @@ def polynomial(
     worst = max(law.curve.extremes, key=lambda s: abs(s - 0.5))
     if abs(worst - 0.5) > 0.5 + _ROUNDING and not may_leave:
         side = "dips below 0" if worst < 0 else "rises above 1"
+        bent = any((*values[0][2:], *values[1][2:]))
+        rest = ", accelerations and jerks nearer to 0" if bent else ""
         raise InputError(
-            f"The polynomial {side}, to S = {worst:.4g}: choose end velocities nearer to 1, or "
-            "join a straight line with fifth_degree_linear."
+            f"The polynomial {side}, to S = {worst:.4g}: choose end velocities nearer to 1{rest}, "
+            "or join a straight line with fifth_degree_linear."
         )
     return law
 
