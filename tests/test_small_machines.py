@@ -109,6 +109,17 @@ def test_the_cam_tables_of_a_report_of_any_size_have_their_digits(
         assert column == pytest.approx(wanted, abs=1e-5 * np.abs(wanted).max())
 
 
+@pytest.mark.parametrize("stroke", [0.0123456789, 1.23456789e-5, 6.17283945e-7])
+def test_a_small_stroke_keeps_its_digits(stroke: float) -> None:
+    """All positions were rounded to 1e-9 mm, which of the last is half a thousandth."""
+    thirds = [cm.rise(stroke / 3, over_deg=60)] * 3
+    die = cm.motion("die", *thirds, cm.return_(stroke, over_deg=100), cm.dwell(80))
+    assert die.range_mm == pytest.approx((0, stroke), rel=1e-8)
+    assert die.segments[-1].to_mm == 0
+    peak = cm.TimingDiagram([die], 2000).peak_acceleration("die")
+    assert peak == pytest.approx(cm.peak_acceleration(stroke, 100, 2000), rel=1e-8)
+
+
 def test_the_rate_of_a_slow_machine_has_three_digits() -> None:
     """From 3 pieces/h to 6.3, and not to 6."""
     diagram, rule = machine(1, 2000 / 3)

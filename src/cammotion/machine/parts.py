@@ -1,7 +1,7 @@
 """A motion said in words: rise 50 mm over 55 deg, dwell 100, return 50 over 55, dwell 150."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +10,9 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.kinematics import STROKE
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, POSITION, Segment, part_angle
-from cammotion.quantities import InputError, is_real, shorten
+from cammotion.quantities import InputError, decimals_of, is_real, shorten
+
+_DECIMALS = 9  # of positions in mm; where all strokes are below 1 mm, as many digits
 
 MATCHED = "matched"
 """For the law of a rise or a return: the polynomial of degree five that goes on at both ends with
@@ -100,18 +102,21 @@ def indexing_motion(
     return Motion(name, _place(name, parts, start_deg, start_mm), stops)
 
 
-def _place(name: str, parts: Iterable[Any], start_deg: float, start_mm: float) -> list[Segment]:
+def _place(name: str, parts: Sequence[Any], start_deg: float, start_mm: float) -> list[Segment]:
     """Lay the parts one after the other."""
-    angle, height = CAM_ANGLE.number(start_deg), round(POSITION.number(start_mm), 9)
-    placed: list[dict[str, Any]] = []
     for part in parts:
         if not isinstance(part, Part):
             raise InputError(
                 f"A part of {name!r} is {shorten(part)}: make each with rise(50, over_deg=55), "
                 "dwell(100) or return_(50, over_deg=55)."
             )
+    longest = max((abs(part.change_mm) for part in parts), default=0.0)
+    decimals = decimals_of(longest, _DECIMALS) if longest > 0.1**_DECIMALS else _DECIMALS
+    angle, height = CAM_ANGLE.number(start_deg), round(POSITION.number(start_mm), decimals)
+    placed: list[dict[str, Any]] = []
+    for part in parts:
         ends = angle + part.angle_deg
-        to_mm = round(height + part.change_mm, 9)  # 0.1 + 0.2 - 0.3 is 0 on any machine
+        to_mm = round(height + part.change_mm, decimals)  # 0.1 + 0.2 - 0.3 is 0 on any machine
         placed.append(
             {"from_deg": angle, "to_deg": ends, "from_mm": height, "to_mm": to_mm, "law": part.law}
         )
