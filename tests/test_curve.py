@@ -183,6 +183,16 @@ def test_no_law_runs_for_minutes() -> None:
         assert time.process_time() - began < 20
 
 
+def test_a_law_of_a_law_has_its_factors() -> None:
+    """It was refused after a third of a second, as one that takes minutes."""
+    law, half = MotionLaw("twice", cycloid(cycloid(x))), sympy.Rational(1, 2)
+    assert law.is_monotone
+    assert law.Cv == pytest.approx(4)
+    assert law.Ca == pytest.approx(np.abs(law(np.linspace(0, 1, 100_001), 2)).max(), rel=1e-6)
+    soft = MotionLaw("soft", half + sympy.tanh(6 * (x - half)) / (2 * sympy.tanh(3)))
+    assert soft.Cj_inside == pytest.approx(6**3 / np.tanh(3))
+
+
 def test_a_long_table_is_quick_and_exact() -> None:
     """The peaks of 30,001 points, of which today's two minutes were the reason for a spline."""
     places = np.linspace(0, 1, 30_001)

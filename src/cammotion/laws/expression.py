@@ -37,7 +37,7 @@ class Expression(Proved):
     @cached_property
     def cost(self) -> int:
         """How many terms it takes to bound it once."""
-        return 60 * int(self._expression.count_ops())
+        return 10 * int(self._expression.count_ops())
 
     def at(self, place: float) -> float:
         """Return the value at one place; not a number where it has none that is real."""

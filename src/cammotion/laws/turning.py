@@ -21,7 +21,7 @@ NEGLIGIBLE = 1e-13
 """The change of a curve that is taken for none, where a motion law changes by 1."""
 
 _ORDERS = 6  # a slope with a zero of higher order is met by halving
-_BUDGET = 2_500_000  # terms to bound; what takes more would take minutes
+_BUDGET = 2_500_000  # terms to bound, which takes one to three seconds
 _SAMPLES, _TAME = 8, 1e-6  # more rounding than that, as a share of some values, hides the curve
 _REFUSAL = (
     "The curve turns so often, or its terms cancel each other so nearly, that its turning points "
@@ -52,8 +52,8 @@ class Proved(Piece):
     def turns(self) -> list[float]:
         """Where between its ends it turns, in order.
 
-        Raises InputError where that would take minutes: for a curve that turns many thousand times,
-        or whose terms are so large, and cancel each other, that their rounding hides the curve.
+        Raises InputError where that would take more than some seconds: for a curve that turns many
+        thousand times, is nested deep, or whose terms cancel each other so that rounding hides it.
         """
         runs = _Slopes(self).runs(self.low, self.high)
         return [(end + start) / 2 for (s, _, end), (t, start, _) in pairwise(runs) if s != t]
