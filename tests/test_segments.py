@@ -155,3 +155,13 @@ def test_what_is_no_segment_is_refused(make: Callable[[], Any], sentence: str) -
     with pytest.raises(cm.InputError) as refusal:
         make()
     assert str(refusal.value).startswith(sentence)
+
+
+@pytest.mark.parametrize("ends", [(350, 20), (400, 20), (1070, 20), (1070, -340), (360, 0)])
+def test_the_end_that_is_proposed_for_a_segment_is_one(ends: tuple[float, float]) -> None:
+    """From 400 to 20 deg it was 380, which lies before 400 too."""
+    start, end = ends
+    with pytest.raises(cm.InputError, match=r"ends before it begins") as refusal:
+        Segment(from_deg=start, to_deg=end, from_mm=0, to_mm=0)
+    proposed = float(str(refusal.value).partition("to_deg=")[2].removesuffix("."))
+    assert Segment(from_deg=start, to_deg=proposed, from_mm=0, to_mm=0).to_deg % 360 == end % 360

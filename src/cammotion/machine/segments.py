@@ -60,9 +60,10 @@ class Segment:
         )
         span = f"from {self.from_deg:.12g} to {self.to_deg:.12g} deg"
         if self.angle_deg < 0:
+            later = self.from_deg + (self.angle_deg % DEG_PER_TURN or DEG_PER_TURN)
             raise InputError(
                 f"The segment {span} ends before it begins: if it goes on over 360 deg, give "
-                f"to_deg={self.to_deg + DEG_PER_TURN:.12g}."
+                f"to_deg={later:.12g}."
             )
         part_angle(self.angle_deg)
         if self.law is not None:
