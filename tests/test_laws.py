@@ -414,6 +414,15 @@ def test_only_a_law_from_0_to_1_has_an_inverse(s: sympy.Expr) -> None:
         MotionLaw("part", s).inverse(0.9)
 
 
+def test_a_law_that_comes_back_is_to_be_cut_at_its_top() -> None:
+    """It was to be divided by S(1) - S(0), which is 0."""
+    lobe = MotionLaw("lobe", 16 * x**2 * (1 - x) ** 2)
+    with pytest.raises(cm.InputError, match=r"cut it at its top, as with part\(0, 0\.5\) and part"):
+        cm.peak_velocity(50, 55, 2000, lobe)
+    parts = lobe.part(0, 0.5), lobe.part(0.5, 1)
+    assert [part.curve.ends for part in parts] == [(0, 1), (0, 1)]
+
+
 @pytest.mark.parametrize("own", [*MONOTONE, *TURNING], ids=str)
 def test_where_a_law_is_above_agrees_with_samples(own: MotionLaw) -> None:
     places = (np.arange(20_000) + 0.5) / 20_000

@@ -41,7 +41,6 @@ _ORDER = Quantity("derivative (S, V, A, J)", "", example=2, high=3, low_included
 _SHARE = Quantity("share of constant velocity", "", example=0.5, high=0.999, low_included=True)
 _MISSED = 1e-9  # by so much S may miss 0 and 1 at its ends, and what was solved for
 JUMP = 1e-6  # what is smaller at a joint, as a share of the largest value, is rounding
-_JERK = 3  # the highest derivative a law is asked for
 _HALF = sympy.Rational(1, 2)
 
 
@@ -134,7 +133,7 @@ class MotionLaw(Alike):
     @property
     def Cj_inside(self) -> float:  # noqa: N802
         """The largest abs(J) away from the jumps of A."""
-        return self.curve.derived(_JERK).largest
+        return self.curve.derived(3).largest
 
     @cached_property
     def jerk_impulses(self) -> tuple[tuple[float, float], ...]:
@@ -259,9 +258,11 @@ class MotionLaw(Alike):
         """Raise InputError unless the law goes from S(0) = 0 to S(1) = 1 without a jump."""
         start, end = self.curve.ends
         if max(abs(start), abs(end - 1)) > _MISSED:
+            back = "cut it at its top, as with part(0, 0.5) and part(0.5, 1)"
+            fix = "subtract S(0), and divide by S(1) - S(0)" if abs(end - start) > _MISSED else back
             raise InputError(
                 f"The law {self.name!r} goes from S(0) = {start:.10g} to S(1) = {end:.10g}; a move "
-                "goes from 0 to 1: subtract S(0), and divide by S(1) - S(0)."
+                f"goes from 0 to 1: {fix}."
             )
         if jumps := self._jumps(0):
             raise InputError(
