@@ -109,6 +109,10 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
         lambda: cm.MotionLaw("mine", sympy.Integral(6 * T * (1 - T), (T, 0, cm.x))),
         r"^The law uses the function Integral, whose turning points cannot be proved",
     ),
+    "a function of SymPy": (
+        lambda: cm.MotionLaw("mine", sympy.Lambda(T, T)),
+        r"'mine' is Lambda.*; it has to be a SymPy expression in cammotion.x alone",
+    ),
     "an angle for x": (lambda: CYCLOIDAL(27.5), r"x = t/tm is 27\.5; .* at most 1"),
     "a whole lobe": (
         lambda: cm.law_from_points([*TURN / 360, 1], [*LOBE / 50, 0]),

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from contextlib import suppress
 from functools import lru_cache, partial, reduce
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import sympy
 
@@ -27,7 +27,7 @@ class Zone(NamedTuple):
     high: float
 
 
-def cut(name: str, law: object) -> tuple[Zone, ...]:
+def cut(name: str, law: Any) -> tuple[Zone, ...]:
     """Cut the expression of a law at its joints.
 
     Raises InputError for what is no expression in `x` alone, or not defined from 0 to 1.
@@ -35,8 +35,9 @@ def cut(name: str, law: object) -> tuple[Zone, ...]:
     >>> [(low, high) for _, low, high in cut("", sympy.Piecewise((x, x <= 0.25), (x**2, True)))]
     [(0.0, 0.25), (0.25, 1.0)]
     """
-    others = sorted(map(str, law.free_symbols - {x})) if isinstance(law, sympy.Expr) else []
-    if not isinstance(law, sympy.Expr) or others:
+    is_expression = isinstance(law, sympy.Expr) and not isinstance(law, sympy.Lambda)
+    others = sorted(map(str, law.free_symbols - {x})) if is_expression else []
+    if not is_expression or others:
         said = f"has the symbol {', '.join(others)}" if others else f"is {shorten(law)}"
         raise InputError(
             f"The expression of the law {shorten(name)} {said}; it has to be a SymPy expression in "
