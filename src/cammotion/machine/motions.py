@@ -103,9 +103,10 @@ class Motion:
         return Curve(piece for segment in self.segments for piece in segment.curve.pieces)
 
     def steps(self, order: int) -> list[Arc]:
-        """Return where a derivative of order 1 or 2 jumps: cam angle in deg, step in mm/deg^order.
+        """Return where a derivative of order 1, 2, 3 jumps: cam angle in deg, step in mm/deg^order.
 
-        Also where a turn meets the next. A millionth of the largest value beside it is rounding.
+        Also where a turn meets the next. A millionth of the largest value beside it is rounding,
+        and so is a hundred-millionth of the largest in the turn.
         """
         curve, steps = self.curve.derived(_ORDER.whole(order)), []
         pieces, noise = curve.pieces, _NOISE * curve.largest
@@ -121,9 +122,9 @@ class Motion:
 
         It is in mm/deg^order, and infinite where the derivative before it jumps.
         """
-        curve = self.curve.derived(_ORDER.whole(order))
-        jumps = any(self.steps(lower) for lower in range(1, int(order)))
-        return math.inf if jumps else curve.largest
+        order = _ORDER.whole(order)
+        jumps = any(self.steps(lower) for lower in range(1, order))
+        return math.inf if jumps else self.curve.derived(order).largest
 
     @cached_property
     def turning_degs(self) -> tuple[float, ...]:

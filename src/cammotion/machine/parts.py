@@ -16,7 +16,8 @@ _DECIMALS = 9  # of positions in mm; where all strokes are below 1 mm, as many d
 
 MATCHED = "matched"
 """For the law of a rise or a return: the polynomial of degree five that goes on at both ends with
-the velocity and the acceleration of its neighbours, as where a shear comes up to speed."""
+the velocity and the acceleration of its neighbours, as where a shear comes up to speed. It may
+swing beyond the ends of the move."""
 
 
 @dataclass(frozen=True)

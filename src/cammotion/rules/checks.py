@@ -16,9 +16,9 @@ from cammotion.rules.rule import Clearance, Rule, Violation
 def find_violations(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Violation, ...]:
     """Return every violation of the rules, in the order of the rules and of the cam angle.
 
-    None of a clearance rule is missed, however short, down to the rounding of 1e-9 deg; a distance
-    is looked at in close samples. Raises InputError for what is no rule and for a rule about an
-    unknown motion.
+    None of a clearance rule is missed, however short, down to the rounding of 1e-9 deg and 1e-9 mm;
+    a distance is looked at in close samples. Raises InputError for what is no rule and for a rule
+    about an unknown motion.
 
     >>> import cammotion as cm
     >>> deeper = cm.EXAMPLE.diagram.with_motion(cm.with_angle(cm.EXAMPLE.die, 125))
