@@ -73,6 +73,18 @@ def test_two_that_never_move_at_once() -> None:
     assert "while the mill is not standing (from 0 to 40 deg)" in str(found[0])
 
 
+@pytest.mark.parametrize("high", [0.2, 0.7, 5.2])
+def test_moves_that_follow_each_other_leave_0_mm_and_no_rounding_less(high: float) -> None:
+    """A clearance below 0 says that a rule is broken; it was -1e-16 mm."""
+    up, down = (make(high + 3, over_deg=100) for make in (cm.rise, cm.return_))
+    die = cm.motion("die", up, cm.dwell(100), down, cm.dwell(60), start_mm=-3, start_deg=33.3)
+    blink = cm.rise(9, over_deg=30), cm.dwell(30), cm.return_(9, over_deg=40), cm.dwell(260)
+    machine = make_diagram(die, cm.motion("flap", *blink, start_deg=133.3))
+    rule = cm.ClearanceRule(cm.moving("die"), only_while=cm.standing("flap"))
+    assert cm.find_violations(machine, rule) == ()
+    assert cm.smallest_clearance(machine, rule).clearance_mm == 0
+
+
 def test_one_of_two_always_moves() -> None:
     rule = cm.ClearanceRule(cm.standing("die"), only_while=cm.moving("mill"))
     found = cm.find_violations(make_diagram(), rule)

@@ -166,6 +166,7 @@ def _way_mm(move: Segment, angle_deg: float) -> float | None:
     place = after(angle_deg, move.from_deg - ROUNDING_DEG)
     if place > move.to_deg + ROUNDING_DEG:
         return None
-    inside = min(max(place, move.from_deg), move.to_deg)
-    height = float(move.curve(np.array([inside]))[0])
+    if min(place - move.from_deg, move.to_deg - place) <= ROUNDING_DEG:
+        return 0.0
+    height = float(move.curve(np.array([place]))[0])
     return min(abs(height - move.from_mm), abs(height - move.to_mm))
