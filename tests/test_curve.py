@@ -193,6 +193,18 @@ def test_a_law_of_a_law_has_its_factors() -> None:
     assert soft.Cj_inside == pytest.approx(6**3 / np.tanh(3))
 
 
+def test_what_cannot_be_proved_is_tried_once() -> None:
+    """A distance rule asked for it six times, for some seconds each."""
+    often = MotionLaw("often", x + sympy.sin(2 * sympy.pi * 10**5 * x) / 10**6)
+    spent = []
+    for _ in range(2):
+        began = time.process_time()
+        with pytest.raises(cm.InputError, match="cannot be proved in a reasonable time"):
+            often.Cv  # noqa: B018
+        spent.append(time.process_time() - began)
+    assert spent[1] < spent[0] / 10
+
+
 def test_a_long_table_is_quick_and_exact() -> None:
     """The peaks of 30,001 points, of which today's two minutes were the reason for a spline."""
     places = np.linspace(0, 1, 30_001)

@@ -48,14 +48,24 @@ class Proved(Piece):
     def derivative(self) -> "Proved":
         """The derivative, made once."""
 
-    @cached_property
+    @property
     def turns(self) -> list[float]:
         """Where between its ends it turns, in order.
 
         Raises InputError where that would take more than some seconds: for a curve that turns many
         thousand times, is nested deep, or whose terms cancel each other so that rounding hides it.
         """
-        runs = _Slopes(self).runs(self.low, self.high)
+        if isinstance(self._turns, str):
+            raise InputError(self._turns)
+        return self._turns
+
+    @cached_property
+    def _turns(self) -> list[float] | str:
+        """Where it turns, or why that is not told: to find that out takes seconds too."""
+        try:
+            runs = [*_Slopes(self).runs(self.low, self.high)]
+        except InputError as refusal:
+            return str(refusal)
         return [(end + start) / 2 for (s, _, end), (t, start, _) in pairwise(runs) if s != t]
 
 
