@@ -46,6 +46,13 @@ def test_a_program_that_knows_only_the_tables_agrees(pads: cm.Report) -> None:
     assert "cammotion" not in CHECKER.read_text("utf-8").split('"""')[2]
 
 
+def test_what_each_rule_leaves_is_written_beside_it(page: BeautifulSoup) -> None:
+    table = next(t for t in page("table") if "What each rule leaves" in t.get_text())
+    rows = [row("td") for row in table("tr")]
+    left = [row[0].get_text(" ").split()[0] for row in rows if row]
+    assert left == ["19", "4", "70", "2", "15", "80", "5"]
+
+
 def test_a_machine_without_rules_says_so(tmp_path: Path) -> None:
     found = cm.write_report(cm.Machine("press", PRESS.diagram), tmp_path)
     assert "The table has no rules." in found.page.read_text("utf-8")

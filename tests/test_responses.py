@@ -452,3 +452,9 @@ def test_of_many_turns_that_are_alike_one_is_enough() -> None:
     one, many = (steady.peak_acceleration(over=(100, 100 + turns)) for turns in (360, 360e6))
     assert one == many == steady.peak_acceleration(over=(100, 500))
     assert one.value == steady.peak_acceleration().value
+
+
+def test_a_response_shows_what_it_is_of() -> None:
+    die = cm.EXAMPLE.die
+    shown = repr(cm.StartResponse(cm.tuned_mass(12, 0.02), die, 2000))
+    assert shown == f"StartResponse(1 mass, {die!r}, 2000.0)"
