@@ -71,7 +71,8 @@ ROW = "{:<72} {:>10} {:>16}  {}"
 
 def describe_measures() -> str:
     """Return a line for each measure."""
-    lines = (f"  {name:<14}{measure.__doc__}" for name, measure in MEASURES.items())
+    wide = max(map(len, MEASURES)) + 1
+    lines = (f"  {name:<{wide}}{measure.__doc__}" for name, measure in MEASURES.items())
     return "\n".join(["measures:", *lines])
 
 
