@@ -91,6 +91,7 @@ def test_a_table_keeps_its_tolerance(name: str, tmp_path: Path) -> None:
     heading, *rows = csv.reader(path.read_text("utf-8").splitlines(), delimiter=separator)
     assert heading[:3] == ["cam angle in deg", "x in mm", "y in mm"]
     table = np.array(rows, dtype=float)
+    assert max(len(cell.partition(".")[2]) for row in rows for cell in row) == 6
     assert np.all(np.diff(table[:, 0]) > 0)
     assert table[:, 1:3] == pytest.approx(CAM.profile_mm(table[:, 0]), abs=5e-6)
     ends = np.append(table[:, 0], 360)

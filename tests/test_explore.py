@@ -317,3 +317,10 @@ def test_a_choice_is_set_to_the_number_of_a_name() -> None:
         with pytest.raises(cm.InputError, match=r"give the number of a name, 0 \(one\), 1 \(two\)"):
             figure.values = {symbol: value}
     assert figure.chosen == {"law": "three"}
+
+
+def test_a_control_of_the_notation_stands_at_the_lesson_s_machine() -> None:
+    t, t_m, h_m, B_m, N = sp.symbols("t t_m h_m B_m N", positive=True)  # noqa: N806
+    ranges = {h_m: (0.01, 0.2), t_m: (0.1, 1), B_m: (10, 100), N: (100, 5000)}
+    figure = cm.explore(h_m * t / t_m * B_m * N, (t, 0, 1), ranges)
+    assert figure.values == {h_m: 0.05, t_m: 0.275, B_m: 55, N: 2000}

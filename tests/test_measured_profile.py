@@ -228,12 +228,13 @@ def test_a_hollow_that_the_roller_does_not_reach_is_refused() -> None:
         lift_from_profile(*points.T, follower=FLAT)
 
 
-CIRCLE = np.exp(1j * np.radians(np.arange(0, 360, 4.0)))
+CIRCLE, FINER = (np.exp(1j * np.radians(np.arange(0, 360, step))) for step in (4.0, 2.5))
 REFUSED: list[tuple[Any, str]] = [
     (50 * CIRCLE[::3], "has 30 points; at least 36"),
     (50 * CIRCLE + 80, "go 0 times round the axis"),
     (50 * np.exp(2j * np.angle(CIRCLE)) + 20 * CIRCLE, "go 2 times round the axis"),
     (50 * CIRCLE[:60], "leave 124 deg out after position 59"),
+    (50 * np.delete(FINER, range(40, 44)), r"leave 12\.5 deg out after position 39"),
     (50 * np.insert(CIRCLE, 7, CIRCLE[6]), "at positions 6 and 7 are one"),
     (
         50 * CIRCLE * np.where(np.arange(90) == 40, 1.02, 1),

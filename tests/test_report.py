@@ -116,6 +116,7 @@ def test_the_page_needs_nothing_else(pads: cm.Report, page: BeautifulSoup) -> No
 
 def test_every_number_opens_to_its_formula(page: BeautifulSoup) -> None:
     table = next(one for one in page("table") if "The hardest first" in one.get_text())
+    assert {len(row(["th", "td"])) for row in table("tr")} == {6}
     sucker = table("tr")[1]
     peak = sucker("details")[1]
     assert peak.get_text().startswith("14.14")
