@@ -15,6 +15,8 @@ from site_pages import LESSONS, NOTEBOOKS, PAGES, files, page, unpack
 
 from cammotion.site.cells import LAB_ONLY
 from cammotion.site.lessons import find_lessons
+from cammotion.site.pictures import Pictures
+from cammotion.site.prose import Prose
 from cammotion.teaching.design_exercise import DesignExercise
 from cammotion.teaching.exercise import ChoiceExercise
 from cammotion.teaching.expression_exercise import ExpressionExercise
@@ -55,6 +57,24 @@ def weight(name: str) -> int:
     others = {address for other in PAGES if other != name for address in addresses(other)}
     own = {a for a in addresses(name) if a in files() and a not in others}
     return len(files()[f"{name}.html"]) + sum(len(files()[each]) for each in own)
+
+
+@pytest.mark.parametrize(
+    ("url", "leads_to"),
+    [
+        ("02_maximum_acceleration.ipynb#Exercises", "02_maximum_acceleration.html#Exercises"),
+        ("https://example.org/a?b#c", "https://example.org/a?b#c"),
+        ("mailto:a@example.org", "mailto:a@example.org"),
+        ("#below", "#below"),
+        ("solutions/02_maximum_acceleration.ipynb", None),
+        ("data/cam.csv", None),
+    ],
+)
+def test_a_link_leads_to_a_page_or_out_or_is_plain_words(url: str, leads_to: str | None) -> None:
+    prose = Prose(["02_maximum_acceleration"], Pictures("02", NOTEBOOKS / "images"))
+    made = BeautifulSoup(prose.html(f"[there]({url})"), "html.parser")
+    assert made.get_text().strip() == "there"
+    assert [link["href"] for link in made("a")] == ([leads_to] if leads_to else [])
 
 
 @pytest.mark.parametrize("name", PAGES)
