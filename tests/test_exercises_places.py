@@ -249,6 +249,17 @@ def test_a_link_to_itself_is_replaced(work: Path) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows knows no such rights")
+def test_who_may_read_a_notebook_may_read_the_file(work: Path) -> None:
+    """A teacher, say, of the group that owns a shared drive."""
+    before = os.umask(0o027)
+    try:
+        cm.check("01.1", 70)
+    finally:
+        os.umask(before)
+    assert stat.S_IMODE((work / FILE).stat().st_mode) == 0o640
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows knows no such rights")
 def test_who_may_read_the_file_stays_as_it_is(work: Path) -> None:
     cm.check("01.1", 70)
     (work / FILE).chmod(0o640)

@@ -214,14 +214,13 @@ def test_records_of_a_stranger_are_read_as_far_as_they_make_sense(work: Path) ->
         assert cm.progress().note == ""
 
 
-@pytest.mark.parametrize("place", ["json.dump", "pathlib.Path.replace", "tempfile.mkstemp"])
+@pytest.mark.parametrize("place", ["json.dump", "pathlib.Path.replace", "os.fsync"])
 def test_what_cannot_be_written_is_kept_in_memory_and_said(
     work: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
     cm.check("01.1", 70)
-    name = "tempfile.NamedTemporaryFile" if place == "tempfile.mkstemp" else place
     with monkeypatch.context() as broken:
-        broken.setattr(name, refuse(DISK_FULL))
+        broken.setattr(place, refuse(DISK_FULL))
         said = cm.check("01.2", 0.3846)
         assert said.is_right
         assert "could not be written (No space left on device); it is kept until" in said.text

@@ -14,8 +14,8 @@ learner      "variant": name, as it was given to cm.variant
 
 import json
 import os
+import secrets
 import shutil
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, nullcontext, suppress
@@ -202,18 +202,15 @@ def _target(file: Path) -> Path:
 
 def _write(content: Content, file: Path) -> None:
     """Write a file whole or not at all, and through to the disk."""
-    part = ""
+    part = file.with_name(f".{FILE}.{secrets.token_hex(8)}")
     try:
-        with tempfile.NamedTemporaryFile(
-            "w", encoding="utf-8", dir=file.parent, prefix=f".{FILE}.", delete=False
-        ) as new:
-            part = new.name
+        with part.open("x", encoding="utf-8") as new:
             json.dump(content, new, indent=1, sort_keys=True)
             new.flush()
             os.fsync(new.fileno())
         with suppress(OSError):
             shutil.copymode(file, part)  # a class may be allowed to read it
-        Path(part).replace(file)
+        part.replace(file)
     finally:
         _remove_parts(file.parent, part)
 
@@ -236,10 +233,10 @@ def counts(record: Any) -> dict[str, int]:
     return {name: value for name, value in fields if type(value) is int and 0 < value < _MOST}
 
 
-def _remove_parts(folder: Path, part: str) -> None:
+def _remove_parts(folder: Path, part: Path) -> None:
     """Remove a half-written file, and those that killed kernels left behind."""
     old = time.time() - _STALE_S
     with suppress(OSError):
         for left in folder.glob(f".{FILE}.*"):
-            if str(left) == part or left.stat().st_mtime < old:
+            if left == part or left.stat().st_mtime < old:
                 left.unlink()
