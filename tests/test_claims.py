@@ -122,7 +122,7 @@ def test_the_front_of_notebook_06() -> None:
     assert mill_best(equal) == pytest.approx(0.64, abs=2e-3)
     assert says("06", "is 0.568 without")
     assert says("06", "0.583 within")
-    assert says("06", "both parts at 0.64")
+    assert says("06", "0.64 was reached for both")
 
 
 @pytest.mark.parametrize("limit", [0.45, 0.75])

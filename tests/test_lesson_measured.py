@@ -93,13 +93,18 @@ def test_the_reading_error_that_the_points_suggest() -> None:
     assert rounding == pytest.approx(0.0003, abs=2e-5)
     assert 42 < error / rounding < 45
     assert says("09", "The points suggest forty times as much")
+    assert says(
+        "09", r"what it took, divided by the sum of $\left(1 - \frac{1}{1 + \lambda\mu_k}\right)^2$"
+    )
 
 
 def test_what_is_found_in_the_live_figure() -> None:
     zigzag: Array = np.where(np.arange(36) % 2, -0.01, 0.01)
     single: Array = np.where(np.arange(36) == 9, 0.01, 0.0)
-    assert max(spline(zigzag)) == pytest.approx(9.7, abs=0.05)
-    assert -spline(single)[9] == pytest.approx(3.6, abs=0.05)
+    least = 1e-7  # where the slider of the smoothing begins
+    assert max(smoothed(least, zigzag)) == pytest.approx(9.7, abs=0.05)
+    assert -smoothed(least, single)[9] == pytest.approx(3.5, abs=0.05)
+    assert says("09", "±9.7 in/s². A single one makes 3.5 at its place")
     assert max(spline(zigzag)) == pytest.approx(12 * 0.01 / DT**2)
     assert spline(Y)[17] == pytest.approx(-24, abs=0.1) == min(spline(Y))
     for exponent, low, high in ((-3.75, 0.9, 1), (-3.8, 1, 1.1)):
@@ -157,7 +162,7 @@ def test_what_reading_errors_make_of_a_harmonic() -> None:
     waves = np.abs(np.fft.rfft(np.concatenate([errors, errors[-2:0:-1]]), axis=0))
     spread = np.sqrt(np.mean(waves**2, axis=1)) / np.array([36, *[18] * 17, 36])
     assert spread[18] / CUT[18] == pytest.approx(3 / 4, abs=0.03)
-    assert says("09", "as cross-validation suggests them, would make most of it")
+    assert says("09", "reading errors of 0.0125 in would make most of it")
     assert spread[17] * (17 * np.pi / 2) ** 2 == pytest.approx(3, abs=0.15)
     assert says("09", "reading errors of 0.0125 in alone would make 3 in/s² there")
 

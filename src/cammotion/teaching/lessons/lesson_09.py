@@ -248,8 +248,8 @@ EXERCISES = (
         number="09.3",
         question=lambda m: (
             f"A cam is measured at {m.measured.folded[0]} evenly spaced angles of its turn. In "
-            f"truth it has a strong harmonic of rank {m.measured.folded[1]}. At which rank will "
-            "the table have it?"
+            f"truth its harmonic {m.measured.folded[1]} is strong. As which harmonic will the "
+            "table have it?"
         ),
         unit="",
         answer=_folded,
@@ -454,7 +454,7 @@ EXERCISES = (
             "a": "It is no resonance: five harmonics are stronger.",
             "b": "It is resonance, and the twelfth has the amplitude that the table gives.",
             "c": "It may be resonance, but the table does not tell how large the twelfth is.",
-            "d": "48 angles, with the same instrument, will make the second differences better.",
+            "d": "With 48 angles the same reading errors change the second differences less.",
         },
         answer="c",
         reasons={
