@@ -48,9 +48,11 @@ class Expression(Proved):
 
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given."""
-        inside = np.clip(places, self.low, self.high)  # rounding may put one where it has no value
+        function = _compile(self._expression, "numpy")
         with np.errstate(all="ignore"):
-            values = _compile(self._expression, "numpy")(inside) + np.zeros(np.shape(places))
+            values = function(places) + np.zeros(np.shape(places))
+            if np.isnan(np.sum(values)):  # rounding may put a place where it has no value
+                values = function(np.clip(places, self.low, self.high)) + np.zeros_like(values)
         if out is None:
             return np.asarray(values)
         out[...] = values
