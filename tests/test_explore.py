@@ -324,3 +324,14 @@ def test_a_control_of_the_notation_stands_at_the_lesson_s_machine() -> None:
     ranges = {h_m: (0.01, 0.2), t_m: (0.1, 1), B_m: (10, 100), N: (100, 5000)}
     figure = cm.explore(h_m * t / t_m * B_m * N, (t, 0, 1), ranges)
     assert figure.values == {h_m: 0.05, t_m: 0.275, B_m: 55, N: 2000}
+
+
+def test_braces_in_a_name_are_said_as_they_are() -> None:
+    """SymPy's own names have them, like a_{max}."""
+    place, speed = sp.symbols("u_{1} v_{q}")
+    figure = explore({"a_{max}": speed * place}, (place, 0, 1), ONE, values={speed: 2 * k + 1})
+    assert [line.rstrip() for line in figure.text.splitlines()] == [
+        "v{q} = 2",
+        "at u_{1} = 0: a_{max} = 0",
+        "largest: |a_{max}| = 2",
+    ]

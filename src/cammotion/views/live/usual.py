@@ -37,14 +37,9 @@ def usual_sentences(
     lines = [line for column in columns for panel in column for line in panel.lines]
     followed = [symbol for symbol, value in values.items() if as_curve(value).free_symbols]
     unit = notation.axis_label(variable.name, span[1]).partition(" in ")[2]
-    where = "at {place:.4g} " + unit if unit else f"at {variable.name} = {{place:.4g}}"
-    says = [
-        Say(
-            f"{notation.meaning(s.name).name} = {{it:.4g}} {notation.meaning(s.name).unit}",
-            {"it": s},
-        )
-        for s in followed
-    ]
+    where = "at {place:.4g} " + unit if unit else f"at {_as_it_is(variable.name)} = {{place:.4g}}"
+    meanings = [(s, notation.meaning(s.name)) for s in followed]
+    says = [Say(f"{_as_it_is(m.name)} = {{it:.4g}} {m.unit}", {"it": s}) for s, m in meanings]
     now = {f"y{i}": line.y for i, line in enumerate(lines)}
     says.append(Say(f"{where}: {', '.join(_readouts(lines))}", {"place": variable, **now}))
     ends = variable, *span
@@ -57,7 +52,12 @@ def _readouts(lines: Sequence[Line], written: str = "{}") -> Iterator[str]:
         symbol = quantity_of(line.y)
         unit = f" {notation.meaning(symbol).unit}" if symbol else ""
         name = written.format(line.name or symbol or f"curve {number + 1}")
-        yield f"{name} = {{y{number}:.4g}}{unit}"
+        yield f"{_as_it_is(name)} = {{y{number}:.4g}}{unit}"
+
+
+def _as_it_is(name: str) -> str:
+    """Return a name for the text of a sentence, in which braces hold numbers."""
+    return name.replace("{", "{{").replace("}", "}}")
 
 
 def quantity_of(expression: Any) -> str | None:
