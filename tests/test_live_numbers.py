@@ -232,3 +232,33 @@ def test_so_has_the_picture_of_a_figure(
     (ax,) = drawn
     assert ax.get_ylabel() == label.replace("way in", "way\nin")
     assert f"{3 * times:g}" == last or ax.yaxis.get_major_formatter()(3 * times, 0) == last
+
+
+_BLANK_PAGE = """
+  const element = () => ({ style: {}, setAttribute() {}, append() {}, replaceChildren() {} });
+  globalThis.document = { createElementNS: element, createElement: element };
+"""
+_VIEW = """
+  const now = compile(given)([], []), drawn = new Panel(given.columns[0][0], "p", true);
+  drawn.keep(now, 0);
+  drawn.draw(now, now, 0);
+  return [drawn.view.x, drawn.view.y];
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "y"),
+    [
+        (cm.Line(y=sp.sqrt(t - 0.5)), [0, 0.8]),  # real in a part of the range
+        (cm.Line(y=t, only_where=t - 0.5), [0, 1]),
+        (cm.Line(y=1 / (t - sp.Rational(1, 3))), [-100, 100]),  # a pole
+    ],
+)
+def test_an_axis_whose_ticks_are_given_holds_a_curve_with_gaps(
+    line: cm.Line, y: list[float]
+) -> None:
+    panel = cm.Panel(lines=[line], y="way", y_ticks=0.2, x_ticks=0.1)
+    figure = cm.explore(panel, (t, 0, 1), says=[])
+    across, up = node.run(_VIEW, figure.description, more=_BLANK_PAGE)
+    assert across == [0, 1, 0.1]
+    assert up == pytest.approx([*y, 0.2])

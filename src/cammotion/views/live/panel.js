@@ -190,11 +190,7 @@ class Panel {
     const { panel, root } = this,
       width = root.clientWidth || 640;
     const fitted = (given, values, ticks) => {
-      const ends = given
-        ? given.map((i) => now[i]())
-        : ticks
-          ? [Math.min(...values()), Math.max(...values())]
-          : limits(values());
+      const ends = given ? given.map((i) => now[i]()) : limits(values());
       return [ends[0], ends[1], ticks ?? ends[2] ?? tick(ends[1] - ends[0])];
     };
     const x = fitted(panel.x_limits, () => this.held(0, traced, now), panel.x_ticks);
