@@ -262,3 +262,14 @@ def test_an_axis_whose_ticks_are_given_holds_a_curve_with_gaps(
     across, up = node.run(_VIEW, figure.description, more=_BLANK_PAGE)
     assert across == [0, 1, 0.1]
     assert up == pytest.approx([*y, 0.2])
+
+
+def test_the_largest_of_what_is_no_number_is_none() -> None:
+    figure = cm.explore(sp.sqrt(k - t**2), (t, 0, 1), {k: (-5, 5)})
+    figure.values = {k: -1}
+    script = """
+    const [description, settings] = given, now = compile(description)(settings, settings);
+    return sentences(description, now, settings, 0);
+    """
+    page = node.run(script, [figure.description, figure.settings])
+    assert page == figure.text.splitlines() == ["at 0 s: curve 1 = –", "largest: |curve 1| = –"]

@@ -36,6 +36,7 @@ function search(f, low, high) {
     const y = f(at(i));
     if (y > value) [best, value] = [i, y];
   }
+  if (!best) value = f(low); // which is no number where none of the samples is
   let a = at(Math.max(best - 1, 0)),
     b = at(Math.min(best + 1, SAMPLES));
   for (let i = 0; i < NARROWINGS; i++) {
