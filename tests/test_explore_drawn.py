@@ -135,3 +135,28 @@ def test_a_figure_and_a_player_in_one_notebook_have_styles_of_their_own() -> Non
     assert figure
     assert player
     assert not figure & player
+
+
+@pytest.mark.parametrize(
+    ("other", "is_one"),
+    [
+        (cm.Panel(lines=[cm.Line(y=t**2)]), True),
+        (cm.Panel(lines=[cm.Line(y=t**2)], x="x"), False),
+        (cm.Panel(lines=[cm.Line(y=t**2)], x_limits=(0, 5)), False),
+        (cm.Panel(lines=[cm.Line(y=t**2, over=(0, 5))]), False),
+        (cm.Panel(lines=[cm.Line(y=t**2, x=5 * t)]), False),
+        (cm.Panel(lines=[cm.Line(y=t**2)], is_bare=True), False),  # which has no numbers
+        (cm.Panel(lines=[cm.Line(y=t**2)], is_equal=True), False),
+    ],
+)
+def test_panels_share_the_numbers_of_an_axis_that_is_the_same(
+    other: cm.Panel, is_one: bool
+) -> None:
+    (column,) = cm.explore([t, other], SPAN).description["columns"]
+    assert [panel["shares_x"] for panel in column] == [is_one, is_one]
+
+
+def test_a_panel_over_nothing_is_called_by_its_heights() -> None:
+    circle = cm.Panel(lines=[cm.Line(x=sp.cos(t), y=sp.sin(t))], y="height in mm")
+    ((panel,),) = cm.explore(circle, SPAN).description["columns"]
+    assert panel["title"] == "height in mm"

@@ -2,7 +2,7 @@
 
 import re
 import string
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from itertools import chain
 from typing import Any
 
@@ -91,14 +91,14 @@ class Describer:
             "options": options,
         }
 
-    def panel(self, panel: Panel, shares_x: bool) -> Description:
-        """Return the description of a panel, whose axis over the variable may be another's too."""
+    def panel(self, panel: Panel) -> Description:
+        """Return the description of a panel, as it is without others and without a clock."""
         is_over_variable = all(line.x is None for line in panel.lines)
         is_parametric = bool(panel.lines) and all(line.x is not None for line in panel.lines)
         over = "" if is_parametric else axis_label(self.variable.name, self.span[1])
         x_label = over if panel.x is None else panel.x
         return {
-            "title": panel.title or f"{panel.y or 'Curves'} over {x_label}",
+            "title": panel.title or f"{panel.y or 'Curves'}{' over ' * bool(x_label)}{x_label}",
             "lines": [self._line(at, line) for at, line in enumerate(panel.lines)],
             "points": [self._point(point) for point in panel.points],
             "boxes": [self._box(box) for box in panel.boxes],
@@ -112,7 +112,7 @@ class Describer:
             "equal": panel.is_equal,
             "bare": panel.is_bare,
             "height": panel.height,
-            "shares_x": shares_x,
+            "shares_x": False,
             "is_over_variable": is_over_variable and bool(panel.lines),
             "has_cursor": False,
         }
@@ -279,9 +279,11 @@ def describe(  # noqa: PLR0913 - the parts of a figure, each once
     title: str,
 ) -> Description:
     """Return the description of a figure: plain data for JSON, all its formulas in one list."""
-    described = [
-        [describer.panel(panel, _is_over_same(column)) for panel in column] for column in columns
-    ]
+    described = [[describer.panel(panel) for panel in column] for column in columns]
+    for column, given in zip(described, columns, strict=True):
+        is_one = len({*map(_across, given, column)}) == 1 and not any(p.is_equal for p in given)
+        for panel in column:
+            panel["shares_x"] = is_one
     if clock is not None and clock[0] == describer.variable:
         for panel in chain.from_iterable(described):
             panel["has_cursor"] = panel["is_over_variable"]
@@ -305,6 +307,7 @@ def describe(  # noqa: PLR0913 - the parts of a figure, each once
     }
 
 
-def _is_over_same(column: Sequence[Panel]) -> bool:
-    """Return whether the panels of a column may share one axis."""
-    return len({panel.x for panel in column}) == 1 and not any(p.is_equal for p in column)
+def _across(panel: Panel, described: Description) -> Hashable:
+    """Return what the numbers under a panel follow from: panels with the same may share them."""
+    curves = frozenset((line["x"], *line["over"]) for line in described["lines"])
+    return panel.x, panel.is_bare, tuple(described["x_limits"] or ()) or curves
