@@ -261,6 +261,13 @@ def test_the_clearance_map_draws_each_path_and_the_forbidden_region() -> None:
     assert "forbidden" in texts(ax)
 
 
+def test_the_angles_at_a_path_have_its_colour_also_where_the_last_one_has_none() -> None:
+    ax = cm.plot_clearance({"overlap": AFTER, "no overlap": BEFORE}, RULE)
+    angles = [text for text in ax.texts if text.get_text().endswith("°")]
+    assert [text.get_text() for text in angles] == ["15/135°", "30/120°"]
+    assert {text.get_color() for text in angles} == {ax.lines[0].get_color()}
+
+
 def test_the_path_of_the_widest_move_touches_the_region_and_stays_out() -> None:
     ax = cm.plot_clearance(AFTER, RULE)
     across, up = (np.asarray(data) for data in ax.lines[0].get_data())

@@ -139,14 +139,16 @@ def plot_clearance(
     ax.set_ylim(lowest - ROOM * high, lowest + 1.1 * high)
     region = _forbidden_region(rule, ax)
     ax.add_patch(region)
-    angles: dict[tuple[float, float], str] = {}
     short = by_name(named, TITLE)
+    angles: dict[tuple[float, float], str] = {}
+    ink = ""
     for number, (name, diagram) in enumerate(named.items()):
-        angles = _draw_path(ax, diagram, rule, number) or angles
+        if found := _draw_path(ax, diagram, rule, number):
+            angles, ink = found, colour(number)
         if any(named):
             name_line(ax.lines[-2], short[name], name)
-    for place, label in angles.items():  # the last path's; the others have theirs below or above
-        write(ax, label, place, colour(number), offset=(-3, -17))
+    for place, label in angles.items():  # of one path; the others have theirs below or above
+        write(ax, label, place, ink, offset=(-3, -17))
     if any(named):
         add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     if min(region.get_width(), region.get_height()) > 0:  # or it lies where nobody comes
