@@ -165,6 +165,21 @@ def test_one_that_came_and_nothing_else() -> None:
     assert len(ax.figure.axes) == 1
 
 
+def test_a_peak_that_is_infinite_in_one_version_is_drawn_with_its_numbers() -> None:
+    jumps = cm.MotionLaw("constant velocity", cm.x)
+    before, after = make_diagram(), make_diagram(make_mill(), make_die(law=jumps))
+    for versions, said in (
+        ((before, after), "4.15 → ∞ m/s²"),
+        ((after, before), "∞ → 4.15 m/s²"),
+    ):
+        (below,) = cm.plot_comparison(cm.compare(*versions)).figure.axes[1:]
+        assert [text.get_text() for text in below.texts] == [said]
+        (row,) = below.get_yticklabels()
+        assert row.get_text() == "die, peak acceleration"
+        assert [bar.get_width() for bar in below.patches] == [0]  # type: ignore[attr-defined]
+        assert below.get_xlim()[1] > 100
+
+
 def die_like(
     *, start: float = 150, at_mm: float = 0, law: str | cm.MotionLaw = "cycloidal"
 ) -> cm.TimingDiagram:

@@ -46,7 +46,8 @@ def plot_comparison(comparison: Comparison) -> Axes:
     Each mechanism has a lane with its displacement over the cam angle, as it was in grey dashes and
     as it is in colour, on one scale. Below are the peaks that are other ones now, in per cent of
     what they were, with both numbers beside them: accelerations, and of camshafts forces and
-    torque. `compare` makes the comparison. Raises InputError for more than 24 mechanisms.
+    torque, 30 at most. A peak that was or is infinite, or was none, has its numbers alone.
+    `compare` makes the comparison. Raises InputError for more than 24 mechanisms.
 
     >>> import cammotion as cm
     >>> after = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram
@@ -56,7 +57,7 @@ def plot_comparison(comparison: Comparison) -> Axes:
     """
     before, after = readable(comparison.before), readable(comparison.after)
     names = list(dict.fromkeys([*after.names, *before.names]))
-    effects = [e for e in comparison.effects if e.what in _DRAWN and e.times is not None][:_MOST]
+    effects = [e for e in comparison.effects if e.what in _DRAWN and _is_told(e)][:_MOST]
     lanes, bars = LANE_INCHES * len(names), _BAR_INCHES * max(len(effects), 1)
     below = bars + _GAP_INCHES if effects else 0.0
     every = list(dict.fromkeys([*names, *(effect.of for effect in effects)]))
@@ -111,6 +112,11 @@ def _draw_lanes(
 def _curve(motion: Motion) -> tuple[Floats, Floats]:
     angles = curve_angles(motion)
     return angles, displacement(motion, angles)
+
+
+def _is_told(effect: Effect) -> bool:
+    """Whether both versions have it, and it is in per cent or another one now."""
+    return None not in effect.shown and (effect.times is not None or effect.is_change)
 
 
 def _draw_bars(
