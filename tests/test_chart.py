@@ -277,3 +277,13 @@ def test_rise_and_return_by_two_laws_have_a_line_each() -> None:
     page = draw_chart(cm.TimingDiagram([dial, gripper], 2000), 1, ("cams", ""), (), {})
     words = {text.get_text() for text in page.findobj(Text)}
     assert {"↑ modified trapezoid", "↓ cycloidal", "cycloidal"} <= words
+
+
+@pytest.mark.parametrize(("count", "shown"), [(1, 3), (8, 3), (24, 1)])
+def test_laws_that_have_no_room_beside_their_lane_are_counted(count: int, shown: int) -> None:
+    laws, ways = [*cm.LAWS][:8], [cm.rise, cm.return_] * 4
+    moves = [way(20, over_deg=40, law=law) for way, law in zip(ways, laws, strict=True)]
+    dies = [cm.motion(f"die {n}", *moves, cm.dwell(40)) for n in range(count)]
+    figure = page(cm.TimingDiagram(dies, 2000))
+    expect_clear(figure, 1)
+    assert texts(figure).count(f"and {len(laws) - shown} more") == count

@@ -64,11 +64,11 @@ def write_chart(  # noqa: PLR0913 - what a page may have is given by name
     each corner, its peak acceleration and its laws; there is a line every 10 deg. Where one of the
     `rules` is broken its two lanes are hatched. Below stand what each rule has left, the broken
     ones first, `title`, the machine rate and the `date`, today unless it is given. Long names have
-    two lines or are shortened, none like another; rules that have no room are counted. `paper` is
-    "A3" or "A4", lying; the page is black on white. `radius_mm` says by the name of a motion that
-    turns at which radius its mm are measured; its stroke is given in deg too. A file that is there
-    already is left as it is, with an InputError, unless `overwrite` is True; raises InputError also
-    for more than 24 mechanisms, another paper and another kind of file.
+    two lines or are shortened, none like another; rules and laws that have no room are counted.
+    `paper` is "A3" or "A4", lying; the page is black on white. `radius_mm` says by the name of a
+    motion that turns at which radius its mm are measured; its stroke is given in deg too. A file
+    that is there already is left as it is, with an InputError, unless `overwrite` is True; raises
+    InputError also for more than 24 mechanisms, another paper and another kind of file.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm

@@ -41,6 +41,7 @@ MM_PER_POINT = MM_PER_INCH / POINTS_PER_INCH
 _APART_MM = 0.6  # between two angles
 _LEFT_MM, _RIGHT_MM = 37.0, 30.0  # of room for texts beside the lanes
 _BESIDE = 0.88  # of a lane is filled by them, if it is not too high
+_CLOSE = 0.97  # of the size of letters: lines that are nearer would touch
 _MORE = 2  # digits of a stroke than of a number at a scale: a workshop sets it by them
 _LEAST_NAME = 8  # columns of a name, which always have room
 
@@ -122,6 +123,12 @@ class Paper:
         """How many lines a name may have over the stroke."""
         row = 1.15 * _NAME * self.share * MM_PER_POINT
         return 2 if 3 * row <= _BESIDE * min(self.lane_mm, FULL_MM) else 1
+
+    @property
+    def small_lines(self) -> int:
+        """How many lines of small letters have room beside a lane."""
+        row = _CLOSE * _SMALL * self.share * MM_PER_POINT
+        return int(_BESIDE * min(self.lane_mm, FULL_MM) / row)
 
     @property
     def curve_mm(self) -> float:
@@ -212,7 +219,8 @@ def draw_lane(paper: Paper, number: int, motion: Motion, name: Sequence[str], sa
     corners = [(paper.across(at), y, at) for at, y in zip(joints, heights.tolist(), strict=True)]
     _write_angles(paper, corners, base + paper.curve_mm / 2)
     _write_beside(paper, number, (*name, said.stroke), (paper.left - 2, "right", _LEFT_MM))
-    _write_beside(paper, number, (said.peak, *said.laws), (paper.right + 2, "left", _RIGHT_MM))
+    laws = _as_many(said.laws, paper.small_lines - 1)
+    _write_beside(paper, number, (said.peak, *laws), (paper.right + 2, "left", _RIGHT_MM))
 
 
 def draw_violation(paper: Paper, rows: Sequence[int], arc: Arc) -> None:
@@ -258,6 +266,13 @@ def _places(paper: Paper, x: float, y: float, middle: float, width: float) -> It
         for shift in (-0.5, -0.95, -0.05):
             left = min(max(x + shift * width, paper.left + 0.3), paper.right - width - 0.3)
             yield _Box(left, left + width, bottom, top)
+
+
+def _as_many(laws: Sequence[str], lines: int) -> Sequence[str]:
+    """Return the laws that so many lines hold; where there are more, the last line counts them."""
+    if len(laws) <= lines:
+        return laws
+    return [*laws[: lines - 1], f"and {len(laws) - lines + 1} more"]
 
 
 def _write_beside(
