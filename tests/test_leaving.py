@@ -99,6 +99,19 @@ def test_the_gap_of_the_still_is_the_gap() -> None:
     assert f"{gap:.3g} mm above the cam" in PICTURE.still(205).description
 
 
+@pytest.mark.parametrize(("rate", "magnify"), [(6000, None), (12_000, None), (3000, 50)])
+def test_a_follower_that_flies_far_stays_in_the_picture(rate: float, magnify: float | None) -> None:
+    flights = cm.follower_flights(cm.EXAMPLE.die, LOAD, rate)
+    picture = cm.animate_follower(flights, magnify=magnify)
+    (body,) = parse(picture.svg).findall(".//*[@data-part='follower']/..")
+    (moving,) = body.findall("*")
+    animation = moving.find("{*}animateTransform")
+    assert animation is not None
+    ways = [float(value.split()[-1]) for value in animation.attrib["values"].split(";")]
+    at = float(body.attrib["transform"].rstrip(")").split()[-1])
+    assert at + min(ways) - 52 > 54  # its upper end is under what is written above
+
+
 def test_what_is_refused() -> None:
     with pytest.raises(cm.InputError, match="flights=12: give what follower_flights"):
         cm.animate_follower(12)  # type: ignore[arg-type]

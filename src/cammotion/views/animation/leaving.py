@@ -38,12 +38,13 @@ MAGNIFICATION = Quantity("magnification of the gap", "times", example=10, low=1,
 WIDTH_PX, HEIGHT_PX = 800, 430
 _CAM_PX = 118.0  # the largest radius of the cam
 _AXIS = (150.0, 300.0)
-_CEILING, _HEADER = 78.0, 66.0
+_CEILING, _TOP, _HEADER = 78.0, 54.0, 66.0  # where the spring ends, and where at the highest
 _CHART_X = 310.0
 _ROLLER, _PRESSURE_DEG = 0.35, 38  # of the travel; the cam is no larger than a picture needs
 _SEEN = 0.35  # of the travel: so wide is the widest gap to be drawn
 _STEP_DEG, _BURST_DEG = 1.0, 9.0
 _STEM_PX, _COILS = 46.0, 5
+_OVER_PX = _STEM_PX + 6 + 22  # of stem, plate and spring over the roller where it is highest
 
 
 @dataclass(frozen=True)
@@ -197,7 +198,6 @@ class _Picture:
             motion, roller, pressure_angle_deg=_PRESSURE_DEG, profile_radius_mm=0.3 * self.travel
         )
         self.cam = RollerCam(motion, roller, max(prime, 1.5 * self.travel))
-        self.scale = _CAM_PX / (self.cam.prime_radius_mm + self.travel - roller.radius_mm)
         ends = [end for flight in animation.seen for end in flight[:2]]
         ends += [flight.lands_at_deg for flight in animation.landing]
         even = np.arange(0, DEG_PER_TURN + _STEP_DEG / 2, _STEP_DEG)
@@ -207,6 +207,10 @@ class _Picture:
         self.gap = np.asarray(animation.flights.gap_mm(whole)) * animation.magnify
         self.lift = np.asarray(motion.position_mm(whole)) - low
         self.force = np.asarray(animation.flights.force_N(whole))
+        self.scale = min(
+            _CAM_PX / (self.cam.prime_radius_mm + self.travel - roller.radius_mm),
+            (_AXIS[1] - _OVER_PX - _TOP) / (self.cam.prime_radius_mm + float(self._drawn.max())),
+        )
 
     def draw(self) -> str:
         """Draw it all and return the SVG."""
@@ -275,7 +279,7 @@ class _Picture:
     def _ceiling(self) -> float:
         """Where the spring ends above, as high as the follower comes, and a spring's length."""
         highest = _AXIS[1] - self.scale * (self.cam.prime_radius_mm + float(self._drawn.max()))
-        return float(min(highest - _STEM_PX - 6 - 22, _CEILING))
+        return float(min(highest - _OVER_PX, _CEILING))
 
     def _bursts(self) -> Iterable[Any]:
         """Draw a word while the follower is in the air, and a star where it lands."""
