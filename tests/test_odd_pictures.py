@@ -227,7 +227,7 @@ def test_a_response_is_drawn_forwards_and_each_mass_once() -> None:
     assert words_of(cm.plot_response(response, masses=[1, 1])).count("mass from") == 1
 
 
-u = sp.Symbol("u")
+u, n = sp.symbols("u n")
 
 
 @pytest.mark.parametrize(
@@ -237,6 +237,10 @@ u = sp.Symbol("u")
         (sp.sqrt(u - 50), (0, 130), "a finite real number everywhere"),
         (sp.I * u, (0, 130), "a finite real number everywhere"),
         (sp.Function("f")(u), (0, 130), r"weight is f\(u\)"),
+        (sp.polylog(2, u / 200), (0, 130), r"weight is polylog\(2, u/200\)"),
+        (sp.Derivative(sp.sin(u), u), (0, 130), r"weight is Derivative\(sin\(u\), u\)"),
+        (sp.Integral(sp.sin(u * n), (n, 0, 1)), (0, 130), "weight is Integral"),
+        (10**400 * u, (0, 130), "a finite real number everywhere"),
         (65 - u, (130, 0), "goes from 130 to 0 deg"),
         (65 - u, (7, 7), "goes from 7 to 7 deg"),
     ],

@@ -1,6 +1,7 @@
 """Pictures of a way over two corners, and of the weight that proves how good it can get."""
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 
 import numpy as np
 import sympy as sp
@@ -118,8 +119,8 @@ def plot_weight(
 def _heights(weight: sp.Expr, symbol: sp.Symbol, places: Floats) -> Floats:
     """Return a weight at these places; raise InputError where it is no finite number."""
     heights = np.array(np.nan)
-    if not weight.free_symbols - {symbol} and not weight.atoms(sp.core.function.AppliedUndef):
-        with np.errstate(all="ignore"):
+    if not weight.free_symbols - {symbol}:
+        with np.errstate(all="ignore"), suppress(Exception):  # of whatever NumPy cannot compute
             heights = np.asarray(sp.lambdify(symbol, weight)(places))
     if heights.dtype.kind not in "if" or not np.isfinite(heights).all():
         raise InputError(
