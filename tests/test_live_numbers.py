@@ -235,14 +235,15 @@ def test_so_has_the_picture_of_a_figure(
 
 
 _BLANK_PAGE = """
-  const element = () => ({ style: {}, setAttribute() {}, append() {}, replaceChildren() {} });
+  const element = () => ({
+    style: {}, setAttribute(name, value) { this[name] = value; }, append() {}, replaceChildren() {},
+  });
   globalThis.document = { createElementNS: element, createElement: element };
 """
-_VIEW = """
+_DRAWN = """
   const now = compile(given)([], []), drawn = new Panel(given.columns[0][0], "p", true);
   drawn.keep(now, 0);
   drawn.draw(now, now, 0);
-  return [drawn.view.x, drawn.view.y];
 """
 
 
@@ -259,7 +260,9 @@ def test_an_axis_whose_ticks_are_given_holds_a_curve_with_gaps(
 ) -> None:
     panel = cm.Panel(lines=[line], y="way", y_ticks=0.2, x_ticks=0.1)
     figure = cm.explore(panel, (t, 0, 1), says=[])
-    across, up = node.run(_VIEW, figure.description, more=_BLANK_PAGE)
+    across, up = node.run(
+        f"{_DRAWN} return [drawn.view.x, drawn.view.y];", figure.description, more=_BLANK_PAGE
+    )
     assert across == [0, 1, 0.1]
     assert up == pytest.approx([*y, 0.2])
 
@@ -273,3 +276,33 @@ def test_the_largest_of_what_is_no_number_is_none() -> None:
     """
     page = node.run(script, [figure.description, figure.settings])
     assert page == figure.text.splitlines() == ["at 0 s: curve 1 = –", "largest: |curve 1| = –"]
+
+
+@pytest.mark.parametrize(
+    ("box", "middle"),
+    [
+        (cm.Box(low=0.5, name="at work"), (0.75, 0.5)),
+        (cm.Box(low=-9, high=0.5, y=(-9, 0.5), name="at work"), (0.25, 0.25)),
+        (cm.Box(y=(0.5, 9), name="at work"), (0.5, 0.75)),
+        (cm.Box(y=(7, None), name="at work"), None),
+        (cm.Box(low=7, name="at work"), None),
+        (cm.Box(low=0.7, high=0.3, name="at work"), None),
+    ],
+)
+def test_a_box_has_its_name_in_the_middle_of_what_is_seen_of_it(
+    box: cm.Box, middle: tuple[float, float] | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel = cm.Panel(lines=[cm.Line(y=t)], boxes=[box], x_limits=(0, 1), y_limits=(0, 1))
+    figure = cm.explore(panel, (t, 0, 1), says=[])
+    script = """
+    const [{ word }] = drawn.boxes, { X, Y } = drawn.view;
+    return word.style.display === "none" ? null : [X.back(word.x), Y.back(word.y)];
+    """
+    page = node.run(_DRAWN + script, figure.description, more=_BLANK_PAGE)
+    drawn: list[Axes] = []
+    monkeypatch.setattr(picture, "_take_out_a_power", lambda axis: drawn.append(axis.axes))
+    figure.picture()
+    words = [text.get_position() for text in drawn[0].texts]
+    assert len(words) == (middle is not None)
+    assert page == (middle if middle is None else pytest.approx(middle))
+    assert words == [pytest.approx(each) for each in [middle] if each]

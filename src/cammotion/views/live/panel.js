@@ -128,20 +128,19 @@ class Panel {
       put(path, { d: this.pathOf(traced[i].own, traced[i].line.role === "area") });
       if (twin) put(twin, { d: this.pathOf(traced[i].twin) });
     });
+    const within = (low, high, ends) => ends.map((at) => Math.min(Math.max(at, low), high));
     for (const { box, rect, word } of this.boxes) {
       const side = (name, edge, axis) => (box[name] === null ? edge : axis(now[box[name]](clock)));
-      const x = [side("x_low", left, X), side("x_high", right, X)],
-        y = [side("y_high", top, Y), side("y_low", bottom, Y)];
+      const x = within(left, right, [side("x_low", left, X), side("x_high", right, X)]),
+        y = within(top, bottom, [side("y_high", top, Y), side("y_low", bottom, Y)]);
       put(rect, {
         x: x[0],
         y: y[0],
         width: Math.max(x[1] - x[0], 0) || 0,
         height: Math.max(y[1] - y[0], 0) || 0,
       });
-      put(word, {
-        x: (Math.max(x[0], left) + Math.min(x[1], right)) / 2,
-        y: (Math.max(y[0], top) + Math.min(y[1], bottom)) / 2,
-      });
+      put(word, { x: (x[0] + x[1]) / 2, y: (y[0] + y[1]) / 2 });
+      word.style.display = x[0] < x[1] && y[0] < y[1] ? "" : "none"; // there is nothing to name
     }
     for (const { point, dot, word } of this.points) {
       const x = X(now[point.x](clock, clock)),

@@ -152,8 +152,10 @@ class _Drawn:
         region = Rectangle((x0, y0), x1 - x0, y1 - y0, **BROKEN, alpha=0.6, linewidth=0)
         self.ax.add_patch(region)
         self.ax.set(xlim=edges[:2], ylim=edges[2:])
-        if box["name"]:
-            middle = (max(x0, edges[0]) + min(x1, edges[1])) / 2, (y0 + min(y1, edges[3])) / 2
+        left, right = max(x0, edges[0]), min(x1, edges[1])
+        low, high = max(y0, edges[2]), min(y1, edges[3])
+        if box["name"] and left < right and low < high:
+            middle = (left + right) / 2, (low + high) / 2
             words = {"fontsize": 11, "color": BROKEN["edgecolor"], "path_effects": [_HALO]}
             plain(self.ax.text(*middle, box["name"], ha="center", va="center", **words))
 
