@@ -268,6 +268,24 @@ def test_the_angles_at_a_path_have_its_colour_also_where_the_last_one_has_none()
     assert {text.get_color() for text in angles} == {ax.lines[0].get_color()}
 
 
+@pytest.mark.parametrize("start_mm", [-50, -1000, 3, 1000])
+@pytest.mark.parametrize("design", [BEFORE, AFTER])
+def test_dots_are_where_both_motions_are_under_way_wherever_the_die_begins(
+    design: cm.TimingDiagram, start_mm: float
+) -> None:
+    die = design["die"]
+    parts = [
+        dataclasses.replace(s, from_mm=s.from_mm + start_mm, to_mm=s.to_mm + start_mm)
+        for s in die.segments
+    ]
+    rule = cm.ClearanceRule(cm.beyond("die", 19 + start_mm), only_while=cm.within("mill", 0.65))
+    moved = cm.plot_clearance(design.with_motion(cm.Motion("die", parts)), rule)
+    usual = cm.plot_clearance(design, RULE)
+    dots, (x, y) = (np.asarray(ax.lines[1].get_data()) for ax in (moved, usual))
+    assert dots == pytest.approx(np.array([x, y + start_mm]), abs=1e-9)
+    assert texts(moved) == texts(usual)
+
+
 def test_the_path_of_the_widest_move_touches_the_region_and_stays_out() -> None:
     ax = cm.plot_clearance(AFTER, RULE)
     across, up = (np.asarray(data) for data in ax.lines[0].get_data())

@@ -42,6 +42,7 @@ WIDTH_INCHES, LEFT_INCHES, RIGHT_INCHES = 9.0, 1.125, 0.9  # of a notebook's pag
 _TITLE_INCHES = 0.45  # beside the names of the rows, for what they show
 DOT_DEG, LABELLED_DOT_DEG = 5, 15
 ROOM = 0.03  # of an axis, so that it does not hide a path along it
+_BELOW = 0.085  # of the axis, in which a label has room below its dot
 ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "velocity": TimingDiagram.velocity,
     "acceleration": TimingDiagram.acceleration,
@@ -248,12 +249,15 @@ def _draw_path(
     """
     across, up = diagram[rule.only_while.motion], diagram[rule.when.motion]
     close = np.union1d(curve_angles(across), curve_angles(up))
-    style_line(ax.plot(across.offset_mm(close), up.offset_mm(close))[0], number)
+    path = [np.asarray(motion.offset_mm(close)) for motion in (across, up)]
+    style_line(ax.plot(*path)[0], number)
     angles = np.arange(0, DEG_PER_TURN, DOT_DEG)
     x, y = np.asarray(across.offset_mm(angles)), np.asarray(up.offset_mm(angles))
-    under_way = (x > 0) & (y > 0) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])
+    left, low = (float(np.min(way) + 1e-9 * np.ptp(way)) for way in path)  # where both rest
+    under_way = (x > left) & (y > low) & (x <= ax.get_xlim()[1]) & (y <= ax.get_ylim()[1])
     ax.plot(x[under_way], y[under_way], "o", color=colour(number), markersize=5)
-    high = y > 2 * ROOM * ax.get_ylim()[1]  # a label has room below its dot
+    bottom, top = ax.get_ylim()
+    high = y > bottom + _BELOW * (top - bottom)
     named = under_way & high & (angles % LABELLED_DOT_DEG == 0)
     found: dict[tuple[float, float], list[str]] = {}
     for across_mm, up_mm, angle in zip(x[named], y[named], angles[named], strict=True):
