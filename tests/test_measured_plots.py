@@ -197,6 +197,13 @@ def test_the_moving_picture_is_drawn_anew_as_it_is_stored() -> None:
     assert measured_picture.PICTURE.read_text("utf-8") == measured_picture.drawn()
 
 
+def test_a_critical_rank_that_no_list_has_is_refused_with_one_that_they_have() -> None:
+    with pytest.raises(cm.InputError, match="at most 3: give for example 3"):
+        cm.plot_harmonics({"long": [3, 0, 1], "short": [1]}, critical=4)
+    with pytest.raises(cm.InputError, match="amplitude is empty"):
+        cm.plot_harmonics({"cam": []}, critical=4)
+
+
 def test_a_critical_rank_that_one_list_has_not() -> None:
     ax = cm.plot_harmonics({"long": [3, 0, 1], "short": [1]}, critical=3)
     told = sorted(text.get_text() for text in ax.texts)

@@ -116,15 +116,15 @@ def plot_harmonics(
         raise InputError('There are no harmonics to draw: give a name, as in {"cam": amplitudes}.')
     unit = one_of("unit of length", unit, METRES)
     ax = _axes(ax, "rank of the harmonic", "amplitude of acceleration", unit)
-    most = max(np.size(each) for each in amplitudes.values())
+    drawn = {n: np.ravel(_AMPLITUDE.array(a)) / METRES[unit] for n, a in amplitudes.items()}
+    last = max(heights.size for heights in drawn.values())
     if critical is not None:
-        critical = Quantity("rank", "", example=18, high=most).whole(critical)
+        critical = Quantity("rank", "", example=last, high=last).whole(critical)
     wide = _WIDE / len(amplitudes)
     bars: list[_Bar] = []
     told: list[_Bar] = []
     called = by_name(amplitudes, TITLE)
-    for number, (name, given) in enumerate(amplitudes.items()):
-        heights = np.ravel(_AMPLITUDE.array(given)) / METRES[unit]
+    for number, (name, heights) in enumerate(drawn.items()):
         left = np.arange(1, heights.size + 1) - _WIDE / 2 + wide * (number + 0.5)
         style: dict[str, Any] = {"color": colour(number), "hatch": "//" if number else ""}
         ax.bar(left, heights, wide, label=as_label(called[name]), **style)
@@ -136,7 +136,6 @@ def plot_harmonics(
         bars += these
     if critical:
         ax.axvspan(critical - 0.5, critical + 0.5, color="#000000", alpha=0.08, linewidth=0)
-    last = max((bar.rank for bar in bars), default=1)
     step = next((each for each in _STEPS if last <= each * _TICKS), last // _TICKS + 1)
     ax.set_xticks(np.arange(step, last + 1, step))
     ax.margins(x=0.01, y=_HEADROOM)
