@@ -263,3 +263,36 @@ def test_a_follower_that_stands_still_is_refused_at_once() -> None:
 def test_no_law_is_told_as_that(explore: Callable[[Any], Any]) -> None:
     with pytest.raises(cm.InputError, match="the laws are"):
         explore([])
+
+
+MOVE = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
+RESPONSE = cm.MoveResponse(cm.tuned_mass(12, 0.02), MOVE)
+DETOUR: dict[str, Any] = {"still": (205, 305), "corners": ((70, 31), (190, 31))}
+MILL_ALONE = make_diagram(make_mill())
+
+
+@pytest.mark.parametrize(
+    "draw",
+    [
+        lambda: cm.plot_harmonics({"cam": [1]}, critical=4),
+        lambda: cm.plot_harmonics({"cam": [-1]}),
+        lambda: cm.plot_measured({"cam": CAM}, 900, error_mm=-1),
+        lambda: cm.plot_measured({"cam": CAM}, -900),
+        lambda: cm.plot_residual(damping_ratio=2),
+        lambda: cm.plot_residual(cm.MotionLaw("constant velocity", x)),
+        lambda: cm.plot_response(RESPONSE, masses=[7]),
+        lambda: cm.plot_cam(cm.RollerCam(make_die(), cm.TranslatingRoller(10), 160), bore_mm=900),
+        lambda: cm.plot_clearance(make_diagram(), RULE, span_mm=-1),
+        lambda: cm.plot_detour({"a": make_diagram(), "b": MILL_ALONE}, "die", **DETOUR),
+        lambda: cm.plot_detour({"a": make_diagram()}, "die", **DETOUR, usual_mm=np.nan),
+        lambda: cm.plot_jerk_price(
+            [cm.LeastAcceleration(make_diagram(), 0.9, make_die(), jerk) for jerk in (8, 12)],
+            unlimited_m_per_s2=-1,
+        ),
+    ],
+)
+def test_what_is_refused_leaves_no_blank_picture(draw: Callable[[], Axes]) -> None:
+    """A notebook shows every picture that was begun, under the sentence too."""
+    with pytest.raises(cm.InputError):
+        draw()
+    assert not plt.get_fignums()

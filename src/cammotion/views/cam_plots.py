@@ -47,9 +47,10 @@ def plot_cam(
     >>> plot_cam(cam).get_xlabel()
     'x in mm'
     """
+    drawn = [*strokes(cam, _TOLERANCE_MM, bore_mm=bore_mm)]
     if ax is None:
         ax = blank_axes(_SIZE_IN, _SIZE_IN, layout="constrained")
-    for stroke in strokes(cam, _TOLERANCE_MM, bore_mm=bore_mm):
+    for stroke in drawn:
         style = {"facecolor": "none", "label": _NAMES.get(stroke.layer)} | _STYLES[stroke.layer]
         ax.add_patch(PathPatch(Path(stroke.filled()), **style))
     _circle(ax, cam)

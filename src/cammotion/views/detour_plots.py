@@ -60,13 +60,16 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
             f"The {name} stands from {still[0]:g} to {still[1]:g} deg, which is no time or the "
             "whole turn: give where it stands, for example still=(205, 305)."
         )
+    motions = [design[name] for design in designs.values()]
+    if usual_mm is not None:
+        usual_mm = POSITION.number(usual_mm)
     u = np.linspace(0, span, 1041)[:-1]  # where it is back it stands, without acceleration
     size = 7.5, 5.4 if with_acceleration else 3.4
     ax = styled(ax, "", f"height y of the {labels_of(first)[name]} in mm", size)
     lower = _add_below(ax) if with_acceleration else ax
     called = by_name(designs, TITLE)
     for number, (title, design) in enumerate(designs.items()):
-        own = np.mod(within_short_moves(design[name]) - start, DEG_PER_TURN)
+        own = np.mod(within_short_moves(motions[number]) - start, DEG_PER_TURN)
         at = np.union1d(u, own[own < span])
         way = design.position_mm(name, start + at) - design.position_mm(name, start)
         up = 1 if way[np.abs(way).argmax()] > 0 else -1
@@ -76,7 +79,6 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
             name_line(style_line(lower.plot(at, acceleration)[0], number), called[title], title)
     _draw_corners(ax, corners)
     if usual_mm is not None:
-        usual_mm = POSITION.number(usual_mm)
         ax.axhline(usual_mm, **REFERENCE_STYLE)
         write(ax, f"{usual_mm:g} mm", (0, usual_mm), REFERENCE_STYLE["color"], offset=(2, -16))
     _mark_places(ax, lower, start, [0, corners[0][0], _middle(corners), corners[1][0], span])

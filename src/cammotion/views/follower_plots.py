@@ -72,10 +72,10 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
             "of a resonance: leave the motion out, or ask for the 'residual'."
         )
     across = "tm/Tn, swings of the mass during the move"
+    swings = [_values(law, at, quantity, damping_ratio, motion) for law in drawn]
     ax = styled(ax, across, QUANTITIES[quantity], (8.6, 5.2), layout="constrained")
     ends, lines = [], []
-    for number, law in enumerate(drawn):
-        values = _values(law, at, quantity, damping_ratio, motion)
+    for number, (law, values) in enumerate(zip(drawn, swings, strict=True)):
         line = style_line(ax.plot(at, values, label=as_label(law.name))[0], number)
         line.set(linewidth=1.6, marker="o" if at.size == 1 else "None")
         lines.append(line)
@@ -133,14 +133,14 @@ def plot_response(
             f"example over={'(0, 0.3)' if is_move else '(90, 270)'}."
         )
     across = "time t in s" if is_move else "cam angle in deg"
-    ax = styled(ax, across, "acceleration in m/s²", (8.6, 4.4), layout="constrained")
     at = _places(response, low, high)
     count = len(response.chain.masses_kg)
     asked = range(1, count + 1) if masses is None else masses
     numbers: list[Any] = _MASS.array(asked).ravel().tolist()
-    for number in sorted({*numbers}, reverse=True):  # the last mass swings most: it lies below
+    drawn = {number: np.asarray(response.acceleration(at, number)) for number in numbers}
+    ax = styled(ax, across, "acceleration in m/s²", (8.6, 4.4), layout="constrained")
+    for number, values in sorted(drawn.items(), reverse=True):  # the last swings most: lies below
         name = "mass" if count == 1 else f"mass {number:g}"
-        values = np.asarray(response.acceleration(at, number))
         style_line(ax.plot(at, values, label=name)[0], int(number)).set_linewidth(1.6)
     cam = np.asarray(response.cam_acceleration(at))
     ax.plot(at, cam, label="cam", color="#000000", linewidth=1.4)

@@ -66,6 +66,7 @@ def plot_jerk_price(
             "The price of a jerk is a curve over the limits to it: give results of "
             "least_acceleration with at least two different jerk limits, for example 8 and 12 m/s³."
         )
+    unlimited = None if unlimited_m_per_s2 is None else _PEAK.number(unlimited_m_per_s2)
     name = labels_of(best[0].design)[best[0].motion.name]
     across, up = f"peak jerk of the {name} in m/s³", f"peak acceleration of the {name} in m/s²"
     ax = styled(ax, across, up, (7.5, 4.6), layout="constrained")
@@ -74,8 +75,7 @@ def plot_jerk_price(
     ax.plot(limits, reached, color=BEST, linewidth=2, label="least peak that was reached")
     shown = {law: point for law, point in (named or {}).items() if point[0] <= limits[-1]}
     heights = [*reached, *[point[1] for point in shown.values()]]
-    if unlimited_m_per_s2 is not None:
-        unlimited = _PEAK.number(unlimited_m_per_s2)
+    if unlimited is not None:
         ax.axhline(unlimited, color=_DARK, linestyle="--", linewidth=1.5)
         text = f"jerk without limit: {in_decimals(unlimited, 3)}"
         ax.annotate(text, (limits[-1], unlimited), (-4, -5), **_OFFSET, ha="right", va="top")

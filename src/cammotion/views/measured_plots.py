@@ -68,14 +68,15 @@ def plot_measured(
     if not isinstance(tables, Mapping) or not tables:
         raise InputError('There is no table to draw: give each a name, as in {"cam": table}.')
     unit = one_of("unit of length", unit, METRES)
-    ax = _axes(ax, "cam angle in deg", "acceleration", unit)
     if error_mm is not None:
         error_mm = ERROR.number(error_mm)
+    curves = [_curve(table, rate_per_hour, error_mm) for table in tables.values()]
+    ax = _axes(ax, "cam angle in deg", "acceleration", unit)
     called = by_name(tables, TITLE)
     for number, (name, table) in enumerate(tables.items()):
         is_smooth = isinstance(table, SmoothedTable)
-        curve = _curve(table, rate_per_hour, error_mm)
-        angle, values, open_by = curve[0], curve[1] / METRES[unit], curve[2] / METRES[unit]
+        angle, *both = curves[number]
+        values, open_by = (each / METRES[unit] for each in both)
         line = name_line(style_line(ax.plot(angle, values)[0], number), called[name], name)
         if is_smooth:
             low, high = values - open_by, values + open_by
@@ -115,11 +116,11 @@ def plot_harmonics(
     if not amplitudes:
         raise InputError('There are no harmonics to draw: give a name, as in {"cam": amplitudes}.')
     unit = one_of("unit of length", unit, METRES)
-    ax = _axes(ax, "rank of the harmonic", "amplitude of acceleration", unit)
     drawn = {n: np.ravel(_AMPLITUDE.array(a)) / METRES[unit] for n, a in amplitudes.items()}
     last = max(heights.size for heights in drawn.values())
     if critical is not None:
         critical = Quantity("rank", "", example=last, high=last).whole(critical)
+    ax = _axes(ax, "rank of the harmonic", "amplitude of acceleration", unit)
     wide = _WIDE / len(amplitudes)
     bars: list[_Bar] = []
     told: list[_Bar] = []

@@ -132,9 +132,9 @@ def plot_clearance(
     across, up = rule.only_while, rule.when
     called = labels_of(first)
     x, y = (describe_offset(first[half.motion], called[half.motion]) for half in (across, up))
-    ax = styled(ax, x, y, (7.5, 4.6))
     lowest, highest = _ends(named, up.motion)
     leftmost, rightmost = _across(named, rule, span_mm)
+    ax = styled(ax, x, y, (7.5, 4.6))
     wide, high = (rightmost - leftmost) or 1.0, (highest - lowest) or 1.0
     ax.set_xlim(leftmost - ROOM * wide, leftmost + wide)
     ax.set_ylim(lowest - ROOM * high, lowest + 1.1 * high)
