@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from typing import Any
 
 import matplotlib as mpl
@@ -296,3 +297,14 @@ def test_what_is_refused_leaves_no_blank_picture(draw: Callable[[], Axes]) -> No
     with pytest.raises(cm.InputError):
         draw()
     assert not plt.get_fignums()
+
+
+@pytest.mark.parametrize("rate", [20, 2000, 2e7])
+def test_the_values_of_many_peaks_do_not_cover_one_another(rate: float) -> None:
+    angles = range(20, 32)
+    ax = cm.plot_peaks(
+        [cm.Move(stroke_mm=50, angle_deg=angle, rate_per_hour=rate) for angle in angles]
+    )
+    words_of(ax)
+    boxes = [text.get_window_extent() for text in ax.texts]
+    assert not any(one.overlaps(other) for one, other in pairwise(boxes))

@@ -114,9 +114,9 @@ def plot_peaks(
     """Draw the peak acceleration of each move as a bar, its value above it; return the Axes.
 
     `labels`, one for each move, stand under the bars and are the indexing angles unless given;
-    where they have no room there, the bars lie. The bar of an infinite peak, under the sign ∞, is
-    hatched and a quarter longer than all others. Raises InputError for no move, and for labels of
-    another number.
+    where these or the values have no room, the bars lie. The bar of an infinite peak, under the
+    sign ∞, is hatched and a quarter longer than all others. Raises InputError for no move, and for
+    labels of another number.
 
     >>> die = Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000)
     >>> plot_peaks([die], labels=["die"]).get_ylabel()
@@ -125,10 +125,12 @@ def plot_peaks(
     across, up = "" if labels else "indexing angle Bm", "peak acceleration a_max in m/s²"
     moves, labels = _labelled(moves, labels)
     names = short_labels(labels)
-    is_flat = overfull(names, 0.775 * _WIDTH_INCHES if ax is None else inches(ax)[0])
+    peaks = np.array([move.peak_acceleration for move in moves])
+    values = [as_text(peak, "#.3g") for peak in peaks]
+    width = 0.775 * _WIDTH_INCHES if ax is None else inches(ax)[0]
+    is_flat = overfull(names, width) or overfull(values, width)
     height = max(_HEIGHT_INCHES, _BAR_INCHES * len(names) / 0.77) if is_flat else _HEIGHT_INCHES
     ax = styled(ax, *((up, across) if is_flat else (across, up)), (_WIDTH_INCHES, height))
-    peaks = np.array([move.peak_acceleration for move in moves])
     highest = max(peaks[np.isfinite(peaks)], default=1.0)
     heights = np.where(np.isfinite(peaks), peaks, _HIGHER * highest)
     places = range(len(names))
@@ -141,7 +143,7 @@ def plot_peaks(
         ax.invert_yaxis()
     for bar, peak in zip(bars, peaks, strict=True):
         bar.set(hatch="" if math.isfinite(peak) else "//", edgecolor="white", linewidth=0)
-    ax.bar_label(bars, [as_text(peak, "#.3g") for peak in peaks], padding=3, fontsize=11)
+    ax.bar_label(bars, values, padding=3, fontsize=11)
     ax.margins(x=0.12 if is_flat else None, y=None if is_flat else 0.12)
     ax.grid(visible=False, axis="y" if is_flat else "x")
     return ax
