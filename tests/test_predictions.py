@@ -103,7 +103,7 @@ def test_what_is_true(key: str, value: float) -> None:
         ("08.geneva", "0.895 times."),
         ("09.error", "0.162 in/s². That is 1 percent of the largest acceleration."),
         ("09.finer", "16.2 in/s², nearly as much as the largest acceleration itself."),
-        ("09.place", "Place 8. In front are numbers 4, 3 and 1."),
+        ("09.place", "Place 8. First are numbers 4, 3 and 1."),
         ("10.stay", "50.0 percent, that is half the stroke."),
         ("10.cure", "10.1 times, 0.058 in place of 0.582 m/s²."),
         ("10.jump", "1.49 mm."),
