@@ -93,9 +93,8 @@ def test_the_reading_error_that_the_points_suggest() -> None:
     assert rounding == pytest.approx(0.0003, abs=2e-5)
     assert 42 < error / rounding < 45
     assert says("09", "The points suggest forty times as much")
-    assert says(
-        "09", r"what it took, divided by the sum of $\left(1 - \frac{1}{1 + \lambda\mu_k}\right)^2$"
-    )
+    share = r"\left(1 - \frac{1}{1 + \lambda\mu_k}\right)^2"
+    assert says("09", rf"of what it took, divided by $\sum{share}$ over all 36.")
 
 
 def test_what_is_found_in_the_live_figure() -> None:
