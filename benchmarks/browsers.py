@@ -7,7 +7,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from pathlib import Path
 
 from findings import Finding, say
@@ -137,7 +137,11 @@ def _walk_all(browser: str, front_end: str, *, rounds: int) -> list[Finding]:
     wrong = dict.fromkeys(names, 0)
     say(ROW.format(*HEADINGS))
     for _ in range(rounds):
-        with tempfile.TemporaryDirectory() as folder, _workbook(Path(folder), front_end) as address:
+        with ExitStack() as stack:
+            folder = stack.enter_context(tempfile.TemporaryDirectory())
+            if browser == "Firefox":
+                _lay_out_all(Path(folder))
+            address = stack.enter_context(_workbook(Path(folder), front_end))
             for name in names:
                 profile = Path(folder) / f"{browser}-{name}"
                 profile.mkdir()
@@ -150,6 +154,13 @@ def _walk_all(browser: str, front_end: str, *, rounds: int) -> list[Finding]:
 
 def _names() -> list[str]:
     return sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
+
+
+def _lay_out_all(home: Path) -> None:
+    """Let JupyterLab keep every output in the page: of one out of sight Firefox tells nothing."""
+    file = home / "settings" / "@jupyterlab" / "notebook-extension" / "tracker.jupyterlab-settings"
+    file.parent.mkdir(parents=True)
+    file.write_text('{"windowingMode": "none"}')
 
 
 @contextmanager
