@@ -68,6 +68,16 @@ class Mutant:
         return False
 
     @property
+    def told_on(self) -> set[int]:
+        """The lines that may tell of it: its own, and in no function those with a name it gives."""
+        nodes = [*ast.walk(ast.parse(self.raw))]
+        functions = (node for node in nodes if isinstance(node, ast.FunctionDef))
+        if any(each.body[0].lineno <= self.line <= (each.end_lineno or 0) for each in functions):
+            return {*self.lines}
+        given = {_given(node) for node in nodes if getattr(node, "lineno", 0) in self.lines} - {""}
+        return {getattr(node, "lineno", 0) for node in nodes if _taken(node) in given}
+
+    @property
     def name(self) -> str:
         """Where it is."""
         return f"{self.path.relative_to(ROOT)}:{self.line}"
@@ -91,6 +101,22 @@ def mutants_of(path: Path) -> Iterator[Mutant]:
             end = starts[old.end_lineno - 1] + old.end_col_offset
             lines = range(min(first, old.lineno), old.end_lineno + 1)  # a decorator is above
             yield Mutant(path, old.lineno, raw, start, end, new, lines)
+
+
+def _given(node: ast.AST) -> str:
+    """Return the name that a place gives to something, if any."""
+    if isinstance(node, ast.ClassDef | ast.FunctionDef):
+        return node.name
+    return node.id if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) else ""
+
+
+def _taken(node: ast.AST) -> str | None:
+    """Return the name by which a place takes something, if any."""
+    if isinstance(node, ast.Name):
+        return node.id
+    if isinstance(node, ast.Attribute):
+        return node.attr
+    return node.arg if isinstance(node, ast.keyword) else None
 
 
 def _nodes(tree: ast.AST, first: int) -> Iterator[tuple[int, Any]]:

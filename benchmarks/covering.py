@@ -1,24 +1,21 @@
-"""Which tests run a line of the package: each file of tests alone, watched by coverage."""
+"""Which tests run a line of the package: each test by itself, watched by coverage."""
 
 import json
 import os
 import signal
 import subprocess
 import sys
-import time
-from collections import Counter
-from collections.abc import Iterable
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
-from itertools import accumulate
+from itertools import accumulate, zip_longest
 from pathlib import Path
 
 from breaking import ROOT, Mutant
 
 SLOW = ("browser", "nbgrader", "hub", "binder", "colab", "notebook", "conftest")
 PASSED = 0
-Lines = dict[str, list[int]]
-_WATCHED = "src/cammotion,starter"
+_SETTINGS = "[run]\nrelative_files = true\nsource = src/cammotion\n"
 
 
 class Running:
@@ -27,13 +24,15 @@ class Running:
     def __init__(self) -> None:
         self._processes: set[subprocess.Popen[bytes]] = set()
 
-    def pytest(self, copy: Path, tests: Iterable[str], seconds: float, *before: str) -> int | None:
+    def pytest(self, copy: Path, given: Iterable[str], seconds: float, *before: str) -> int | None:
         """Return pytest's exit code, None if it takes longer; `before` watches over it."""
         command = [sys.executable, *before, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider"]
+        plugins = ("-p", "no:nbval", "-p", "single_tests", "-o", "addopts=--doctest-modules")
+        paths = os.pathsep.join(map(str, (copy / "src", Path(__file__).parent)))
         process = subprocess.Popen(
-            [*command, "-p", "no:nbval", "-o", "addopts=--doctest-modules", *tests],
+            [*command, *plugins, *given],
             cwd=copy,
-            env={**os.environ, "PYTHONPATH": str(copy / "src"), "PYTHONDONTWRITEBYTECODE": "1"},
+            env={**os.environ, "PYTHONPATH": paths, "PYTHONDONTWRITEBYTECODE": ""},
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
             start_new_session=True,
@@ -67,64 +66,109 @@ def quick_tests() -> list[str]:
     return sorted(str(path.relative_to(ROOT)) for path in (*tests, *rooms))
 
 
-def watch(running: Running, copy: Path, test: str, limit: float) -> tuple[float, Lines]:
-    """Run a file of tests in a copy of the workbook; return its time, and the lines by paths.
+def watch(running: Running, copy: Path, test: str, limit: float, kept: Path) -> None:
+    """Run a file of tests in a copy of the workbook; keep what each test runs, and its time.
 
     It stops where the tests fail, or take too long.
     """
     from coverage import CoverageData
 
-    data, begun = copy / f".coverage-{test.replace('/', '-')}", time.monotonic()
-    before = ("-m", "coverage", "run", f"--source={_WATCHED}", f"--data-file={data}")
-    if running.pytest(copy, [test], limit, *before) != PASSED:
+    lines, new = _kept(test, kept), copy / ".coverage-lines"
+    settings = copy / ".coverage-settings"
+    settings.write_text(_SETTINGS, "utf-8")
+    before = ("-m", "coverage", "run", f"--rcfile={settings}", f"--data-file={new}")
+    times = f"--times={lines.with_suffix('.times')}"
+    if running.pytest(copy, [test, times], limit, *before) != PASSED:
         sys.exit(f"{test} fails, or takes too long, with nothing broken.")
-    seconds = time.monotonic() - begun
-    found = CoverageData(str(data))
-    found.read()
-    paths = {file: str(Path(file).relative_to(copy.resolve())) for file in found.measured_files()}
-    lines = {path: [*(found.lines(file) or ())] for file, path in paths.items()}
-    data.unlink()
-    return seconds, lines
+    data = CoverageData(str(new))
+    data.read()
+    new.rename(lines)
 
 
-@dataclass
+def is_watched(test: str, kept: Path) -> bool:
+    """Return whether it is kept what the tests of a file run."""
+    return _kept(test, kept).exists()
+
+
+def _kept(test: str, kept: Path) -> Path:
+    return kept / f"{test.replace('/', '-')}.lines"
+
+
 class Covered:
-    """What each file of tests runs, and how long it takes, by paths in the workbook."""
+    """What each test runs, and how long it takes: two files in a folder for each file of tests."""
 
-    seconds: dict[str, float] = field(default_factory=dict)
-    lines: dict[str, dict[str, list[int]]] = field(default_factory=dict)
-
-    def add(self, test: str, seconds: float, lines: Lines) -> None:
-        """Keep what was seen of a file of tests."""
-        self.seconds[test] = seconds
-        for path, ran in lines.items():
-            self.lines.setdefault(path, {})[test] = ran
+    def __init__(self, folder: Path) -> None:
+        self._lines = [*folder.glob("*.lines")]
+        self.seconds: dict[str, float] = {}
+        for times in folder.glob("*.times"):
+            self.seconds |= json.loads(times.read_text("utf-8"))
+        self._tests: dict[str, list[str]] = defaultdict(list)
+        for test in self.seconds:
+            self._tests[file_of(test)].append(test)
 
     def tests_of(self, mutant: Mutant, most: float) -> list[str]:
-        """Return the tests that run a changed line, those that tell most of its file first.
+        """Return the tests that may tell that a line is changed, those of a file together.
 
-        That is by the second. A line tells the less, the more tests run it: what a file does when
-        it is loaded, all do. Those of the starter start it as another program, which nobody
-        watches: all of them. Of more than so many seconds in all, `most`, only the first.
+        What runs when a file is loaded is held to all that runs in it. Tests of the starter start
+        it as another program, which nobody watches: all of them. Of more than so many seconds in
+        all, `most`, each file of tests gives what tells most a second, in turn; where there is
+        time left, its other tests come last, which may look at what was made once and kept.
         """
-        path = str(mutant.path.relative_to(ROOT))
-        here = {test: {*lines} for test, lines in self.lines.get(path, {}).items()}
+        path = mutant.path.relative_to(ROOT).as_posix()
         if path.startswith("starter/"):
-            tests = [test for test in self.seconds if "starter" in test or "workbook" in test]
+            order = [test for test in self.seconds if "starter" in test or "workbook" in test]
         else:
-            ran = Counter(line for lines in here.values() for line in lines)
-            tests = sorted(
-                (test for test, lines in here.items() if lines.intersection(mutant.lines)),
-                key=lambda test: self.seconds[test] / sum(1 / ran[line] for line in here[test]),
-            )
-        spent = accumulate((self.seconds[test] for test in tests), initial=0.0)
-        return [test for test, before in zip(tests, spent, strict=False) if before <= most]
+            order = self._order(self._ran(path), mutant.told_on)
+        spent = accumulate((self.seconds[test] for test in order), initial=0.0)
+        chosen = [test for test, before in zip(order, spent, strict=False) if before <= most]
+        files = {file: place for place, file in enumerate(dict.fromkeys(map(file_of, order)))}
+        return sorted(chosen, key=lambda test: files[file_of(test)])
 
-    def save(self, file: Path) -> None:
-        """Write it down for another run."""
-        file.write_text(json.dumps(vars(self)), encoding="utf-8")
+    def _order(self, ran: Mapping[int, set[str]], changed: Iterable[int]) -> list[str]:
+        """Return the tests in the order in which they are worth their time."""
+        told: Counter[str] = Counter()  # a line tells the less, the more tests run it
+        for tests in ran.values():
+            told.update(dict.fromkeys(tests, 1 / len(tests)))
+        here = {test for line in changed for test in ran.get(line, ())} or {*told}
+        running = _by_files(here, lambda test: told[test] / self.seconds[test])
+        others = {test for file in running for test in self._tests[file]} - here
+        beside = _by_files(others, lambda test: 1 / self.seconds[test])
+        return [*_in_turn(running), *_in_turn(beside)]
+
+    def _ran(self, path: str) -> dict[int, set[str]]:
+        """Return which tests run each line of a file of the package, when it is loaded or later."""
+        from coverage import CoverageData
+
+        ran: dict[int, set[str]] = defaultdict(set)
+        for kept in self._lines:
+            lines = CoverageData(str(kept))
+            lines.read()
+            for line, names in lines.contexts_by_lineno(path).items():
+                for name in names:  # of a test, of a file for what its tests share, or none
+                    ran[line].update([name] if name in self.seconds else self._tests.get(name, ()))
+        return ran
 
 
-def read_covered(file: Path) -> Covered:
-    """Read what was written down before."""
-    return Covered(**json.loads(file.read_text(encoding="utf-8")))
+def file_of(test: str) -> str:
+    """Return the file of tests in which a test stands."""
+    return test.partition("::")[0]
+
+
+def _by_files(tests: Iterable[str], telling: Callable[[str], float]) -> dict[str, list[str]]:
+    """Return the tests of each file, one of each function first, what tells most first."""
+    again: Counter[str] = Counter()
+    files: dict[str, list[tuple[int, str]]] = defaultdict(list)
+    for test in sorted(tests, key=telling, reverse=True):
+        function = test.partition("[")[0]
+        files[file_of(test)].append((again[function], test))
+        again[function] += 1
+    return {
+        file: [test for _, test in sorted(rounds, key=lambda each: each[0])]
+        for file, rounds in files.items()
+    }
+
+
+def _in_turn(files: Mapping[str, list[str]]) -> Iterator[str]:
+    """Yield the first test of each file, then the second of each."""
+    for some in zip_longest(*files.values()):
+        yield from filter(None, some)

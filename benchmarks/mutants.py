@@ -1,17 +1,18 @@
 """Break the package in small ways and see whether a test fails: what lives is not tested.
 
 ``.venv/bin/python benchmarks/mutants.py --seed 1 --count 150`` breaks a copy of the workbook, one
-place at a time: a comparison, a sign, a number, a returned value, a removed statement. First each
-quick file of tests runs alone, and coverage watches which lines it runs. Then each mutant meets the
-tests that run its line, those that tell most of its file a second first, until one fails. A line
-that all tests run would take half an hour with each mutant that lives: `--most 300` leaves it at so
-many seconds of tests. The survivors are printed as diffs, for somebody to judge whether they change
-anything at all. It needs coverage: `python -m pip install -e '.[benchmark]'`.
+place at a time: a comparison, a sign, a number, a returned value, a removed statement. First
+coverage watches which lines each quick test runs. Then each mutant meets the tests that run its
+line, those that tell most of its file a second first, until one fails. A line that all tests run
+would take half an hour with each mutant that lives: `--most 300` leaves it at so many seconds. The
+survivors are printed as diffs, for somebody to judge whether they change anything at all. It needs
+coverage: `python -m pip install -e '.[benchmark]'`.
 """
 
 import argparse
 import compileall
 import contextlib
+import json
 import math
 import shutil
 import signal
@@ -29,7 +30,7 @@ from typing import Literal
 
 import numpy as np
 from breaking import ROOT, Mutant, files, mutants_of
-from covering import PASSED, Covered, Lines, Running, quick_tests, read_covered, watch
+from covering import PASSED, Covered, Running, file_of, is_watched, quick_tests, watch
 
 NOT_COPIED = (".git", ".venv*", "work", "work-*", "__pycache__", ".*_cache", ".hypothesis")
 _LONGER = 3  # times as long as without a mutant a test may take, and a minute
@@ -61,10 +62,10 @@ class Bench:
         finally:
             self._free.put(copy)
 
-    def watch(self, test: str, limit: float) -> tuple[float, Lines]:
-        """See which lines a file of tests runs, and how long it takes."""
+    def watch(self, test: str, limit: float, kept: Path) -> None:
+        """See which lines each test of a file runs, and how long it takes."""
         with self.copy() as copy:
-            return watch(self.running, copy, test, limit)
+            watch(self.running, copy, test, limit, kept)
 
     def fate(self, mutant: Mutant, covered: Covered, most: float) -> Fate:
         """Try a mutant in a free copy, with tests of so many seconds at `most`.
@@ -75,10 +76,12 @@ class Bench:
             return "lives"
         seconds = 60 + _LONGER * sum(covered.seconds[test] for test in tests)
         with self.copy() as copy:
-            broken = copy / mutant.path.relative_to(ROOT)
+            broken, chosen = copy / mutant.path.relative_to(ROOT), copy / ".chosen.json"
+            chosen.write_text(json.dumps(tests), encoding="utf-8")
+            files = dict.fromkeys(map(file_of, tests))
             try:
                 broken.write_text(mutant.text, encoding="utf-8")
-                code = self.running.pytest(copy, tests, seconds)
+                code = self.running.pytest(copy, [f"--chosen={chosen}", *files], seconds)
             finally:
                 broken.write_text(mutant.whole, encoding="utf-8")
         if code is None:
@@ -109,10 +112,11 @@ def main() -> int:
     mutants = [*islice((every[n] for n in order if every[n].is_python), options.count)]
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.processes) as pool:
-        bench = Bench(Path(folder), options.processes)
+        bench, kept = Bench(Path(folder), options.processes), options.lines or Path(folder, "lines")
+        kept.mkdir(parents=True, exist_ok=True)
         try:
-            covered = _cover(options, bench, pool)
-            fates = _try(mutants, covered, bench, pool, options.most)
+            _cover(bench, pool, kept, options.seconds)
+            fates = _try(mutants, Covered(kept), bench, pool, options.most)
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
             bench.running.stop()
@@ -121,18 +125,13 @@ def main() -> int:
     return 1 if fates["lives"] else 0
 
 
-def _cover(options: argparse.Namespace, bench: Bench, pool: ThreadPoolExecutor) -> Covered:
-    """Return which tests run which lines; only those are run of which nothing was kept."""
-    is_kept = options.lines and options.lines.exists()
-    covered = read_covered(options.lines) if is_kept else Covered()
-    tests = [test for test in quick_tests() if test not in covered.seconds]
-    watched = {pool.submit(bench.watch, test, options.seconds): test for test in tests}
+def _cover(bench: Bench, pool: ThreadPoolExecutor, kept: Path, limit: float) -> None:
+    """See which tests run which lines; only those are run of which nothing is kept."""
+    tests = [test for test in quick_tests() if not is_watched(test, kept)]
+    watched = {pool.submit(bench.watch, test, limit, kept): test for test in tests}
     for number, done in enumerate(as_completed(watched), 1):
-        covered.add(watched[done], *done.result())
+        done.result()
         print(f"[{number}/{len(tests)}] {watched[done]}", flush=True)
-        if options.lines:
-            covered.save(options.lines)
-    return covered
 
 
 def _try(
