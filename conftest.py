@@ -1,5 +1,6 @@
 """What pytest collects, and what nbval compares."""
 
+import gc
 import os
 import sys
 from collections.abc import Iterator
@@ -66,6 +67,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Put first what takes longest."""
     places = {name: place for place, name in enumerate(LONG)}
     items.sort(key=lambda item: places.get(item.path.stem, len(LONG)))
+
+
+def pytest_collection_finish() -> None:
+    """Leave thousands of tests, and all that is loaded, out of each search for garbage."""
+    gc.freeze()
 
 
 @pytest.fixture(scope="session", autouse=True)
