@@ -1,5 +1,6 @@
 """Run the linters and tests, pin the dependencies."""
 
+import os
 import subprocess
 
 from starter import installer, processes
@@ -8,10 +9,11 @@ from starter.paths import ROOT, VENV_PYTHON
 
 FRESH = ROOT / "tests" / "run_fresh.py"
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
-# Two or more files of tests at a time, each file in one process: its fixtures are made once.
-# They keep the order of conftest.py.
+# Some files of tests at a time, each file in one process: its fixtures are made once. They keep the
+# order of conftest.py. One more than there are processors: many wait for a browser or a server.
+AT_ONCE = min(4, (os.cpu_count() or 1) + 1)
 IN_PARALLEL = (
-    *("-n", "auto", "--maxprocesses", "4"),
+    *("-n", str(AT_ONCE)),
     *("--dist", "loadfile", "--no-loadscope-reorder"),
 )
 
