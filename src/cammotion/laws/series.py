@@ -187,12 +187,14 @@ class Series(Proved):
     def over(self, places: Floats, out: Floats | None = None) -> Floats:
         """Return the values at many places; in `out`, if given: new memory takes time."""
         values = np.empty(np.shape(places)) if out is None else out
-        values[...] = self.powers[-1]
+        if len(self.powers) == 1:
+            values[...] = self.powers[0]
         if self.is_constant:
             return values
         u = places - self.low if self.low else places
+        grown: Floats | float = self.powers[-1]  # which fills no array to be multiplied at once
         for factor in self.powers[-2::-1]:
-            values *= u
+            grown = np.multiply(u, grown, out=values)
             if factor:
                 values += factor
         part = np.empty_like(values) if self.waves else values
