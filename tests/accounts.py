@@ -13,6 +13,7 @@ from unittest.mock import patch
 from xml.etree import ElementTree
 
 import numpy as np
+from bs4 import BeautifulSoup
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -178,11 +179,26 @@ def _controls(live: LiveFigure) -> Iterator[str]:
 
 
 def _markup(text: str) -> Iterator[str]:
+    if text.lstrip().lower().startswith("<!doctype html"):
+        yield from _page(BeautifulSoup(text, "html.parser"))
+        return
     for place, element in enumerate(ElementTree.fromstring(text).iter()):  # noqa: S314 - our own
         tag = element.tag.rpartition("}")[2]
         given = " ".join(f"{name}={_cut(value)}" for name, value in element.attrib.items())
         words = " ".join((element.text or "").split())
         yield f"{place} {tag} {given} {_cut(words) if words else ''}".rstrip()
+
+
+def _page(page: BeautifulSoup) -> Iterator[str]:
+    """Tell of a page all but its style, what it runs, and the pictures that it holds as files."""
+    for place, element in enumerate(page(lambda tag: tag.name not in {"script", "style"})):
+        given = " ".join(
+            f"{name}={value!r}"
+            for name, value in element.attrs.items()
+            if not str(value).startswith("data:")
+        )
+        words = " ".join("".join(element.find_all(string=True, recursive=False)).split())
+        yield f"{place} {element.name} {given} {words}".rstrip()
 
 
 def _cut(text: str) -> str:

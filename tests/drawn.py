@@ -5,6 +5,7 @@ pictures that have changed, then run this file to write the accounts anew.
 """
 
 from collections.abc import Callable
+from datetime import date
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -12,16 +13,22 @@ import numpy as np
 import sympy as sp
 from accounts import Account, account
 from cam_machine import cam_machine
+from cartons import all_dies, packaging_machine
 from explored import nyquist_figure, table_figure, weight_figure, zones_figure
 from follower_pictures import flights
 from judging import MACHINES
 from machines import DIPPING, RULE, make_diagram, make_die, make_mill
 from matplotlib.axes import Axes
 from measured_cam import CAM, RATE
+from school import collect
 from shafts import SHAFT
 from table_machine import table_machine
 
 import cammotion as cm
+from cammotion.report.findings import find_all
+from cammotion.report.page import write_page
+from cammotion.teaching.classroom import histogram, page
+from cammotion.teaching.classroom.collect import read_class
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.shown.choosing import show_answer
@@ -111,6 +118,21 @@ def chart(machine: cm.Machine) -> str:
         return page.read_text("utf-8")
 
 
+def cartons(count: int) -> str:
+    diagram = packaging_machine(count)
+    return cm.animate(diagram, rules=all_dies(diagram)).still(150).svg
+
+
+def report(machine: cm.Machine) -> str:
+    found = find_all(machine, 20, lambda *_: None)
+    return write_page(found, date(2026, 11, 28), ["tables.xlsx", "codesys/die.txt"])
+
+
+def class_page() -> str:
+    with TemporaryDirectory() as folder:
+        return page.write(read_class(collect(Path(folder))), date(2026, 11, 28))
+
+
 def response() -> cm.MoveResponse:
     return cm.MoveResponse(cm.tuned_mass(12, 0.02), moves()[1])
 
@@ -123,6 +145,7 @@ def pressed(figure: LiveFigure, *buttons: str) -> LiveFigure:
     return figure
 
 
+STILL = {"mill": [(205, 305)], "die": [(205, 305)]}
 BROKEN = cm.TimingDiagram([make_mill(), make_die(130)], 2000)
 INDEXER = cm.Indexer(38.5, stops=8, time_s=0.75)
 
@@ -194,9 +217,15 @@ PICTURES: dict[str, Drawing] = {
     "power": lambda: cm.plot_torque({"table": INDEXER}, quantity="power"),
     "chart": lambda: chart(cm.Machine("press", BROKEN, [RULE], {})),
     "chart of many": lambda: chart(PADS),
+    "report": lambda: report(cm.Machine("press", BROKEN, [RULE], STILL)),
+    "report of many": lambda: report(cm.Machine(PADS.name, PADS.diagram, PADS.rules)),
+    "class": class_page,
+    "histogram": lambda: histogram.draw([4, 4.1, 4.2, 4.2, 5, 3.3, 60, -9], "<m/s²>", 4.154),
     "leaving": lambda: cm.animate_follower(flights()).svg,
     "die magnified": lambda: cm.animate(wide(), rules=RULE, magnify=10).still(135).svg,
     "broken die magnified": lambda: cm.animate(BROKEN, rules=RULE, magnify=10).still(135).svg,
+    "machine of many": lambda: cm.animate(crowded(), rules=PADS.rules).still(135).svg,
+    "machine of eight": lambda: cartons(8),
     "cam machine": lambda: cam_machine(make_diagram(), RULE),
     "table machine": lambda: table_machine(INDEXER, 150),
     "explore cam": lambda: pressed(cm.explore_cam(wide()["die"])),
