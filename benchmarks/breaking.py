@@ -68,14 +68,20 @@ class Mutant:
         return False
 
     @property
-    def told_on(self) -> set[int]:
-        """The lines that may tell of it: its own, and in no function those with a name it gives."""
+    def names(self) -> set[str]:
+        """What is named by the statement, if it is in no function and runs when it is loaded."""
         nodes = [*ast.walk(ast.parse(self.raw))]
         functions = (node for node in nodes if isinstance(node, ast.FunctionDef))
         if any(each.body[0].lineno <= self.line <= (each.end_lineno or 0) for each in functions):
+            return set()
+        return {_given(node) for node in nodes if getattr(node, "lineno", 0) in self.lines} - {""}
+
+    def told_on(self) -> set[int]:
+        """Return the lines that may tell of it: its own, or those in which its names are taken."""
+        if not (names := self.names):
             return {*self.lines}
-        given = {_given(node) for node in nodes if getattr(node, "lineno", 0) in self.lines} - {""}
-        return {getattr(node, "lineno", 0) for node in nodes if _taken(node) in given}
+        nodes = ast.walk(ast.parse(self.raw))
+        return {getattr(node, "lineno", 0) for node in nodes if _taken(node) in names}
 
     @property
     def name(self) -> str:
@@ -112,7 +118,7 @@ def _given(node: ast.AST) -> str:
 
 def _taken(node: ast.AST) -> str | None:
     """Return the name by which a place takes something, if any."""
-    if isinstance(node, ast.Name):
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
         return node.id
     if isinstance(node, ast.Attribute):
         return node.attr

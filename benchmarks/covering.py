@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from itertools import accumulate, zip_longest
 from pathlib import Path
@@ -15,6 +15,8 @@ from breaking import ROOT, Mutant
 
 SLOW = ("browser", "nbgrader", "hub", "binder", "colab", "notebook", "conftest")
 PASSED = 0
+_LITTLE = 1e-6  # what a test tells that runs no line of the file
+_SHORT = 0.05  # s that a test takes at least, with what it shares with others
 _SETTINGS = "[run]\nrelative_files = true\nsource = src/cammotion\n"
 
 
@@ -98,55 +100,76 @@ class Covered:
     """What each test runs, and how long it takes: two files in a folder for each file of tests."""
 
     def __init__(self, folder: Path) -> None:
-        self._lines = [*folder.glob("*.lines")]
         self.seconds: dict[str, float] = {}
-        for times in folder.glob("*.times"):
-            self.seconds |= json.loads(times.read_text("utf-8"))
         self._tests: dict[str, list[str]] = defaultdict(list)
-        for test in self.seconds:
-            self._tests[file_of(test)].append(test)
+        self._lines: list[tuple[Path, set[str]]] = []
+        for lines in sorted(folder.glob("*.lines")):
+            seconds = json.loads(lines.with_suffix(".times").read_text("utf-8"))
+            for test, lasted in seconds.items():
+                self.seconds[test] = max(lasted, _SHORT)
+                self._tests[file_of(test)].append(test)
+            self._lines.append((lines, {*map(file_of, seconds)}))
 
     def tests_of(self, mutant: Mutant, most: float) -> list[str]:
         """Return the tests that may tell that a line is changed, those of a file together.
 
-        What runs when a file is loaded is held to all that runs in it. Tests of the starter start
-        it as another program, which nobody watches: all of them. Of more than so many seconds in
-        all, `most`, each file of tests gives what tells most a second, in turn; where there is
-        time left, its other tests come last, which may look at what was made once and kept.
+        First those that run it; then the others of their files, which may look at what was made
+        once and kept. What runs when a file is loaded is told by those that run a line with its
+        name, by files of tests that say this name, and by all that have loaded it. Tests of the
+        starter start it as another program, which nobody watches: all of them. Of more than so many
+        seconds in all, `most`, each file of tests gives what tells most a second, in turn.
         """
+        chosen: list[str] = []
+        left = most
+        for tests in self._groups(mutant):
+            spent = accumulate((self.seconds[test] for test in tests), initial=0.0)
+            some = [test for test, before in zip(tests, spent, strict=False) if before <= left]
+            files = {file: place for place, file in enumerate(dict.fromkeys(map(file_of, some)))}
+            chosen += sorted(some, key=lambda test: files[file_of(test)])
+            left -= sum(self.seconds[test] for test in some)
+        return chosen
+
+    def _groups(self, mutant: Mutant) -> Iterator[list[str]]:
+        """Yield tests that are less and less likely to tell, in the order to choose from them."""
         path = mutant.path.relative_to(ROOT).as_posix()
         if path.startswith("starter/"):
-            order = [test for test in self.seconds if "starter" in test or "workbook" in test]
-        else:
-            order = self._order(self._ran(path), mutant.told_on)
-        spent = accumulate((self.seconds[test] for test in order), initial=0.0)
-        chosen = [test for test, before in zip(order, spent, strict=False) if before <= most]
-        files = {file: place for place, file in enumerate(dict.fromkeys(map(file_of, order)))}
-        return sorted(chosen, key=lambda test: files[file_of(test)])
-
-    def _order(self, ran: Mapping[int, set[str]], changed: Iterable[int]) -> list[str]:
-        """Return the tests in the order in which they are worth their time."""
+            yield [test for test in self.seconds if "starter" in test or "workbook" in test]
+            return
+        ran, loading = self._ran(path)
         told: Counter[str] = Counter()  # a line tells the less, the more tests run it
         for tests in ran.values():
             told.update(dict.fromkeys(tests, 1 / len(tests)))
-        here = {test for line in changed for test in ran.get(line, ())} or {*told}
-        running = _by_files(here, lambda test: told[test] / self.seconds[test])
-        others = {test for file in running for test in self._tests[file]} - here
-        beside = _by_files(others, lambda test: 1 / self.seconds[test])
-        return [*_in_turn(running), *_in_turn(beside)]
+        here = {test for line in mutant.told_on() for test in ran.get(line, ())}
+        saying = {file for file in loading if _says(file, mutant.names)}
+        known: set[str] = set()
+        for some in (here, self._of({*map(file_of, here)}), self._of(saying), self._of(loading)):
+            yield _in_turn(some - known, lambda t: (told[t] or _LITTLE) / self.seconds[t])
+            known |= some
+            if not mutant.names and some is not here:
+                return
 
-    def _ran(self, path: str) -> dict[int, set[str]]:
-        """Return which tests run each line of a file of the package, when it is loaded or later."""
+    def _of(self, files: Iterable[str]) -> set[str]:
+        return {test for file in files for test in self._tests[file]}
+
+    def _ran(self, path: str) -> tuple[dict[int, set[str]], set[str]]:
+        """Return which tests run each line of a file of the package, and which files load it."""
         from coverage import CoverageData
 
         ran: dict[int, set[str]] = defaultdict(set)
-        for kept in self._lines:
+        loading: set[str] = set()
+        for kept, files in self._lines:
             lines = CoverageData(str(kept))
             lines.read()
             for line, names in lines.contexts_by_lineno(path).items():
                 for name in names:  # of a test, of a file for what its tests share, or none
                     ran[line].update([name] if name in self.seconds else self._tests.get(name, ()))
-        return ran
+                    loading.update([file_of(name)] if name else files)
+        return ran, loading
+
+
+def _says(file: str, names: Iterable[str]) -> bool:
+    text = (ROOT / file).read_text("utf-8")
+    return any(name in text for name in names)
 
 
 def file_of(test: str) -> str:
@@ -154,21 +177,13 @@ def file_of(test: str) -> str:
     return test.partition("::")[0]
 
 
-def _by_files(tests: Iterable[str], telling: Callable[[str], float]) -> dict[str, list[str]]:
-    """Return the tests of each file, one of each function first, what tells most first."""
+def _in_turn(tests: Iterable[str], telling: Callable[[str], float]) -> list[str]:
+    """Return a test of each file, then another; of a function one first, what tells most first."""
     again: Counter[str] = Counter()
     files: dict[str, list[tuple[int, str]]] = defaultdict(list)
     for test in sorted(tests, key=telling, reverse=True):
         function = test.partition("[")[0]
         files[file_of(test)].append((again[function], test))
         again[function] += 1
-    return {
-        file: [test for _, test in sorted(rounds, key=lambda each: each[0])]
-        for file, rounds in files.items()
-    }
-
-
-def _in_turn(files: Mapping[str, list[str]]) -> Iterator[str]:
-    """Yield the first test of each file, then the second of each."""
-    for some in zip_longest(*files.values()):
-        yield from filter(None, some)
+    rounds = (sorted(some, key=lambda each: each[0]) for some in files.values())
+    return [each[1] for turn in zip_longest(*rounds) for each in turn if each]
