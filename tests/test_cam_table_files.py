@@ -545,3 +545,4 @@ def test_damaged_files_are_read_as_they_stand_or_refused(tmp_path: Path) -> None
 def test_what_is_said_after_the_unit_of_a_position_is_of_something_else() -> None:
     line = "cam angle in deg lift in mm velocity in mm/s"
     assert [heading.words for heading in two_headings(line)] == ["", "lift in mm"]
+    assert two_headings("lift in mm cam angle in deg")[1].words == "lift in mm"

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from machines import CURVES, MONOTONE, RULE, Array, examples, make_diagram, make_die, make_mill
 
 import cammotion as cm
+from cammotion.measured.from_table import _turns
 
 ANGLES: Array = np.arange(0.0, 360.0)
 AT: Array = np.arange(0.0, 360.0, 0.13)
@@ -213,3 +214,17 @@ def test_rates_and_strokes_in_other_units() -> None:
     assert cm.arc_mm(180, radius_mm=10) == pytest.approx(10 * np.pi)
     with pytest.raises(cm.InputError, match="radius is 0 mm"):
         cm.arc_mm(30, radius_mm=0)
+
+
+@pytest.mark.parametrize(
+    ("heights", "left"),
+    [
+        ([5, 5, 5], [5]),
+        ([0, 1.5, 0.8], [0]),
+        ([0, 4, 1, 3, 9], [0, 4, 1, 9]),
+        ([0, 4, 4.5, 8], [0, 8]),
+        ([9, 2, 3, 1], [9, 1]),
+    ],
+)
+def test_what_turns_back_by_little_is_no_move(heights: list[float], left: list[float]) -> None:
+    assert [height for _, height in _turns([*enumerate(heights)], 1.0)] == left

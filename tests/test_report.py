@@ -18,6 +18,7 @@ import cammotion as cm
 from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
 from cammotion.report.live import live_figure
+from cammotion.report.sheets import sheets_of
 
 DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
 STILL = {"mill": [(205, 305)], "die": [(205, 305)]}
@@ -296,3 +297,20 @@ def test_the_figure_is_of_a_move_from_rest_to_rest() -> None:
     jumping = cm.TimingDiagram([cm.motion("die", *moves, cm.dwell(140))], 2000)
     assert not live_figure(cm.Machine("press", jumping))
     assert "none from rest to rest is below" in live_figure(cm.Machine("a", cm.EXAMPLE.diagram))
+
+
+def test_the_figure_is_of_the_move_with_the_highest_peak() -> None:
+    """The shorter way is driven harder here, over less than half the angle: by its square."""
+    parts = cm.rise(30, over_deg=110), cm.dwell(40), cm.rise(20, over_deg=50), cm.dwell(40)
+    die = cm.motion("die", *parts, cm.return_(50, over_deg=120))
+    figure = live_figure(cm.Machine("press", cm.TimingDiagram([die], 2000)))
+    assert "50.0" in re.findall(r"&quot;start&quot;: ?([\d.]+)", figure)
+
+
+def test_no_cell_says_minus_nought() -> None:
+    """A die that goes down stands at -0.0 m/s where it rests, as floats have it."""
+    found = findings.find_all(cm.Machine("press", cm.EXAMPLE.diagram), 1, lambda *_: None)
+    cells = [cell for sheet in sheets_of(found).values() for row in sheet for cell in row]
+    noughts = [cell for cell in cells if cell == 0 and isinstance(cell, float)]
+    assert noughts
+    assert {math.copysign(1, cell) for cell in noughts} == {1.0}

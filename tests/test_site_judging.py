@@ -13,7 +13,7 @@ from site_pages import unpack
 
 from cammotion.site.answers import pack, packed_answers
 from cammotion.site.shared import host_module
-from cammotion.site.verdicts import Verdicts, table_of
+from cammotion.site.verdicts import Verdicts, _beside, table_of
 from cammotion.teaching.exercise import ChoiceExercise
 from cammotion.teaching.lessons import EXERCISES, PREDICTIONS, find_exercise
 from cammotion.teaching.number_exercise import NumberExercise
@@ -211,3 +211,11 @@ def test_what_is_packed_is_one_line_that_cannot_be_read() -> None:
     assert "\n" not in packed
     assert f"{one.solution(NAMELESS):.3f}"[:5] not in packed
     assert as_json(unpack(packed)).count("Not yet.") > 5
+
+
+@pytest.mark.parametrize("share", [0.1, 0.002])
+def test_what_is_near_ends_where_it_differs_by_the_share_of_either(share: float) -> None:
+    for end in (*_beside(4.0, share), *_beside(-4.0, share)):
+        off = abs(abs(end) - 4)
+        assert any(off == pytest.approx(share * of, rel=1e-9) for of in (4, abs(end)))
+    assert len({*_beside(4.0, share)}) == 4
