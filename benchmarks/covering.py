@@ -16,6 +16,7 @@ from breaking import ROOT, Mutant
 SLOW = ("browser", "nbgrader", "hub", "binder", "colab", "notebook", "conftest")
 PASSED = 0
 _LITTLE = 1e-6  # what a test tells that runs no line of the file
+_QUICK = 0.1  # s, of which there may be many
 _SHORT = 0.05  # s that a test takes at least, with what it shares with others
 _SETTINGS = "[run]\nrelative_files = true\nsource = src/cammotion\n"
 
@@ -141,11 +142,13 @@ class Covered:
             told.update(dict.fromkeys(tests, 1 / len(tests)))
         here = {test for line in mutant.told_on() for test in ran.get(line, ())}
         saying = {file for file in loading if _says(file, mutant.names)}
+        quick = {test for test in here if self.seconds[test] <= _QUICK}
         known: set[str] = set()
-        for some in (here, self._of({*map(file_of, here)}), self._of(saying), self._of(loading)):
+        beside = self._of({*map(file_of, here)})
+        for some in (quick, here, beside, self._of(saying), self._of(loading)):
             yield _in_turn(some - known, lambda t: (told[t] or _LITTLE) / self.seconds[t])
             known |= some
-            if not mutant.names and some is not here:
+            if not mutant.names and some is beside:
                 return
 
     def _of(self, files: Iterable[str]) -> set[str]:
