@@ -139,7 +139,7 @@ class Covered:
         ran, loading = self._ran(path)
         told: Counter[str] = Counter()  # a line tells the less, the more tests run it
         for tests in ran.values():
-            told.update(dict.fromkeys(tests, 1 / len(tests)))
+            told.update(dict.fromkeys(tests, 1 / max(len(tests), 1)))
         here = {test for line in mutant.told_on() for test in ran.get(line, ())}
         saying = {file for file in loading if _says(file, mutant.names)}
         quick = {test for test in here if self.seconds[test] <= _QUICK}
