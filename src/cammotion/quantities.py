@@ -93,9 +93,7 @@ class Quantity:
         array = self._as_floats(value)
         if array.size == 0:
             raise InputError(f"The {self.name} is empty: give {self._example}.")
-        least = array.min()  # many at once take no detour; nan is in no order
-        is_above = least > self._least or (self.low_included and least == self.low)
-        if is_above and array.max() <= self.high < math.inf:
+        if self._spans(array.min(), array.max()):  # many at once take no detour
             return array
         inside = self._inside(array)
         if inside.all():
@@ -105,6 +103,16 @@ class Quantity:
             if np.all(np.abs(array - near) <= self.rounding):
                 return near
         raise InputError(self._out_of_range(array, inside))
+
+    def rising(self, value: ArrayLike) -> tuple[Floats, bool]:
+        """Return what `array` does, and whether no number of it is less than the one before.
+
+        Of those only the ends have to be looked at.
+        """
+        array = self._as_floats(value)
+        rises = is_rising(array)
+        is_known = rises and self._spans(array.flat[0], array.flat[-1])
+        return (array if is_known else self.array(array)), rises
 
     def number(self, value: Any) -> float:
         """Return `value`, a single number, as a float; raises InputError like `array`."""
@@ -189,6 +197,11 @@ class Quantity:
         """Return whether a float is in the range, or of an array which of its numbers are."""
         above = value >= self.low if self.low_included else value > self._least
         return above & (value <= self.high) & (abs(value) <= 1 / _TINY)
+
+    def _spans(self, least: float, most: float) -> bool:
+        """Tell whether the least and the most of some numbers are in the range; nan is in none."""
+        is_above = least > self._least or (self.low_included and least == self.low)
+        return bool(is_above and most <= self.high < math.inf)
 
     def _out_of_range(self, array: Floats, inside: NDArray[np.bool_]) -> str:
         position = tuple(int(i) for i in np.argwhere(~inside)[0])
@@ -385,6 +398,16 @@ def listed(values: Any) -> tuple[Any, ...]:
         return () if isinstance(values, str | bytes) else tuple(values)
     except TypeError:
         return ()
+
+
+def is_rising(values: Floats) -> bool:
+    """Tell whether no number is less than the one before; nan is in no order.
+
+    >>> is_rising(np.array([0.0, 1.0, 1.0])), is_rising(np.array([1.0, 0.0]))
+    (True, False)
+    """
+    row = np.ravel(values)
+    return bool(row.size and np.all(row[1:] >= row[:-1]))
 
 
 def plain(values: Numbers) -> Numbers:

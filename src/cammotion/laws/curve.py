@@ -14,7 +14,7 @@ import sympy
 
 from cammotion.alike import Alike
 from cammotion.laws.piece import Number, Piece, Placed, bisect_many
-from cammotion.quantities import Floats
+from cammotion.quantities import Floats, is_rising
 
 _SAME_PLACE = 1e-12  # what the ends of two pieces may differ by and be one joint
 _FEW = 8  # that are solved for one by one, which is quicker
@@ -131,16 +131,19 @@ class Curve(Alike):
             elif low > 0:
                 yield branch.low, branch.solve(height)
 
-    def __call__(self, places: Floats, joint_of: Literal["left", "right"] = "left") -> Floats:
+    def __call__(
+        self, places: Floats, joint_of: Literal["left", "right"] = "left", rises: bool | None = None
+    ) -> Floats:
         """Return the values, each piece evaluated at its own places only.
 
-        At a joint it is the value of the piece to the "left", or of that to the "right".
+        At a joint it is the value of the piece to the "left", or of that to the "right". Whether
+        the places rise, as in every plot, is found out if it is not said.
         """
         flat = np.ravel(places)
         if len(self.pieces) == 1:
             return self.pieces[0].over(flat).reshape(np.shape(places))
         values = np.empty_like(flat)
-        if flat.size and np.all(flat[1:] >= flat[:-1]):  # in order, as in every plot
+        if is_rising(flat) if rises is None else rises:
             side: Literal["left", "right"] = "right" if joint_of == "left" else "left"
             cuts = np.searchsorted(flat, self._joints, side=side)
             for piece, (start, end) in zip(

@@ -104,7 +104,8 @@ class MotionLaw(Alike):
         >>> MotionLaw("cubic", 3 * x**2 - 2 * x**3)([0, 0.5, 1], derivative=1)
         array([0. , 1.5, 0. ])
         """
-        return plain(self.curve.derived(_ORDER.whole(derivative))(_TIME.array(x)))
+        places, rises = _TIME.rising(x)
+        return plain(self.curve.derived(_ORDER.whole(derivative))(places, rises=rises))
 
     @property
     def Cv(self) -> float:  # noqa: N802 (the field's symbol)
@@ -278,8 +279,7 @@ class MotionLaw(Alike):
         return sympy.diff(middle.expression, x).xreplace({x: _HALF}).doit()
 
     def _derived(self, order: int) -> sympy.Expr:
-        pieces = self.curve.pieces
-        return write((sympy.diff(p.expression, x, order), p.low, p.high) for p in pieces)
+        return write((sympy.diff(p.expression, x, order), p.low, p.high) for p in self.curve.pieces)
 
     def _peak(self, derivative: int) -> float:
         """Return the largest magnitude of a curve, infinity where the one before it jumps."""
