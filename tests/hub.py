@@ -27,12 +27,15 @@ ROOT_UID = 0
 PATIENCE_SECONDS = 300  # twenty students start on two cores
 HOME_MODE = 0o700  # what keeps students apart; TLJH takes the others' rights away, too
 CONFIG = """
+from jupyterhub.app import JupyterHub
+
 {page}
 c.JupyterHub.bind_url = "http://127.0.0.1:{port}"
 c.JupyterHub.hub_port = {hub_port}
 c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{proxy_port}"
 c.ConfigurableHTTPProxy.command = [{proxy!r}]
 c.JupyterHub.concurrent_spawn_limit = {at_once}
+JupyterHub.spawn_throttle_retry_range.tag(config=True)  # 5.5.4 lets nobody set it: 30 to 60 s
 c.JupyterHub.spawn_throttle_retry_range = (1, 2)
 c.Authenticator.allowed_users = {names!r}
 c.Spawner.poll_interval = 5  # seconds until it notices that a server has died
