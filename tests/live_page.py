@@ -91,6 +91,19 @@ TWICE = """async ({ script, datas }) => {
   const isOwn = (id) => figures.filter((each) => each.querySelector(`[id="${id}"]`)).length === 1;
   return { ids, missing: asked.filter((id) => !ids.includes(id) || !isOwn(id)) };
 }"""
+UNSEEN = """async ({ script, data }) => {
+  const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  const { default: figure } = await import(url);
+  const heard = {};
+  const model = { get: (key) => data[key], off() {}, save_changes() {},
+    on: (key, listen) => { heard[key] = listen; },
+    set: (key, value) => { data[key] = value; heard[`change:${key}`]?.(); } };
+  const el = document.createElement("div");
+  figure.render({ model, el });
+  const asked = [...el.querySelectorAll("button")].find((each) => each.textContent === data.press);
+  asked.click();
+  return data.settings;
+}"""
 
 
 @cache

@@ -22,6 +22,7 @@ from live_page import (
     SLIDE,
     TWICE,
     TYPE,
+    UNSEEN,
     WAIT,
     Reader,
     built,
@@ -173,6 +174,17 @@ def test_figures_of_one_notebook_share_no_id(reader: Reader) -> None:
     assert len(set(found["ids"])) == len(found["ids"]) > 20
     assert found["missing"] == []
     reader.open("move")
+
+
+def test_a_button_works_before_the_figure_was_drawn(reader: Reader) -> None:
+    """What is below the window is drawn when it comes into it, and a key may be quicker."""
+    reader.open("move")
+    figure = built("overlap")
+    wide = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).angle_deg
+    for press, angle in (("Widest move of the die", wide), ("Start again", 55)):
+        given = {**figure._data, "press": press}
+        settings = reader.evaluate(UNSEEN, {"script": page.module(), "data": given})
+        assert angle in [pytest.approx(value, rel=1e-6) for value in settings]
 
 
 def test_the_pad_follows_the_mouse(chromium: Browser, tmp_path: Path) -> None:

@@ -29,6 +29,7 @@ class Figure {
     const starts = controls.map(({ start }) => start);
     const first = this.make(starts, starts);
     for (const panel of this.panels.flat()) panel.keep(first, first[description.range[0]]());
+    this.now = this.make(this.settings, model.get("pinned")); // it may be used before it is drawn
     this.play = button("Play", () => (this.frame ? this.pause() : this.start()));
     this.slider = html("input", {
       type: "range",
