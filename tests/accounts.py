@@ -190,12 +190,12 @@ def _markup(text: str) -> Iterator[str]:
 
 
 def _page(page: BeautifulSoup) -> Iterator[str]:
-    """Tell of a page all but its style, what it runs, and the pictures that it holds as files."""
+    """Tell of a page all but its style, what it runs, and the files and pages that it holds."""
     for place, element in enumerate(page(lambda tag: tag.name not in {"script", "style"})):
         given = " ".join(
             f"{name}={value!r}"
             for name, value in element.attrs.items()
-            if not str(value).startswith("data:")
+            if name != "srcdoc" and not str(value).startswith("data:")
         )
         words = " ".join("".join(element.find_all(string=True, recursive=False)).split())
         yield f"{place} {element.name} {given} {words}".rstrip()
