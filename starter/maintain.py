@@ -9,13 +9,10 @@ from starter.paths import ROOT, VENV_PYTHON
 
 FRESH = ROOT / "tests" / "run_fresh.py"
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
-# Some files of tests at a time, each file in one process: its fixtures are made once. They keep the
-# order of conftest.py. One more than there are processors: many wait for a browser or a server.
-AT_ONCE = min(4, (os.cpu_count() or 1) + 1)
-IN_PARALLEL = (
-    *("-n", str(AT_ONCE)),
-    *("--dist", "loadfile", "--no-loadscope-reorder"),
-)
+# Two files of tests at a time for each processor, since many wait for a browser or a server. Each
+# is run by one process, which makes its fixtures once, in the order of conftest.py.
+AT_ONCE = min(4, 2 * (os.cpu_count() or 1))
+IN_PARALLEL = ("-n", str(AT_ONCE), "--dist", "loadfile", "--no-loadscope-reorder")
 
 
 def test(arguments: list[str]) -> int:
