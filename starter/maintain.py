@@ -9,9 +9,9 @@ from starter.paths import ROOT, VENV_PYTHON
 
 FRESH = ROOT / "tests" / "run_fresh.py"
 LINTERS = ("ruff check .", "ruff format --check .", "mypy")
-# Two files of tests at a time for each processor, since many wait for a browser or a server. Each
-# is run by one process, which makes its fixtures once, in the order of conftest.py.
-AT_ONCE = min(4, 2 * (os.cpu_count() or 1))
+# One file of tests more at a time than there are processors: some wait for a browser or a server.
+# Each is run by one process, which makes its fixtures once, in the order of conftest.py.
+AT_ONCE = min(4, (os.cpu_count() or 1) + 1)
 IN_PARALLEL = ("-n", str(AT_ONCE), "--dist", "loadfile", "--no-loadscope-reorder")
 
 
