@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -74,8 +75,6 @@ def watch(running: Running, copy: Path, test: str, limit: float, kept: Path) -> 
 
     It stops where the tests fail, or take too long.
     """
-    from coverage import CoverageData
-
     lines, new = _kept(test, kept), copy / ".coverage-lines"
     settings = copy / ".coverage-settings"
     settings.write_text(_SETTINGS, "utf-8")
@@ -83,9 +82,7 @@ def watch(running: Running, copy: Path, test: str, limit: float, kept: Path) -> 
     times = f"--times={lines.with_suffix('.times')}"
     if running.pytest(copy, [test, times], limit, *before) != PASSED:
         sys.exit(f"{test} fails, or takes too long, with nothing broken.")
-    data = CoverageData(str(new))
-    data.read()
-    new.rename(lines)
+    shutil.move(new, lines)
 
 
 def is_watched(test: str, kept: Path) -> bool:
@@ -134,25 +131,27 @@ class Covered:
         """Yield tests that are less and less likely to tell, in the order to choose from them."""
         path = mutant.path.relative_to(ROOT).as_posix()
         if path.startswith("starter/"):
-            yield [test for test in self.seconds if "starter" in test or "workbook" in test]
+            yield [
+                *self._of(file for file in self._tests if "starter" in file or "workbook" in file)
+            ]
             return
         ran, loading = self._ran(path)
         told: Counter[str] = Counter()  # a line tells the less, the more tests run it
         for tests in ran.values():
             told.update(dict.fromkeys(tests, 1 / max(len(tests), 1)))
         here = {test for line in mutant.told_on() for test in ran.get(line, ())}
-        saying = {file for file in loading if _says(file, mutant.names)}
         quick = {test for test in here if self.seconds[test] <= _QUICK}
+        groups = [quick, here, self._of(map(file_of, here))]
+        if names := mutant.names:
+            saying = {file for file in loading if _says(file, names)}
+            groups += [self._of(saying), self._of(loading)]
         known: set[str] = set()
-        beside = self._of({*map(file_of, here)})
-        for some in (quick, here, beside, self._of(saying), self._of(loading)):
+        for some in groups:
             yield _in_turn(some - known, lambda t: (told[t] or _LITTLE) / self.seconds[t])
             known |= some
-            if not mutant.names and some is beside:
-                return
 
     def _of(self, files: Iterable[str]) -> set[str]:
-        return {test for file in files for test in self._tests[file]}
+        return {test for file in {*files} for test in self._tests[file]}
 
     def _ran(self, path: str) -> tuple[dict[int, set[str]], set[str]]:
         """Return which tests run each line of a file of the package, and which files load it."""

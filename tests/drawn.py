@@ -17,7 +17,7 @@ from cartons import all_dies, packaging_machine
 from explored import nyquist_figure, table_figure, weight_figure, zones_figure
 from follower_pictures import flights
 from judging import MACHINES
-from machines import DIPPING, RULE, make_diagram, make_die, make_mill
+from machines import DIPPING, DOWN_DEG, RULE, make_diagram, make_die, make_mill
 from matplotlib.axes import Axes
 from measured_cam import CAM, RATE
 from school import collect
@@ -145,7 +145,6 @@ def pressed(figure: LiveFigure, *buttons: str) -> LiveFigure:
     return figure
 
 
-STILL = {"mill": [(205, 305)], "die": [(205, 305)]}
 BROKEN = cm.TimingDiagram([make_mill(), make_die(130)], 2000)
 INDEXER = cm.Indexer(38.5, stops=8, time_s=0.75)
 
@@ -217,7 +216,9 @@ PICTURES: dict[str, Drawing] = {
     "power": lambda: cm.plot_torque({"table": INDEXER}, quantity="power"),
     "chart": lambda: chart(cm.Machine("press", BROKEN, [RULE], {})),
     "chart of many": lambda: chart(PADS),
-    "report": lambda: report(cm.Machine("press", BROKEN, [RULE], STILL)),
+    "report": lambda: report(
+        cm.Machine("press", BROKEN, [RULE], {"mill": [DOWN_DEG], "die": [DOWN_DEG]})
+    ),
     "report of many": lambda: report(cm.Machine(PADS.name, PADS.diagram, PADS.rules)),
     "class": class_page,
     "histogram": lambda: histogram.draw([4, 4.1, 4.2, 4.2, 5, 3.3, 60, -9], "<m/s²>", 4.154),

@@ -93,13 +93,9 @@ TWICE = """async ({ script, datas }) => {
 }"""
 UNSEEN = """async ({ script, data }) => {
   const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  const { default: figure } = await import(url);
-  const heard = {};
-  const model = { get: (key) => data[key], off() {}, save_changes() {},
-    on: (key, listen) => { heard[key] = listen; },
-    set: (key, value) => { data[key] = value; heard[`change:${key}`]?.(); } };
+  const { default: figure, modelOf } = await import(url);
   const el = document.createElement("div");
-  figure.render({ model, el });
+  figure.render({ model: modelOf(data), el });
   const asked = [...el.querySelectorAll("button")].find((each) => each.textContent === data.press);
   asked.click();
   return data.settings;

@@ -183,7 +183,7 @@ def test_a_button_works_before_the_figure_was_drawn(reader: Reader) -> None:
     wide = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).angle_deg
     for press, angle in (("Widest move of the die", wide), ("Start again", 55)):
         given = {**figure._data, "press": press}
-        settings = reader.evaluate(UNSEEN, {"script": page.module(), "data": given})
+        settings = reader.evaluate(UNSEEN, {"script": page.module() + page.model(), "data": given})
         assert angle in [pytest.approx(value, rel=1e-6) for value in settings]
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from long_arrays import assert_near
 from machines import HALF
 from scipy.integrate import quad
 
@@ -44,11 +45,9 @@ def test_torque_and_power_are_the_law_scaled(name: str) -> None:
     law, found = cm.LAWS[name], table(name, friction_N_m=10, work_N_m=4)
     step, drag = math.pi / 4, 14
     omega, alpha = law(X, 1) * step / 0.75, law(X, 2) * step / 0.75**2
-    np.testing.assert_allclose(
-        found.velocity_rad_per_s(X), omega, 1e-6
-    )  # pytest.approx takes 20 times as long
-    np.testing.assert_allclose(found.torque_N_m(X), 38.5 * alpha + drag, 1e-6)
-    np.testing.assert_allclose(found.power_W(X), (38.5 * alpha + drag) * omega, 1e-6)
+    assert_near(found.velocity_rad_per_s(X), omega, rel=1e-6)
+    assert_near(found.torque_N_m(X), 38.5 * alpha + drag, rel=1e-6)
+    assert_near(found.power_W(X), (38.5 * alpha + drag) * omega, rel=1e-6)
     assert found.peak_torque_N_m == pytest.approx(38.5 * law.Ca * step / 0.75**2 + drag)
     assert found.peak_power_W == pytest.approx(found.power_W(X).max(), rel=1e-6)
     assert found.peak_power_W >= found.power_W(X).max() * (1 - 1e-12)
@@ -71,9 +70,7 @@ def test_cq_of_the_cycloid_by_hand() -> None:
 def test_the_camshaft_gives_the_power_of_the_table() -> None:
     found = table(friction_N_m=10)
     shaft = math.radians(150) / 0.75
-    np.testing.assert_allclose(
-        found.camshaft_torque_N_m(X, 150) * shaft, found.power_W(X), 1e-6, 1e-12
-    )
+    assert_near(found.camshaft_torque_N_m(X, 150) * shaft, found.power_W(X), rel=1e-6)
     assert found.peak_camshaft_torque_N_m(150) == pytest.approx(found.peak_power_W / shaft)
     work = np.trapezoid(found.camshaft_torque_N_m(X, 150), X) * math.radians(150)
     assert work == pytest.approx(10 * math.pi / 4)  # friction alone takes energy
@@ -239,7 +236,7 @@ def test_a_law_from_points_is_reckoned_between_its_knots() -> None:
     table = cm.Indexer(10, 8, 0.5, law, friction_N_m=3)
     x = np.linspace(0, 1, 400_001)
     torque, step = table.torque_N_m(x), 2 * np.pi / 8
-    np.testing.assert_allclose(torque, 10 * step / 0.25 * law(x, 2) + 3, 1e-6)
+    assert_near(torque, 10 * step / 0.25 * law(x, 2) + 3, rel=1e-6)
     mean_square = (np.sum(torque**2) - (torque[0] ** 2 + torque[-1] ** 2) / 2) / (x.size - 1)
     assert table.rms_torque_N_m(1) == pytest.approx(np.sqrt(mean_square / 2), rel=1e-8)
     power = np.abs(torque * law(x, 1)) * step / 0.5

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from long_arrays import assert_near
 from machines import DOWN_DEG, RULE, examples, make_diagram, make_die, make_mill
 from scipy.optimize import brentq
 
@@ -284,7 +285,7 @@ def test_its_curves_are_derivatives_of_each_other(name: str) -> None:
         curve(which, angles) for curve in (design.position_mm, design.velocity, design.acceleration)
     )
     slopes = np.diff(place) / step / 1000
-    np.testing.assert_allclose(slopes, design.velocity(which, inner), 0, found.reached * step)
+    assert_near(slopes, design.velocity(which, inner), abs=found.reached * step)
     means = np.diff(speed) / step
     away = np.abs(means - design.acceleration(which, inner)) > 1e-6 * found.reached
     if found.jerk_m_per_s3 == math.inf:
