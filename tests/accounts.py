@@ -39,7 +39,7 @@ def account(shown: Axes | LiveFigure | str) -> Account:
     if isinstance(shown, str):
         return list(_markup(shown))
     if isinstance(shown, LiveFigure):
-        return [*_controls(shown), *shown.text.splitlines(), *_figure(_drawn(shown))]
+        return [*_controls(shown), *shown.text.splitlines(), *_figure(figure_of(shown))]
     assert isinstance(shown.figure, Figure)
     return list(_figure(shown.figure))
 
@@ -158,7 +158,7 @@ def _colours(given: Any) -> list[str]:
     return list(dict.fromkeys(map(_colour, np.atleast_2d(given)))) if len(given) else []
 
 
-def _drawn(live: LiveFigure) -> Figure:
+def figure_of(live: LiveFigure) -> Figure:
     """Return the picture that a live figure draws of itself."""
     drawn: list[Figure] = []
 
@@ -168,6 +168,7 @@ def _drawn(live: LiveFigure) -> Figure:
 
     with patch.object(picture, "FigureCanvasAgg", Caught):
         live.picture()
+    FigureCanvasAgg(drawn[0])  # one that draws
     return drawn[0]
 
 

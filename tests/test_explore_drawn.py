@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from accounts import figure_of
 from explored import picture_in
 from PIL import Image
 
@@ -160,3 +161,29 @@ def test_a_panel_over_nothing_is_called_by_its_heights() -> None:
     circle = cm.Panel(lines=[cm.Line(x=sp.cos(t), y=sp.sin(t))], y="height in mm")
     ((panel,),) = cm.explore(circle, SPAN).description["columns"]
     assert panel["title"] == "height in mm"
+
+
+@pytest.mark.parametrize("number", [1.0, -0.05, -12345.0])
+@pytest.mark.parametrize("columns", [1, 2])
+def test_a_label_beside_wide_numbers_is_whole_and_over_no_panel(
+    number: float, columns: int
+) -> None:
+    panel = cm.Panel(lines=[cm.Line(y=number * t)], y="difference in 0.001 in")
+    drawn = figure_of(cm.explore([[panel]] * columns, SPAN))
+    drawn.draw_without_rendering()
+    labels = [ax.yaxis.label.get_window_extent() for ax in drawn.axes]
+    assert labels[0].x0 > 0
+    for label, before in zip(labels[1:], drawn.axes, strict=False):
+        assert label.x0 > before.bbox.x1
+
+
+def test_the_cursor_marks_no_line_of_reference() -> None:
+    lines = [cm.Line(y=t), cm.Line(y=sp.Integer(1), role="reference")]
+    (ax,) = figure_of(cm.explore(cm.Panel(lines=lines), SPAN)).axes
+    marked = [line for line in ax.lines if line.get_marker() == "o"]
+    assert [[*map(float, np.ravel(line.get_ydata()))] for line in marked] == [[0.25]]
+
+
+def test_a_number_without_a_unit_ends_its_sentence() -> None:
+    figure = cm.explore(b * t, SPAN, {k: (1, 3)}, values={b: 2 * k})
+    assert figure.text.splitlines()[0] == "b = 4"

@@ -158,6 +158,22 @@ def test_the_picture_shows_both(count: int) -> None:
     assert f"{before.names[0]} before from" in describe(ax.figure)
 
 
+def test_of_many_bars_the_camshafts_and_those_that_changed_most_are_drawn_in_their_order() -> None:
+    diagrams = packaging_machine(24), packaging_machine(24).at_rate(3000)
+    before, after = (cm.Camshaft(d, dict.fromkeys(d.names, LOADS["die"])) for d in diagrams)
+    found = cm.compare(before, after)
+    told = {f"{e.of}, {e.what}": abs(math.log(e.times)) for e in found.effects if e.times}
+    ends = (", peak acceleration", ", peak force", ", peak torque", ", rms torque")
+    told = {row: change for row, change in told.items() if row.endswith(ends)}
+    (bars,) = cm.plot_comparison(found).figure.axes[1:]
+    shown = [row.get_text() for row in bars.get_yticklabels()]
+    assert len(told) > len(shown) == 30
+    assert shown == [row for row in told if row in shown]
+    least = min(told[row] for row in shown if not row.startswith("camshaft"))
+    assert least >= max(told[row] for row in {*told} - {*shown})
+    assert {"camshaft, peak torque", "camshaft, rms torque"} <= {*shown}
+
+
 def test_one_that_came_and_nothing_else() -> None:
     found = cm.compare(make_diagram(make_mill()), make_diagram())
     ax = cm.plot_comparison(found)

@@ -17,6 +17,11 @@ class Meaning(NamedTuple):
     unit: str
     usual: float | None = None
 
+    @property
+    def after(self) -> str:
+        """What follows a number: a space and the unit, if there is one."""
+        return f" {self.unit}" if self.unit else ""
+
 
 # lengths are in m here, since they stand in formulas for m/s and m/s²
 NOTATION = {

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
+from matplotlib.text import Annotation
 from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-untyped]
 
 from cammotion.arguments import checked
@@ -21,6 +22,7 @@ from cammotion.rules.rule import Rule
 from cammotion.views.bars import HATCHES, draw_bars
 from cammotion.views.broken import BROKEN, draw_broken
 from cammotion.views.displacement import curve_angles, displacement
+from cammotion.views.ends import POINTS_PER_INCH
 from cammotion.views.lanes import (
     LANE_INCHES,
     SHARED_AXIS,
@@ -49,6 +51,7 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
     "jerk": TimingDiagram.jerk,
 }
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
+_LOWER_LEFT = (-3.0, -17.0)  # of a dot, in points, where the name of its angle stands
 _SPAN = Quantity("span of the axis", "mm", example=5)
 
 
@@ -149,13 +152,20 @@ def plot_clearance(
         if any(named):
             name_line(ax.lines[-2], short[name], name)
     for place, label in angles.items():  # of one path; the others have theirs below or above
-        write(ax, label, place, ink, offset=(-3, -17))
+        _keep_inside(ax, write(ax, label, place, ink, offset=_LOWER_LEFT))
     if any(named):
         add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     if min(region.get_width(), region.get_height()) > 0:  # or it lies where nobody comes
         middle_x, middle_y = region.get_center()
         write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
     return ax
+
+
+def _keep_inside(ax: Axes, written: Annotation) -> None:
+    """Move what is written lower left of a point to the right, off the axis and its numbers."""
+    right, up = _LOWER_LEFT
+    over = (ax.bbox.x0 - written.get_window_extent().x0) * POINTS_PER_INCH / ax.figure.dpi
+    written.set_position((right + max(0.0, over), up))
 
 
 def _across(

@@ -1,5 +1,6 @@
 """The picture of two versions of a machine: their motions over one another, and what that cost."""
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -46,8 +47,9 @@ def plot_comparison(comparison: Comparison) -> Axes:
     Each mechanism has a lane with its displacement over the cam angle, as it was in grey dashes and
     as it is in colour, on one scale. Below are the peaks that are other ones now, in per cent of
     what they were, with both numbers beside them: accelerations, and of camshafts forces and
-    torque, 30 at most. A peak that was or is infinite, or was none, has its numbers alone.
-    `compare` makes the comparison. Raises InputError for more than 24 mechanisms.
+    torque; of more than 30 the camshaft's and those that changed most. A peak that was or is
+    infinite, or was none, has its numbers alone. `compare` makes the comparison. Raises InputError
+    for more than 24 mechanisms.
 
     >>> import cammotion as cm
     >>> after = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).diagram
@@ -57,7 +59,8 @@ def plot_comparison(comparison: Comparison) -> Axes:
     """
     before, after = readable(comparison.before), readable(comparison.after)
     names = list(dict.fromkeys([*after.names, *before.names]))
-    effects = [e for e in comparison.effects if e.what in _DRAWN and _is_told(e)][:_MOST]
+    effects = [e for e in comparison.effects if e.what in _DRAWN and _is_told(e)]
+    effects = _most_telling(effects, names)
     lanes, bars = LANE_INCHES * len(names), _BAR_INCHES * max(len(effects), 1)
     below = bars + _GAP_INCHES if effects else 0.0
     every = list(dict.fromkeys([*names, *(effect.of for effect in effects)]))
@@ -117,6 +120,20 @@ def _curve(motion: Motion) -> tuple[Floats, Floats]:
 def _is_told(effect: Effect) -> bool:
     """Whether both versions have it, and it is in per cent or another one now."""
     return None not in effect.shown and (effect.times is not None or effect.is_change)
+
+
+def _most_telling(effects: Sequence[Effect], names: Sequence[str]) -> list[Effect]:
+    """Return, in their order, the camshaft's and those that doubled or halved most often.
+
+    From or to nothing or infinity is most of all.
+    """
+
+    def telling(effect: Effect) -> tuple[bool, float]:
+        change = abs(math.log2(effect.times)) if effect.times else math.inf
+        return effect.of not in names, change
+
+    most = sorted(effects, key=telling, reverse=True)[:_MOST]
+    return [effect for effect in effects if effect in most]
 
 
 def _draw_bars(

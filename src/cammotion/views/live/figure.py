@@ -187,7 +187,7 @@ class LiveFigure(anywidget.AnyWidget):
         value = float(now[piece["formula"]](clock))
         if not math.isfinite(value):
             return "–" if math.isnan(value) else "∞" if value > 0 else "−∞"
-        return format(value + 0.0, piece["spec"]).replace("-", "−")  # -0 is 0
+        return format(value, f"z{piece['spec']}").replace("-", "−")  # z: what is written as 0 is 0
 
     def _checked(self, number: int, value: Any) -> float:
         control = self.description["controls"][number]

@@ -82,13 +82,14 @@ export function compile({ quantities, formulas, controls }) {
   )(Math, largest, place_of_largest, inverse);
 }
 
-/** A number as Python's format writes it, by ".3f" or ".4g", with a true minus; 0 has none. */
+/** A number as Python's format writes it, by ".3f" or ".4g", with a true minus; what is
+ * written as 0 has none. */
 export function format(value, spec) {
   if (Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value < 0 ? "−∞" : "∞";
   const [, digits = 6, kind] = spec.match(/^(?:\.(\d+))?([fg])$/);
   const size = (kind === "f" ? fixed : general)(Math.abs(value), Number(digits));
-  return value < 0 ? `−${size}` : size;
+  return value < 0 && /[1-9]/.test(size) ? `−${size}` : size;
 }
 function fixed(size, digits) {
   if (size >= 1e21) return BigInt(size) + (digits ? `.${"0".repeat(digits)}` : "");

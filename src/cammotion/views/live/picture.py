@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.gridspec import GridSpec
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
@@ -26,6 +27,7 @@ Functions = Sequence[Callable[..., Any]]
 _SAMPLES = 800
 _WIDTH_IN, _HEIGHT_IN = 8.2, 0.0145  # of a picture, and of a pixel of a panel's height
 _LABEL_IN, _NUMBERS_IN, _ROOM_IN = 0.95, 0.6, 0.14  # left of, under and between panels
+_EDGE_IN = 0.05  # between the edge of the picture and a label that takes more than that
 _PLAIN = range(-2, 5)  # powers of ten of the numbers that have room at an axis
 _IN_UNIT = re.compile(r"\bin (?=[^\s\d])")
 _HIGH = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -46,16 +48,8 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
     columns = description["columns"]
     width, height = _WIDTH_IN, _HEIGHT_IN * max(sum(p["height"] for p in c) for c in columns)
     figure = Figure(figsize=(width, height), dpi=100, facecolor="white")
-    grid = figure.add_gridspec(
-        1,
-        len(columns),
-        width_ratios=description["shares"],
-        left=_LABEL_IN / width,
-        right=1 - _ROOM_IN / width,
-        bottom=_NUMBERS_IN / height,
-        top=1 - _ROOM_IN / height,
-        wspace=_LABEL_IN * len(columns) / width,
-    )
+    grid = figure.add_gridspec(1, len(columns), width_ratios=description["shares"])
+    _make_room(figure, grid, _LABEL_IN)
     for number, column in enumerate(columns):
         room = _ROOM_IN if column[0]["shares_x"] else _NUMBERS_IN
         ratios = [panel["height"] for panel in column]
@@ -65,10 +59,32 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
             drawn = _Drawn(figure.add_subplot(inner[place]), panel, now, clock)
             drawn.draw(then if description["pin"] else None, panel is column[-1])
     _add_legends(figure.axes)
+    canvas = FigureCanvasAgg(figure)
+    if (needed := max(map(_left_of, figure.axes))) > _LABEL_IN:
+        _make_room(figure, grid, needed + _EDGE_IN)
     picture = io.BytesIO()
     quick = {"compress_level": 3}  # a cell that runs waits for it
-    FigureCanvasAgg(figure).print_png(picture, pil_kwargs=quick)  # type: ignore[no-untyped-call]
+    canvas.print_png(picture, pil_kwargs=quick)  # type: ignore[no-untyped-call]
     return picture.getvalue()
+
+
+def _make_room(figure: Figure, grid: GridSpec, left_in: float) -> None:
+    """Leave so much left of each column of panels, and the usual on the other sides."""
+    width, height = figure.get_size_inches()
+    column = (width - _ROOM_IN) / grid.ncols - left_in
+    figure.subplots_adjust(
+        left=left_in / width,
+        right=1 - _ROOM_IN / width,
+        bottom=_NUMBERS_IN / height,
+        top=1 - _ROOM_IN / height,
+        wspace=left_in / column,
+    )
+
+
+def _left_of(ax: Axes) -> float:
+    """Return what an axis takes left of its panel, with its numbers and its label, in inches."""
+    taken = ax.yaxis.get_tightbbox()
+    return 0.0 if taken is None else (ax.bbox.x0 - taken.x0) / ax.figure.dpi
 
 
 def _add_legends(axes: Sequence[Axes]) -> None:
@@ -138,7 +154,7 @@ class _Drawn:
                 write(self.ax, point["name"], at)
         if self.panel["has_cursor"]:
             self.ax.axvline(self.clock, color="#555555", linewidth=1)
-            for line in self.panel["lines"]:
+            for line in (line for line in self.panel["lines"] if line["role"] == "own"):
                 at = self.clock, self._at(line["y"])
                 self.ax.plot(*at, "o", color=colour(line["colour"]), markersize=6)
 

@@ -39,7 +39,7 @@ def usual_sentences(
     unit = notation.axis_label(variable.name, span[1]).partition(" in ")[2]
     where = "at {place:.4g} " + unit if unit else f"at {_as_it_is(variable.name)} = {{place:.4g}}"
     meanings = [(s, notation.meaning(s.name)) for s in followed]
-    says = [Say(f"{_as_it_is(m.name)} = {{it:.4g}} {m.unit}", {"it": s}) for s, m in meanings]
+    says = [Say(f"{_as_it_is(m.name)} = {{it:.4g}}{m.after}", {"it": s}) for s, m in meanings]
     now = {f"y{i}": line.y for i, line in enumerate(lines)}
     says.append(Say(f"{where}: {', '.join(_readouts(lines))}", {"place": variable, **now}))
     ends = variable, *span
@@ -50,7 +50,7 @@ def usual_sentences(
 def _readouts(lines: Sequence[Line], written: str = "{}") -> Iterator[str]:
     for number, line in enumerate(lines):
         symbol = quantity_of(line.y)
-        unit = f" {notation.meaning(symbol).unit}" if symbol else ""
+        unit = notation.meaning(symbol).after if symbol else ""
         name = written.format(line.name or symbol or f"curve {number + 1}")
         yield f"{_as_it_is(name)} = {{y{number}:.4g}}{unit}"
 
