@@ -93,7 +93,7 @@ def make_parser() -> argparse.ArgumentParser:
         )
     added["lab"].add_argument("--port", type=port_number, metavar="N", help="use just this port")
     added["lab"].add_argument("--no-browser", action="store_true", help="only print the address")
-    added["refresh"].add_argument("notebooks", nargs="*", metavar="NN", help="such as 02; or all")
+    added["refresh"].add_argument("notebooks", nargs="*", metavar="NN", help="such as 02 (all)")
     added["fresh"].add_argument("notebook", metavar="NN", help="such as 02")
     added["class"].add_argument("folder", metavar="FOLDER", help="where the files are collected")
     added["class"].add_argument("--output", default="class.html", metavar="FILE", help="the page")
