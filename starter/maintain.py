@@ -1,7 +1,9 @@
 """Run the linters and tests, pin the dependencies."""
 
+import contextlib
 import os
 import subprocess
+from collections.abc import Iterator
 
 from starter import installer, processes
 from starter.errors import WorkbookError
@@ -13,22 +15,48 @@ LINTERS = ("ruff check .", "ruff format --check .", "mypy")
 # Each is run by one process, which makes its fixtures once, in the order of conftest.py.
 AT_ONCE = min(4, (os.cpu_count() or 1) + 1)
 IN_PARALLEL = ("-n", str(AT_ONCE), "--dist", "loadfile", "--no-loadscope-reorder")
+_LONGEST_LOADING = 60  # seconds
 
 
 def test(arguments: list[str]) -> int:
     """Run the linters and pytest; only pytest with arguments, only machines with --fresh."""
     if arguments[:1] == ["--fresh"]:
         return run_python(str(FRESH), *arguments[1:])
+    if arguments:
+        print("pytest")
+        return run_module("pytest", *arguments)
     failed = []
-    for number, step in enumerate(() if arguments else LINTERS, 1):
-        print(f"[{number}/4] {step}")
-        if run_module(*step.split()) != 0:
-            failed.append(step)
+    with _compiling_the_tests():
+        for number, step in enumerate(LINTERS, 1):
+            print(f"[{number}/4] {step}")
+            if run_module(*step.split()) != 0:
+                failed.append(step)
     if failed:
         print(f"Failed before pytest: {', '.join(failed)}")
-    print("pytest" if arguments else "[4/4] pytest")
-    code = run_module("pytest", *(arguments or IN_PARALLEL))
+    print("[4/4] pytest")
+    code = run_module("pytest", *IN_PARALLEL)
     return code or (1 if failed else 0)
+
+
+@contextlib.contextmanager
+def _compiling_the_tests() -> Iterator[None]:
+    """Let pytest load all tests beside the linters, of which each has one processor.
+
+    What it compiles each process of tests would compile for itself.
+    """
+    loading = subprocess.Popen(
+        [str(VENV_PYTHON), "-m", "pytest", "--collect-only", "-qq"],
+        cwd=ROOT,
+        env=processes.environ(),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    )
+    try:
+        yield
+        processes.stop(loading, grace=_LONGEST_LOADING)
+    finally:
+        processes.stop(loading)
 
 
 def run_module(*arguments: str) -> int:

@@ -1,7 +1,11 @@
 """The command line: what it reads, and that every foreseen failure ends in a sentence."""
 
 import errno
+import subprocess
+import sys
+from contextlib import nullcontext
 from pathlib import Path
+from typing import Any
 
 import pytest
 from small_workbook import move_starter, raiser
@@ -81,8 +85,39 @@ def test_linters_run_before_all_tests(
         return int(ran[-1] == failing)
 
     monkeypatch.setattr(maintain, "run_module", run_module)
+    monkeypatch.setattr(maintain, "_compiling_the_tests", nullcontext)
     assert maintain.test(arguments) == code
     assert ran == steps
+
+
+def test_what_the_tests_compile_is_there_before_they_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(maintain, "ROOT", tmp_path)
+    monkeypatch.setattr(maintain, "VENV_PYTHON", Path(sys.executable))
+    monkeypatch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
+    (tmp_path / "test_small.py").write_text("def test_small(): assert False", "utf-8")
+    with maintain._compiling_the_tests():
+        pass
+    assert [path.name for path in tmp_path.glob("__pycache__/test_small.*pytest*.pyc")]
+
+
+def test_it_ends_with_what_is_beside_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(maintain, "ROOT", tmp_path)
+    monkeypatch.setattr(maintain, "VENV_PYTHON", Path(sys.executable))
+    (tmp_path / "test_slow.py").write_text("import time; time.sleep(600)", "utf-8")
+    started: list[subprocess.Popen[str]] = []
+    popen = subprocess.Popen
+
+    def start(*given: Any, **more: Any) -> "subprocess.Popen[str]":
+        started.append(popen(*given, **more))
+        return started[-1]
+
+    monkeypatch.setattr(subprocess, "Popen", start)
+    with pytest.raises(KeyboardInterrupt), maintain._compiling_the_tests():
+        raise KeyboardInterrupt
+    (loading,) = started
+    assert loading.returncode not in (None, 0)
 
 
 def test_fresh_runs_machines_and_nothing_else(monkeypatch: pytest.MonkeyPatch) -> None:
