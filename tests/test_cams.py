@@ -222,6 +222,12 @@ def test_what_is_cut_away_is_where_a_roller_does_not_come_down(roller: float, pr
             assert high < -1e-3
         if not any(start - 1 < angle < end + 1 for start, end in gone):
             assert high == pytest.approx(0, abs=2e-4)
+    whole = cam.pitch_mm(np.arange(0, 360, 0.01)) @ [1, 1j]
+    for start, end in gone:
+        within, beside = ((start + by, end - by) for by in (0.06, -0.06))
+        for angles, is_gone in ((within, True), (beside, False)):
+            for point in cam.profile_mm(np.array(angles)) @ [1, 1j]:
+                assert (np.abs(point - whole).min() < roller - 1e-3) == is_gone
 
 
 def test_a_groove_has_a_far_flank_of_its_own() -> None:

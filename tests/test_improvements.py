@@ -174,6 +174,17 @@ def test_what_makes_a_broken_rule_worse_is_left_out_and_that_it_is_broken_is_sai
     assert (wide.mends, wide.worsens) == (0, 1)
 
 
+@pytest.mark.parametrize(
+    ("after", "is_worse"),
+    [((2, 30), False), ((2.1, 20), True), ((1, 31), True), ((2.009, 30), False), ((31, 1), True)],
+)
+def test_worse_is_what_is_broken_by_more_or_for_longer(
+    after: tuple[float, float], is_worse: bool
+) -> None:
+    """In mm at the worst, and in deg; 0.01 mm of the rule may be used up."""
+    assert changes._is_worse((2, 30), after, 0.01) is is_worse
+
+
 def test_with_a_distance_rule_unequal_ways_may_become_one_angle() -> None:
     up = cm.motion(
         "upper",

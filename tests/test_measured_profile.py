@@ -11,6 +11,7 @@ from machines import Array
 
 import cammotion as cm
 from cammotion import CamTable, FlatFacedCam, InputError, ProfileLift, RollerCam, lift_from_profile
+from cammotion.hardware.traced_profile import Traced
 
 DIE = cm.EXAMPLE.die
 FLAT = "flat face"
@@ -275,3 +276,13 @@ def test_what_is_given_wrongly() -> None:
         lift_from_profile(x, y, follower=cm.TranslatingRoller(10, offset_mm=70))
     with pytest.raises(InputError, match="cannot be 60 mm off the axis"):
         lift_from_profile(x, y, follower=cm.SwingingRoller(10, arm_mm=20, pivot_mm=200))
+
+
+@pytest.mark.parametrize("window", [2, 5, 13])
+def test_normals_over_more_points_scatter_as_those_of_parabolas_do(window: int) -> None:
+    """The slope of a least-squares parabola in its middle is that of a straight line."""
+    angles, noise = np.radians(np.arange(0, 360, 0.5)), 1e-3
+    points = 100 * np.exp(1j * angles) + noisy(np.zeros((720, 2)), noise) @ [1, 1j]
+    turned = np.angle(Traced(points, 0, "flat face")._tangents(window) / (1j * np.exp(1j * angles)))
+    places = 100 * math.radians(0.5) * np.arange(-window, window + 1)
+    assert np.std(turned) == pytest.approx(noise / math.sqrt(np.sum(places**2)), rel=0.15)

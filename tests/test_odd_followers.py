@@ -61,8 +61,10 @@ def test_a_count_of_angles_is_whole(count: Any) -> None:
 
 def test_a_turn_that_is_not_as_the_one_before_is_said_to_be() -> None:
     load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=1, preload_N=30)
-    for restitution, is_repeated in ((0.0, True), (0.9, False)):
-        flights = cm.follower_flights(cm.EXAMPLE.die, load, 3000, restitution=restitution)
+    for restitution, turns, is_repeated in ((0.0, 3, True), (0.9, 3, False), (0.9, 2, False)):
+        flights = cm.follower_flights(
+            cm.EXAMPLE.die, load, 3000, restitution=restitution, turns=turns
+        )
         assert (flights.period == 1) is is_repeated
         picture = cm.animate_follower(flights)
         assert ("the turn before was another" in picture.svg) is not is_repeated
