@@ -171,7 +171,10 @@ def test_every_exercise_is_there_and_can_be_answered(lesson: str) -> None:
     for number, form in forms.items():
         one = find_exercise(number)
         if isinstance(one, NumberExercise):
-            assert form.select_one("input[type=text]")
+            (field,) = form.select("input[type=text]")
+            (label,) = form.select(f"label[for='{field['id']}']")
+            asked = one.wanted_for(NAMELESS)
+            assert label.get_text() == asked[:1].upper() + asked[1:]
         elif isinstance(one, ChoiceExercise):
             assert [str(i["value"]) for i in form.select("input[type=radio]")] == [*one.options]
         else:
