@@ -70,9 +70,8 @@ def _task(m: MillAndDie) -> str:
         f"goes {m.pitch_mm:g} mm on in each turn, from 0 mm; the die goes from 0 to "
         f"{m.stroke_mm:g} mm and back. From {m.down_deg:g} to {m.down_deg + m.work_deg:g} degrees "
         f"both stand, the mill at {m.pitch_mm:g} and the die at {m.stroke_mm:g} mm, and always "
-        f"{rule}. (What cm.ask and cm.again return has them too: machine.diagram and "
-        "machine.rule.) Starts and "
-        "angles are yours"
+        f"{rule} of a stop. (What cm.ask and cm.again return has them too: machine.diagram and "
+        "machine.rule.) Starts and angles are yours"
     )
 
 
