@@ -189,6 +189,15 @@ def test_a_detour_shows_several_motions_what_was_meant_and_the_acceleration() ->
     assert points_of(lower)[1].max() == pytest.approx(4.154, abs=5e-3)
 
 
+def test_a_place_may_be_one_over_the_end_of_the_turn() -> None:
+    usual, machine = points_of(cm.plot_detour({"": free_die()}, "die", **DETOUR)), free_die()
+    later = machine.with_motion(machine["die"].shifted(100))
+    ax = cm.plot_detour({"": later}, "die", **DETOUR | {"still": (305, 45)})
+    shown = np.interp(usual[0], *points_of(ax))
+    assert shown == pytest.approx(usual[1], abs=0.05)
+    assert ax.get_xlim() == (0, 260)
+
+
 def test_a_detour_needs_a_design() -> None:
     with pytest.raises(cm.InputError, match="no design to draw"):
         cm.plot_detour({}, "die", **DETOUR)
