@@ -189,6 +189,7 @@ def test_at_the_edge_of_a_band_it_is_about_the_same_stop(stop: int) -> None:
 @pytest.mark.parametrize("still", ["#..##..", "....#..", ".#....#", "......."])
 def test_a_node_in_a_still_arc_or_beside_one_is_not_held_off_its_limits(still: str) -> None:
     flags, free = np.array([*still]) == "#", np.full(len(still), INFINITE)
-    room = Corridor(np.arange(len(still)) * 50.0, -free, free, flags, 0)
+    angles = np.array([50.0 * n for n in range(len(still))])
+    room = Corridor(angles, -free, free, flags, 0)
     around = [flags[[n - 1, n, (n + 1) % len(still)]].any() for n in range(len(still))]
     assert room.inner.tolist() == [not each for each in around]
