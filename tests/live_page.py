@@ -97,8 +97,13 @@ UNSEEN = """async ({ script, data }) => {
   const el = document.createElement("div");
   figure.render({ model: modelOf(data), el });
   const asked = [...el.querySelectorAll("button")].find((each) => each.textContent === data.press);
-  asked.click();
-  return data.settings;
+  asked?.click();
+  const texts = (words) => [...el.querySelectorAll(words)];
+  return {
+    settings: data.settings,
+    fields: texts("input[type=text]").map((field) => field.value),
+    said: texts(".cm-said > div").map((line) => line.textContent),
+  };
 }"""
 
 

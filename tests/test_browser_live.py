@@ -26,6 +26,7 @@ from live_page import (
     WAIT,
     Reader,
     built,
+    started,
 )
 from playwright.sync_api import Browser
 
@@ -176,15 +177,27 @@ def test_figures_of_one_notebook_share_no_id(reader: Reader) -> None:
     reader.open("move")
 
 
-def test_a_button_works_before_the_figure_was_drawn(reader: Reader) -> None:
-    """What is below the window is drawn when it comes into it, and a key may be quicker."""
+def test_a_figure_that_is_not_in_sight_has_its_numbers_and_sentences(reader: Reader) -> None:
+    """Who listens to a page need not scroll, and JupyterLab lays out what is near the window."""
+    reader.open("move")
+    figure = built("move")
+    found = reader.evaluate(
+        UNSEEN, {"script": page.module() + page.model(), "data": {**figure._data}}
+    )
+    rate, angle, stroke, _law = started(figure)
+    assert [float(value) for value in found["fields"]] == [rate, angle, stroke]
+    assert found["said"] == figure.text.splitlines()
+
+
+def test_a_button_works_before_the_figure_comes_in_sight(reader: Reader) -> None:
+    """What is below the window is laid out when it comes into it, and a key may be quicker."""
     reader.open("move")
     figure = built("overlap")
     wide = cm.widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule).angle_deg
     for press, angle in (("Widest move of the die", wide), ("Start again", 55)):
         given = {**figure._data, "press": press}
-        settings = reader.evaluate(UNSEEN, {"script": page.module() + page.model(), "data": given})
-        assert angle in [pytest.approx(value, rel=1e-6) for value in settings]
+        found = reader.evaluate(UNSEEN, {"script": page.module() + page.model(), "data": given})
+        assert angle in [pytest.approx(value, rel=1e-6) for value in found["settings"]]
 
 
 def test_the_pad_follows_the_mouse(chromium: Browser, tmp_path: Path) -> None:

@@ -29,7 +29,6 @@ class Figure {
     const starts = controls.map(({ start }) => start);
     const first = this.make(starts, starts);
     for (const panel of this.panels.flat()) panel.keep(first, first[description.range[0]]());
-    this.now = this.make(this.settings, model.get("pinned")); // it may be used before it is drawn
     this.play = button("Play", () => (this.frame ? this.pause() : this.start()));
     this.slider = html("input", {
       type: "range",
@@ -200,9 +199,10 @@ function render({ model, el }) {
     draw = () => figure.draw(),
     events = ["change:settings", "change:pinned"];
   el.append(figure.root);
+  draw(); // who listens or presses a key may do so before it comes in sight
   for (const event of events) model.on(event, draw);
   const resized = new ResizeObserver(draw);
-  resized.observe(figure.root); // draws it for the first time too
+  resized.observe(figure.root); // draws it as wide as it is then
   return () => {
     figure.pause();
     resized.disconnect();
