@@ -1,6 +1,6 @@
 """The running example: a die that presses into an indexing mill, and its numbers."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 
 from cammotion.limits.widest import widest_move
@@ -47,6 +47,14 @@ class MillAndDie:
     table: TableNumbers = field(default_factory=TableNumbers)
     measured: MeasuredNumbers = field(default_factory=MeasuredNumbers)
     follower: FollowerNumbers = field(default_factory=FollowerNumbers)
+
+    def __hash__(self) -> int:
+        """Return the hash of the numbers, worked out once: what follows from them is kept by it."""
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash(tuple(getattr(self, each.name) for each in fields(self) if each.compare))
 
     def __repr__(self) -> str:
         """Say all the numbers in words."""

@@ -20,6 +20,8 @@ def is_rounded(given: float, value: float, digits: int) -> bool:
     """
     if not value or not math.isfinite(value):
         return False
+    if abs(given - value) > abs(value) / 10 ** (digits - 1):  # most are, and by more than a unit
+        return False
     unit = last_place(value, digits)
     is_whole = abs(given / unit - round(given / unit)) < WHOLE
     return is_whole and abs(given - value) <= (0.5 + SAME) * unit
