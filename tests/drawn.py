@@ -5,6 +5,7 @@ pictures that have changed, then run this file to write the accounts anew.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -13,7 +14,7 @@ import numpy as np
 import sympy as sp
 from accounts import Account, account
 from cam_machine import cam_machine
-from cartons import all_dies, packaging_machine
+from cartons import all_dies, packaging_machine, pusher_rule
 from explored import nyquist_figure, table_figure, weight_figure, zones_figure
 from follower_pictures import flights
 from judging import MACHINES
@@ -40,6 +41,12 @@ CONSTANT_VELOCITY = cm.MotionLaw("constant velocity", cm.x)
 LONG = "the carton former's left upper folding finger, at the infeed"
 
 Drawing = Callable[[], Axes | LiveFigure | str]
+
+
+def told_at_length(diagram: cm.TimingDiagram) -> cm.Machine:
+    """Return a machine with a rule that takes several lines of a chart."""
+    name = f"whatever happens, and as long as the machine turns, {LONG}, stays out of the way"
+    return cm.Machine("cartons", diagram, [replace(pusher_rule(diagram), name=name)])
 
 
 def wide() -> cm.TimingDiagram:
@@ -216,6 +223,7 @@ PICTURES: dict[str, Drawing] = {
     "power": lambda: cm.plot_torque({"table": INDEXER}, quantity="power"),
     "chart": lambda: chart(cm.Machine("press", BROKEN, [RULE], {})),
     "chart of many": lambda: chart(PADS),
+    "chart of more": lambda: chart(told_at_length(packaging_machine(20))),
     "report": lambda: report(
         cm.Machine("press", BROKEN, [RULE], {"mill": [DOWN_DEG], "die": [DOWN_DEG]})
     ),

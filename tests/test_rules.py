@@ -218,3 +218,12 @@ def test_what_is_broken_by_nothing_is_broken_by_0_and_not_by_less() -> None:
 def test_a_condition_is_about_a_motion_by_its_name_or_itself(make: Any, motion: Any) -> None:
     with pytest.raises(cm.InputError, match=rf"is given motion={re.escape(repr(motion))}: give a"):
         make(motion)
+
+
+def test_a_clearance_says_where_it_is_and_nothing_where_nothing_can_break_its_rule() -> None:
+    (near,) = cm.find_clearances(make_diagram(make_mill(), make_die(120)), RULE)
+    at = f"{near.angle_deg:.5g}"
+    assert repr(near) == f"Clearance({near.clearance_mm:.4g} mm at {at} deg: {RULE})"
+    never = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 50))  # of 100
+    (free,) = cm.find_clearances(make_diagram(), never)
+    assert repr(free) == f"Clearance(∞ mm: {never})"
