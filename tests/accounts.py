@@ -39,7 +39,12 @@ def account(shown: Axes | LiveFigure | str) -> Account:
     if isinstance(shown, str):
         return list(_markup(shown))
     if isinstance(shown, LiveFigure):
-        return [*_controls(shown), *shown.text.splitlines(), *_figure(figure_of(shown))]
+        return [
+            *_controls(shown),
+            *_steps(shown),
+            *shown.text.splitlines(),
+            *_figure(figure_of(shown)),
+        ]
     assert isinstance(shown.figure, Figure)
     return list(_figure(shown.figure))
 
@@ -177,6 +182,13 @@ def _controls(live: LiveFigure) -> Iterator[str]:
         yield "control " + " ".join(f"{key}={value!r}" for key, value in sorted(control.items()))
     for button in live.description["buttons"]:
         yield f"button {button['text']!r}"
+
+
+def _steps(live: LiveFigure) -> Iterator[str]:
+    """Tell from tick to tick of each panel, where that is given: the page alone knows."""
+    for panel in (panel for column in live.description["columns"] for panel in column):
+        if panel["x_ticks"] is not None or panel["y_ticks"] is not None:
+            yield f"panel {panel['y_label']!r} steps {panel['x_ticks']} and {panel['y_ticks']}"
 
 
 def _markup(text: str) -> Iterator[str]:

@@ -120,8 +120,11 @@ def test_the_words_of_praise_in_the_reasons_are_true() -> None:
     assert "true to itself" in HUNT.reasons["b"]
     assert failed("b") == {"peak"}
     assert "S and V are right" in HUNT.reasons["f"]
+    assert "just after the middle" in HUNT.reasons["f"]
     law = cm.LAWS[named("f")]
-    s, v, _ = bug_hunt.law_f(X)
+    s, v, a = bug_hunt.law_f(X)
+    after = (X > 1 / 2) & (X <= 5 / 8)
+    np.testing.assert_allclose(a * np.where(after, -1, 1), law(X, derivative=2), rtol=0, atol=1e-9)
     np.testing.assert_allclose(s, law(X), rtol=0, atol=1e-12)
     np.testing.assert_allclose(v, law(X, derivative=1), rtol=0, atol=1e-11)
 

@@ -233,6 +233,7 @@ CIRCLE, FINER = (np.exp(1j * np.radians(np.arange(0, 360, step))) for step in (4
 REFUSED: list[tuple[Any, str]] = [
     (50 * CIRCLE[::3], "has 30 points; at least 36"),
     (50 * CIRCLE + 80, "go 0 times round the axis"),
+    (50 * CIRCLE - 50, "go 0 times round the axis"),  # a point lies on it
     (50 * np.exp(2j * np.angle(CIRCLE)) + 20 * CIRCLE, "go 2 times round the axis"),
     (50 * CIRCLE[:60], "leave 124 deg out after position 59"),
     (50 * np.delete(FINER, range(40, 44)), r"leave 12\.5 deg out after position 39"),

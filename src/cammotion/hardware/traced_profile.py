@@ -178,7 +178,7 @@ class Traced:
         return np.asarray(np.abs(off) * np.sqrt(_EVEN / noise))
 
     def _parabolas(self, window: int) -> Places:
-        """Return value and slope, at each point, of the parabola that fits best about it."""
+        """Return at each point the parabola that fits best about it: where it is, and whither."""
         count, length = len(self.points), self.along[-1]
         near = np.arange(count)[:, None] + np.arange(-window, window + 1)
         turns, near = np.divmod(near, count)
@@ -187,9 +187,7 @@ class Traced:
         powers = (way / size[:, None])[..., None] ** np.arange(3)
         normal = np.einsum("nki,nkj->nij", powers, powers)
         right = np.einsum("nki,nk->ni", powers, self.points[near])
-        fitted = np.linalg.solve(normal.astype(complex), right[..., None])[..., 0]
-        fitted[:, 1] /= size
-        return np.asarray(fitted)
+        return np.asarray(np.linalg.solve(normal.astype(complex), right[..., None])[..., 0])
 
     def _seen(self, window: int) -> tuple[Floats, Floats]:
         """Return the cam angles in rad at which the points count, a turn's last too, and lifts."""
