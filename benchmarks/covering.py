@@ -19,6 +19,7 @@ PASSED = 0
 _LITTLE = 1e-6  # what a test tells that runs no line of the file
 _QUICK = 0.1  # s, of which there may be many
 _SHORT = 0.05  # s that a test takes at least, with what it shares with others
+_TEXTS = sorted((ROOT / "tests" / "data").glob("*.txt"))
 _SETTINGS = "[run]\nrelative_files = true\nsource = src/cammotion\n"
 
 
@@ -113,9 +114,10 @@ class Covered:
 
         First those that run it; then the others of their files, which may look at what was made
         once and kept. What runs when a file is loaded is told by those that run a line with its
-        name, by files of tests that say this name, and by all that have loaded it. Tests of the
-        starter start it as another program, which nobody watches: all of them. Of more than so many
-        seconds in all, `most`, each file of tests gives what tells most a second, in turn.
+        name, by files of tests that say this name, or read a text that does, and by all that have
+        loaded it. Tests of the starter start it as another program, which nobody watches: all of
+        them. Of more than so many seconds in all, `most`, each file of tests gives what tells most
+        a second, in turn.
         """
         chosen: list[str] = []
         left = most
@@ -170,8 +172,10 @@ class Covered:
 
 
 def _says(file: str, names: Iterable[str]) -> bool:
-    text = (ROOT / file).read_text("utf-8")
-    return any(name in text for name in names)
+    """Tell whether a file of tests says one of the names, or a text that it reads does."""
+    said = (ROOT / file).read_text("utf-8")
+    kept = (path.read_text("utf-8") for path in _TEXTS if f'"{path.name}"' in said)
+    return any(name in text for text in (said, *kept) for name in names)
 
 
 def file_of(test: str) -> str:
