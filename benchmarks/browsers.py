@@ -82,9 +82,10 @@ def running_notebook(home: Path, work: str) -> Iterator[str]:
     laid = [sys.executable, str(ROOT / "workbook.py"), "setup", "--work", work]
     subprocess.run(laid, check=True, stdout=sys.stderr)
     installed = home / "notebook"
-    pip = [uv, "pip"] if (uv := shutil.which("uv")) else [sys.executable, "-m", "pip"]
-    wanted = ["install", "--quiet", "--no-deps", NOTEBOOK, "--target", str(installed)]
-    subprocess.run([*pip, *wanted], check=True, stdout=sys.stderr)
+    uv, python = shutil.which("uv"), sys.executable  # uv makes a .venv that has no pip in it
+    install = [uv, "pip", "install", "-p", python] if uv else [python, "-m", "pip", "install"]
+    wanted = ["--quiet", "--no-deps", NOTEBOOK, "--target", str(installed)]
+    subprocess.run([*install, *wanted], check=True, stdout=sys.stderr)
     app = installed / "share/jupyter/lab"  # JupyterLab's schemas beside those of Notebook 7
     for part in ("schemas", "themes"):
         own = Path(sys.prefix) / "share/jupyter/lab" / part
