@@ -31,6 +31,13 @@ def swings(m: MillAndDie) -> float:
     return math.sqrt(together / m.measured.mass_kg) / (2 * math.pi) * 60 / m.measured.per_minute
 
 
+def of_two(m: MillAndDie, left_out: Callable[[tuple[float, ...]], float]) -> float:
+    """Return the swings in a turn, if the softest or the stiffest of the parts did not give way."""
+    gives = [give for give in m.measured.gives_mm if give != left_out(m.measured.gives_mm)]
+    stiffness = m.measured.load_N / (sum(gives) / 1000)
+    return math.sqrt(stiffness / m.measured.mass_kg) / (2 * math.pi) * 60 / m.measured.per_minute
+
+
 def seen(m: MillAndDie) -> float:
     """Return the rank whose cosine has the same values at the points."""
     points, rank = m.measured.folded
@@ -64,6 +71,12 @@ def wave(m: MillAndDie) -> float:
     for low, high, sign in ((0, 0.5, 1), (0.5, 1.5, -1), (1.5, 2, 1)):
         total += sign * quad(lambda at: math.cos(k * at), low * math.pi, high * math.pi)[0]
     return abs(total) / math.pi * push(m)
+
+
+def way_mm(m: MillAndDie) -> float:
+    """Return the amplitude in mm of the harmonic of the displacement."""
+    per_second = m.measured.rank * 2 * math.pi * m.measured.per_minute / 60
+    return 1000 * wave(m) / per_second**2
 
 
 RIGHT: dict[str, Callable[[MillAndDie], float]] = {
@@ -101,6 +114,12 @@ SLIPS = [
     KnownSlip("09.1", "in minutes", lambda m: step(m) / 3600, "minutes"),
     KnownSlip("09.1", "twice the time", lambda m: 4 * step(m), "doubled"),
     KnownSlip("09.1", "half the error", lambda m: step(m) / 4, "not half of it"),
+    KnownSlip(
+        "09.1",
+        "as a fence",
+        lambda m: step(m) * (m.measured.points / (m.measured.points - 1)) ** 2,
+        "as many steps",
+    ),
     # The swings in a turn.
     KnownSlip(
         "09.2",
@@ -123,7 +142,15 @@ SLIPS = [
         "softest",
     ),
     KnownSlip("09.2", "N/mm", lambda m: swings(m) / math.sqrt(1000), "N/m"),
-    KnownSlip("09.2", "rad", lambda m: swings(m) * 2 * math.pi, "rad"),
+    KnownSlip("09.2", "without the softest", lambda m: of_two(m, max), "softest part was left"),
+    KnownSlip("09.2", "without the stiffest", lambda m: of_two(m, min), "stiffest part was left"),
+    KnownSlip("09.2", "rad", lambda m: swings(m) * 2 * math.pi, "rad a turn"),
+    KnownSlip(
+        "09.2",
+        "rad a second",
+        lambda m: swings(m) * 2 * math.pi * m.measured.per_minute / 60,
+        "rad a second",
+    ),
     KnownSlip("09.2", "a second", lambda m: swings(m) * m.measured.per_minute / 60, "a second"),
     KnownSlip(
         "09.2", "times rate", lambda m: swings(m) * (m.measured.per_minute / 60) ** 2, "multiplied"
@@ -176,6 +203,19 @@ SLIPS = [
     ),
     KnownSlip("09.4", "the share scaled", scaled, "share itself"),
     KnownSlip("09.4", "taken away", lambda m: 100 - left(m), "taken away"),
+    KnownSlip(
+        "09.4",
+        "read as taken",
+        lambda m: (
+            100
+            / (
+                1
+                + (1 / (1 - m.measured.left[1] / 100) - 1)
+                * (m.measured.left[2] / m.measured.left[0]) ** 4
+            )
+        ),
+        "read as",
+    ),
     KnownSlip("09.4", "the same", lambda m: m.measured.left[1], "other harmonic"),
     KnownSlip(
         "09.4",
@@ -198,6 +238,8 @@ SLIPS = [
     KnownSlip("09.5", "the whole turn", lambda m: wave(m) / 4, "half of it"),
     KnownSlip("09.5", "2h/t²", lambda m: wave(m) / 2, "not twice: half the stroke"),
     KnownSlip("09.5", "counted twice", lambda m: wave(m) / 2, "four times"),
+    KnownSlip("09.5", "counted once", lambda m: wave(m) / 4, "counted once"),
+    KnownSlip("09.5", "the way in mm", way_mm, "displacement, in mm"),
     KnownSlip("09.5", "the push", push, "itself"),
     KnownSlip("09.5", "no 4/pi", lambda m: push(m) / m.measured.rank, "4/pi"),
     KnownSlip("09.5", "half", lambda m: wave(m) / 2, "half"),
@@ -221,5 +263,5 @@ SLIPS = [
     # The choice, each wrong option.
     KnownSlip("09.6", "a: five stronger", lambda _: "a", "damping"),
     KnownSlip("09.6", "b: the amplitude", lambda _: "b", "points"),
-    KnownSlip("09.6", "d: finer", lambda _: "d", "half the step"),
+    KnownSlip("09.6", "d: finer", lambda _: "d", "half the angle"),
 ]

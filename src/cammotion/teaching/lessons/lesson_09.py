@@ -51,6 +51,11 @@ def _softest(m: MillAndDie) -> float:
     return m.measured.load_N / max(m.measured.gives_mm) * MM_PER_M
 
 
+def _without(m: MillAndDie, give_mm: float) -> float:
+    """Return the stiffness in N/m that two of the parts would have together."""
+    return m.measured.load_N / (sum(m.measured.gives_mm) - give_mm) * MM_PER_M
+
+
 def _side_by_side(m: MillAndDie) -> float:
     return sum(m.measured.load_N / give for give in m.measured.gives_mm) * MM_PER_M
 
@@ -148,6 +153,11 @@ EXERCISES = (
                 "This is in mm. The answer is asked for in µm.",
             ),
             Slip(
+                lambda m: _step(m) * (m.measured.points / (m.measured.points - 1)) ** 2,
+                "The turn was divided by one step less than there are points. After the last point "
+                "comes the first again: there are as many steps.",
+            ),
+            Slip(
                 lambda m: _step(m) / SECONDS_PER_MINUTE**2,
                 "The time is in minutes here. An acceleration in m/s² wants seconds.",
             ),
@@ -192,12 +202,25 @@ EXERCISES = (
                 "This is with the softest part alone. The others give way too.",
             ),
             Slip(
+                lambda m: _swings(m, _without(m, max(m.measured.gives_mm))),
+                "The softest part was left out. It gives way most of all.",
+            ),
+            Slip(
+                lambda m: _swings(m, _without(m, min(m.measured.gives_mm))),
+                "The stiffest part was left out. It gives way too.",
+            ),
+            Slip(
                 lambda m: _swings(m, _stiffness(m) / MM_PER_M),
                 "The stiffness is in N/mm here. With kg and s it has to be in N/m.",
             ),
             Slip(
                 lambda m: _swings(m) * 2 * math.pi,
-                "This is the angular frequency, in rad. A swing is 2 pi of it.",
+                "This is in rad a turn. A swing is 2 pi of it.",
+            ),
+            Slip(
+                lambda m: _swings(m) * 2 * math.pi / _turn(m),
+                "This is the angular frequency, in rad a second. A swing is 2 pi of it; and how "
+                "long is a turn?",
             ),
             Slip(
                 lambda m: _swings(m) / _turn(m),
@@ -334,6 +357,10 @@ EXERCISES = (
                 "This is the share of the other harmonic.",
             ),
             Slip(
+                lambda m: 100 / (1 + (100 / (100 - m.measured.left[1]) - 1) * _ratio(m) ** 4),
+                "The percentage was read as what is taken away. It is what is left.",
+            ),
+            Slip(
                 lambda m: 100 / (1 + 100 / m.measured.left[1] * _ratio(m) ** 4),
                 "The 1 was forgotten: it is λk⁴, and not 1 + λk⁴, that goes with the fourth power.",
             ),
@@ -355,7 +382,7 @@ EXERCISES = (
             ),
         ),
         hints=(
-            "By which number was the first harmonic divided?",
+            "By which number was the harmonic divided of which you know what is left?",
             "Take off 1, and you have λk⁴ for it. Of the other harmonic it is less, by the fourth "
             "power of the ratio of the ranks.",
             "Add 1 again, and divide 100 percent by it.",
@@ -381,11 +408,11 @@ EXERCISES = (
             ),
             Slip(
                 _height,
-                "This is the acceleration itself, up and down. How much of it has that harmonic?",
+                "This is the acceleration itself, up and down. How much of that harmonic is in it?",
             ),
             Slip(
                 lambda m: _height(m) / m.measured.rank,
-                "The integral of a square wave has 4/pi in it.",
+                "The harmonic of a square wave is 4/pi of its height by the rank: 4/pi is lost.",
             ),
             Slip(
                 lambda m: _wave(m) / 2,
@@ -418,6 +445,10 @@ EXERCISES = (
                 "The time of the whole turn was taken. The rise takes half of it.",
             ),
             Slip(
+                lambda m: _wave(m) / 4,
+                "The integral from 0 to 90 degrees was counted once. It comes four times.",
+            ),
+            Slip(
                 lambda m: _wave(m) * SECONDS_PER_MINUTE**2,
                 "Turns a minute were taken for turns a second.",
             ),
@@ -433,6 +464,11 @@ EXERCISES = (
                 lambda m: _wave(m) / (m.measured.rank * _omega(m)) ** 2,
                 "This is the harmonic of the displacement, in m. The acceleration's is (kω)² times "
                 "as large.",
+            ),
+            Slip(
+                lambda m: _wave(m) / (m.measured.rank * _omega(m)) ** 2 * MM_PER_M,
+                "This is the harmonic of the displacement, in mm. The acceleration's is (kω)² "
+                "times as large.",
             ),
         ),
         hints=(
@@ -460,10 +496,11 @@ EXERCISES = (
         reasons={
             "a": "How much does a resonance with little damping need?",
             "b": "How many points has a swing of the twelfth harmonic?",
-            "d": "What does half the step make of a reading error in a second difference?",
+            "d": "With half the angle from point to point, what becomes of an error of one "
+            "reading in a second difference?",
         },
         right="A frequency that fits, and light damping: little is enough. More points would show "
-        "the twelfth, and its Fourier sum would, not the differences.",
+        "the twelfth, by a Fourier sum, in which the errors of many readings even out.",
         hints=(
             "Which harmonics can be seen whole with 24 points?",
             "How much larger does a follower move at its own frequency, if it is hardly damped?",
