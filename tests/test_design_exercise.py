@@ -52,13 +52,31 @@ def test_a_design_may_be_a_machine() -> None:
     assert OPEN.judge(machine, EXAMPLE) == OPEN.judge(design, EXAMPLE)
 
 
+def test_a_design_may_be_what_a_solver_has_found() -> None:
+    work = [(EXAMPLE.down_deg, EXAMPLE.down_deg + EXAMPLE.work_deg)]
+    best = cm.optimise(EXAMPLE.diagram, EXAMPLE.rule, still={"mill": work, "die": work})
+    assert OPEN.judge(best, EXAMPLE).state == "right"
+    wide = cm.widest_move(EXAMPLE.diagram, "die", EXAMPLE.rule)
+    assert OPEN.judge(wide, EXAMPLE) == OPEN.judge(wide.diagram, EXAMPLE)
+
+
+@pytest.mark.parametrize("turns", [-1, 1, 30])
+def test_a_mill_may_begin_with_any_of_its_stops(turns: int) -> None:
+    """Told over the end of the turn, an index stands at the stop before: they are alike."""
+    design = balanced(EXAMPLE)
+    later = design.with_motion(design["mill"].shifted(360 * turns))
+    assert OPEN.judge(later, EXAMPLE) == OPEN.judge(design, EXAMPLE)
+    askew = design.with_motion(design["mill"].shifted(360 * turns + 60))
+    assert "have to stand where they stood. The mill does not." in OPEN.judge(askew, EXAMPLE).text
+
+
 def test_what_is_not_met_is_told_all_at_once_with_what_is_measured() -> None:
     die = cm.with_angle(EXAMPLE.die, 127).shifted(-3)
     design = EXAMPLE.diagram.at_rate(1000).with_motion(die)
     said = OPEN.judge(design, EXAMPLE).text
     assert "The machine rate is not that of the question. It is 1000 pieces per hour." in said
     assert "have to stand where they stood. The die does not." in said
-    assert "The clearance rule is broken. For the die is" in said
+    assert "The clearance rule is broken. The die is" in said
     assert said.endswith("Of the 8 requirements 5 are met.")
 
 

@@ -103,4 +103,6 @@ def test_the_bound_of_eight_is_that_of_one() -> None:
     assert 1000 * way == pytest.approx(90, abs=1e-3)
     assert says("12", "*No motions of these parts are below 4.00 m/s²*")
     assert says("12", "the 60 degrees between the sucker's still arcs")
+    assert pytest.approx(57, abs=0.5) == 100 * (CYCLOID / 4 - 1)
+    assert says("12", "So 6.28 is 57 percent above the least there could be")
     assert pytest.approx(22, abs=0.5) == 100 * (4.8881 / 4 - 1)

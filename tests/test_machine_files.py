@@ -71,11 +71,26 @@ def test_the_heading_says_what_separates_the_cells_and_not_a_title(
 
 @pytest.mark.parametrize(
     ("column", "typed"),
-    [("still", "stil"), ("still", "Still in deg"), ("rule", "rulle"), ("stops", "stop")],
+    [
+        *(("still", "stil"), ("still", "Still in deg"), ("rule", "rulle"), ("stops", "stop")),
+        *(("still", "stands still"), ("still", "Rest"), ("rule", "clearance rule")),
+        ("rule", "Conditions"),
+    ],
 )
 def test_a_misspelt_column_that_may_be_left_out_is_told(column: str, typed: str) -> None:
     with pytest.raises(cm.InputError, match=f"Line 1 .* a column '{typed}' and none '{column}'"):
         cm.machine_from_text(TABLE.replace(f"; {column}", f"; {typed}", 1))
+
+
+@pytest.mark.parametrize("mark", [".", ","])
+def test_an_angle_of_three_decimals_tells_the_mark(mark: str) -> None:
+    """What is printed with three decimals is typed so; nobody writes 353366 deg."""
+    typed = TABLE.replace("150", "150.125").replace("50;", "12.345;").replace(".", mark)
+    machine = cm.machine_from_text(typed)
+    assert machine.diagram["mill"].moves[0].to_deg == 150.125
+    assert machine.diagram["die"].range_mm == (0, 12.345)
+    with pytest.raises(cm.InputError, match=r"2[.]500', which may be 2500 or 2[.]5, and no other"):
+        cm.machine_from_text(TABLE.replace("150", "2.500"))  # seven turns, or a little
 
 
 def test_a_column_of_ones_own_is_left_out() -> None:

@@ -9,6 +9,7 @@ from cammotion.exchange.table_numbers import number_of
 from cammotion.quantities import InputError
 
 _QUOTE = "'"
+_MOST_DEG = 3600  # ten turns; no machine counts more of them in a table
 _ODD = ("=", "+", "-", "@", _QUOTE)  # a spreadsheet reckons with a cell that begins so
 
 
@@ -48,15 +49,19 @@ def rows_as_text(rows: Iterable[Iterable[object]]) -> str:
     return text.getvalue()
 
 
-def decimal_mark(cells: Iterable[str]) -> str:
+def decimal_mark(cells: Iterable[str], angles: Iterable[str] = ()) -> str:
     """Return the decimal mark of numbers, as far as they tell; "" if both are possible.
 
-    A mark tells nothing where three digits follow it, since it may separate the thousands.
+    A mark tells nothing where three digits follow it, since it may separate the thousands; of
+    angles it does where there would be thousands of degrees.
 
     >>> decimal_mark(["2.400", "0,5"]), decimal_mark(["2.400", "55"])
     (',', '')
+    >>> decimal_mark(["2.400"], angles=["353.366"])
+    '.'
     """
-    possible = (_readings(cell) for cell in cells)
+    turns = ({m: n for m, n in _readings(cell).items() if abs(n) <= _MOST_DEG} for cell in angles)
+    possible = (*map(_readings, cells), *turns)
     marks = {mark for found in possible if len(found) == 1 for mark in found}
     return marks.pop() if len(marks) == 1 else ""
 

@@ -34,6 +34,10 @@ from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.distance import DistanceRule
 from cammotion.rules.rule import Rule
 
+_SAID_OTHERWISE = {
+    STILL: {"stand", "stands", "standing", "stay", "stays", "rest", "rests", "dwell", "dwells"},
+    RULE: {"clearance", "clearances", "condition", "conditions", "constraint", "constraints"},
+}
 _LIKE = 0.8  # of 1: so like another name is a misspelt one
 
 
@@ -80,14 +84,16 @@ def _listed(what: str, names: Sequence[str]) -> str:
 
 
 def _misspelt(heading: list[str]) -> Iterator[tuple[str, str]]:
-    """Yield the columns that are nearly one that may be left out and is not there, and that one."""
+    """Yield the columns that are called nearly, or mean, one that is not there, and that one."""
     lacking = [column for column in (STOPS, STILL, RULE) if column not in heading]
     for column in heading:
         if column in HEADING or column == IN_FULL:
             continue
         like = get_close_matches(column.casefold(), lacking, 1, _LIKE)
         begun = [one for one in lacking if column.casefold().startswith(one)]
-        yield from ((column, meant) for meant in (like or begun)[:1])
+        words = {*column.casefold().split()}
+        alike = [one for one in lacking if words & _SAID_OTHERWISE.get(one, set())]
+        yield from ((column, meant) for meant in (like or begun or alike)[:1])
 
 
 def _records(source: Source, faults: Faults) -> list[Record]:
@@ -122,12 +128,18 @@ def _records(source: Source, faults: Faults) -> list[Record]:
     if not any(record.is_segment for record in records):
         faults.add(f"The file {file} has no line with a segment: add some.")
         faults.check()
-    columns = (*NUMBERS.values(), STOPS, RATE)
-    cells = [record.cells[column] for record in records for column in columns]
-    decimal = decimal_mark(cell for cell in cells if not isinstance(cell, Plain))
+    angles = [NUMBERS["from_deg"], NUMBERS["to_deg"]]
+    decimal = decimal_mark(
+        _typed(records, [*NUMBERS.values(), STOPS, RATE]), _typed(records, angles)
+    )
     for record in records:
         record.decimal = decimal
     return records
+
+
+def _typed(records: list[Record], columns: Sequence[str]) -> list[str]:
+    cells = (record.cells[column] for record in records for column in columns)
+    return [cell for cell in cells if not isinstance(cell, Plain)]
 
 
 def _name_motions(records: list[Record], faults: Faults) -> None:

@@ -11,7 +11,9 @@ import numpy as np
 from cammotion.exchange.law_text import is_same_law
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.limits.faults import Asked, find_faults
+from cammotion.limits.widest import WidestMove
 from cammotion.machine.diagram import TimingDiagram
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
 from cammotion.quantities import as_text
 from cammotion.rules.checks import find_violations
@@ -22,7 +24,7 @@ from cammotion.teaching.exercise import Exercise, Verdict
 from cammotion.teaching.reading import OddAnswerError
 from cammotion.teaching.reasons import short_name
 from cammotion.whole.least_peak import least_peak
-from cammotion.whole.optimise import optimise
+from cammotion.whole.optimise import Optimised, optimise
 
 _GAP, _SECONDS = 0.1, 5.0  # of the bound, which need not be close to tell how far a design is
 _SAME = 1e-6  # mm, and a share of a peak
@@ -167,7 +169,10 @@ def _still(machine: MillAndDie) -> dict[str, list[tuple[float, float]]]:
 
 
 def _design(answer: Any) -> TimingDiagram | None:
-    if isinstance(answer, Machine):
+    """Return the design that is given: itself, in a machine, or in what a solver has found."""
+    if isinstance(answer, Optimised):
+        return answer.design
+    if isinstance(answer, Machine | WidestMove):
         return answer.diagram
     return answer if isinstance(answer, TimingDiagram) else None
 
@@ -210,8 +215,14 @@ def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
     moved = []
     for name, arcs in _still(machine).items():
         asked = Asked((), tuple(arcs), (-np.inf, np.inf), np.inf)
-        is_of_another_kind = design[name].is_indexing != before[name].is_indexing
-        if is_of_another_kind or any(find_faults(before, design[name], asked)):
+        old, new = before[name], design[name]
+        if old.is_indexing != new.is_indexing:
+            moved.append(name)
+            continue
+        if new.is_indexing:  # its stops are alike, whichever it begins with
+            off_mm = float(old.position_mm(arcs[0][0]) - new.position_mm(arcs[0][0]))
+            new = new.shifted(-DEG_PER_TURN * round(off_mm / new.pitch_mm))
+        if any(find_faults(before, new, asked)):
             moved.append(name)
     names = " and the ".join(moved)
     return f"The {names} {'do' if len(moved) > 1 else 'does'} not." if moved else ""
@@ -219,7 +230,8 @@ def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
 
 def _rule(design: TimingDiagram, machine: MillAndDie) -> str:
     found = find_violations(design, clearance_rule(machine))
-    return f"For {found[0]}." if found else ""
+    said = str(found[0]) if found else ""
+    return f"{said[:1].upper()}{said[1:]}." if said else ""
 
 
 def _of_law(name: str) -> Requirement:
