@@ -12,7 +12,7 @@ import sympy
 
 from cammotion.quantities import Floats, shorten
 from cammotion.teaching.example import MillAndDie
-from cammotion.teaching.exercise import Exercise, Slip
+from cammotion.teaching.exercise import Exercise, Slip, led_to
 from cammotion.teaching.reading import OddAnswerError, to_number
 from cammotion.teaching.reasons import COMMON_RATIOS, in_one
 
@@ -54,7 +54,8 @@ class ExpressionExercise(Exercise):
 
     def solution(self, machine: MillAndDie) -> sympy.Expr:
         """Return the right expression for a machine."""
-        return self.answer(machine)
+        expression: sympy.Expr = led_to(self.answer, machine)
+        return expression
 
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why a formula is wrong; "" if it is right."""
@@ -142,18 +143,7 @@ class ExpressionExercise(Exercise):
             expression = None
         if not isinstance(expression, sympy.Expr):
             raise OddAnswerError(f"{shorten(answer)} is no formula. Write {self.wanted}.")
-        plain = {name: sympy.Symbol(name) for name in self.variables}
-        symbols = {symbol.name: symbol for symbol in expression.free_symbols}
-        if unknown := sorted(symbols.keys() - plain.keys()):
-            raise OddAnswerError(
-                f"Your expression contains {', '.join(unknown)}. Write {self.wanted}."
-            )
-        renamed = expression.xreplace({symbol: plain[name] for name, symbol in symbols.items()})
-        if expression.has(sympy.zoo):
-            raise OddAnswerError("Something in it is divided by zero.")
-        if expression.has(sympy.Derivative, sympy.Integral):
-            raise OddAnswerError("A part of it is still to be worked out: write .doit() behind it.")
-        function = _lambdify(renamed, self.variables)
+        function = _function_of(expression, self.variables, self.wanted)
         with np.errstate(all="ignore"):
             return np.asarray(function(*places), dtype=np.complex128) + np.zeros(_PLACES)
 
@@ -162,10 +152,21 @@ class ExpressionExercise(Exercise):
         return bool(np.all(np.abs(one - other) <= self.tolerance * scale))
 
 
-@lru_cache(maxsize=100)
-def _lambdify(expression: sympy.Expr, variables: tuple[str, ...]) -> Callable[..., Any]:
+@lru_cache(maxsize=2**10)
+def _function_of(
+    expression: sympy.Expr, variables: tuple[str, ...], wanted: str
+) -> Callable[..., Any]:
     """Return an expression as a function; kept, since this takes longer than all the rest."""
-    function: Callable[..., Any] = sympy.lambdify(sympy.symbols(variables), expression, "numpy")
+    plain = {name: sympy.Symbol(name) for name in variables}
+    symbols = {symbol.name: symbol for symbol in expression.free_symbols}
+    if unknown := sorted(symbols.keys() - plain.keys()):
+        raise OddAnswerError(f"Your expression contains {', '.join(unknown)}. Write {wanted}.")
+    renamed = expression.xreplace({symbol: plain[name] for name, symbol in symbols.items()})
+    if expression.has(sympy.zoo):
+        raise OddAnswerError("Something in it is divided by zero.")
+    if expression.has(sympy.Derivative, sympy.Integral):
+        raise OddAnswerError("A part of it is still to be worked out: write .doit() behind it.")
+    function: Callable[..., Any] = sympy.lambdify([*plain.values()], renamed, "numpy")
     return function
 
 
