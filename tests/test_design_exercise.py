@@ -58,6 +58,7 @@ def test_a_design_may_be_what_a_solver_has_found() -> None:
     assert OPEN.judge(best, EXAMPLE).state == "right"
     wide = cm.widest_move(EXAMPLE.diagram, "die", EXAMPLE.rule)
     assert OPEN.judge(wide, EXAMPLE) == OPEN.judge(wide.diagram, EXAMPLE)
+    assert OPEN.judge(EXAMPLE, EXAMPLE) == OPEN.judge(EXAMPLE.diagram, EXAMPLE)
 
 
 @pytest.mark.parametrize("turns", [-1, 1, 30])

@@ -93,6 +93,11 @@ def test_an_angle_of_three_decimals_tells_the_mark(mark: str) -> None:
         cm.machine_from_text(TABLE.replace("150", "2.500"))  # seven turns, or a little
 
 
+def test_a_table_in_place_of_a_path_is_told_where_to_go() -> None:
+    with pytest.raises(cm.InputError, match="no path: give it to machine_from_text"):
+        cm.read_machine(TABLE)
+
+
 def test_a_column_of_ones_own_is_left_out() -> None:
     heading = TABLE.replace("; rule", "; rule; drawing", 1)
     assert cm.machine_from_text(heading) == cm.machine_from_text(TABLE)

@@ -172,7 +172,7 @@ def _design(answer: Any) -> TimingDiagram | None:
     """Return the design that is given: itself, in a machine, or in what a solver has found."""
     if isinstance(answer, Optimised):
         return answer.design
-    if isinstance(answer, Machine | WidestMove):
+    if isinstance(answer, Machine | MillAndDie | WidestMove):
         return answer.diagram
     return answer if isinstance(answer, TimingDiagram) else None
 
