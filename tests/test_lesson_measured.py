@@ -63,7 +63,7 @@ def test_the_harmonics() -> None:
     assert says("09", "from the displacement it would be 3.20 in/s², and fifth")
     assert pytest.approx(2.47, abs=5e-3) == math.pi**2 / 4
     assert CUT[18] == pytest.approx(0.004, abs=1e-12)
-    assert says("09", "the 0.004 in of the eighteenth is its amplitude only if")
+    assert says("09", "the 0.004 in of the eighteenth is its amplitude if the wave is a cosine")
     assert len({*HALF}) == 19  # no dwell
     assert np.min(np.diff(HALF)) > 0.07
 
