@@ -186,3 +186,18 @@ def test_a_law_turned_round_has_no_even_harmonics() -> None:
 def test_the_softest_part_nearly_decides() -> None:
     assert pytest.approx(422, abs=0.5) == 100 / 0.237
     assert says("09", "alone it would have 422 lb/in")
+
+
+@pytest.mark.parametrize("damping", [0.01, 0.02, 0.05, 0.1, 0.2])
+def test_with_the_harmonics_of_the_table_a_slower_cam_shakes_the_follower_less(
+    damping: float,
+) -> None:
+    """All amplitudes of its acceleration together, from half the speed up to that of the lesson."""
+    swings, ranks = math.sqrt(100 / 0.2547 * 386 / 185) / (2 * math.pi) / 0.25, np.arange(19)
+    shaken = []
+    for speed in np.linspace(0.5, 1, 51):
+        r = ranks * speed / swings
+        gain = np.sqrt((1 + (2 * damping * r) ** 2) / ((1 - r**2) ** 2 + (2 * damping * r) ** 2))
+        shaken.append(float(np.sum(CUT * (ranks * speed * np.pi / 2) ** 2 * gain)))
+    assert np.all(np.diff(shaken) > 0)
+    assert says("09", "a slower cam help too")
