@@ -7,7 +7,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from findings import Finding, say
@@ -16,7 +16,7 @@ from live import ROOT
 sys.path += [str(ROOT / "tests"), str(ROOT)]
 
 from firefox import running_firefox
-from hub import running_hub
+from hub import Account, running_hub
 from hub_environment import installed
 from hub_lesson import make_course
 from lab import (
@@ -27,6 +27,7 @@ from lab import (
     running_lab,
     wait_for_address,
 )
+from playwright.sync_api import Error
 from walking import Walk
 from windows import ChromiumWindow, Window
 
@@ -53,27 +54,46 @@ def measure_browsers_ten() -> list[Finding]:
 
 
 def measure_browsers_hub() -> list[Finding]:
-    """Walk through every notebook in Chromium as a student of a hub, who logs in (needs root)."""
+    """Walk through every notebook as students of a hub who log in, in each browser (needs root)."""
     say(ROW.format(*HEADINGS))
     findings = []
     with (
         tempfile.TemporaryDirectory() as folder,
-        running_hub(installed(), make_course(Path(folder)), 1, more=EXPOSED) as hub,
-        running_browser() as browser,
+        running_hub(installed(), make_course(Path(folder)), len(BROWSERS), more=EXPOSED) as hub,
     ):
-        window, student = ChromiumWindow(browser), hub.accounts[0]
-        window.goto(hub.link)
-        window.page.get_by_label("Username").fill(student.name)
-        window.page.get_by_label("Password").fill(student.password)
-        window.press("Enter")
-        window.page.wait_for_url("**/lab/tree/**", timeout=PATIENCE_SECONDS * 1000)
-        for name in _names():
-            address = f"{hub.address}/user/{student.name}/lab/tree/cam-class/{name}?"
-            found = _walk(window, address, f"cam-class/{name}")
-            findings.append(
-                Finding(f"Chromium, JupyterHub: findings in {name[:2]}", len(found), 0, "")
-            )
+        for browser, student in zip(BROWSERS, hub.accounts, strict=True):
+            profile = Path(folder) / browser
+            profile.mkdir()
+            with BROWSERS[browser](profile) as window:
+                _log_in(window, hub.link, student)
+                for name in _names():
+                    address = f"{hub.address}/user/{student.name}/lab/tree/cam-class/{name}?"
+                    found = _walk(window, address, f"cam-class/{name}")
+                    what = f"{browser}, JupyterHub: findings in {name[:2]}"
+                    findings.append(Finding(what, len(found), 0, ""))
     return findings
+
+
+def _log_in(window: Window, link: str, student: Account) -> None:
+    """Follow the teacher's link, type name and password, and wait for the notebook."""
+    window.goto(link)
+    for field, text in (("username", student.name), ("password", student.password)):
+        window.evaluate("name => document.getElementsByName(name)[0].focus()", field)
+        for key in text:
+            window.press(key)
+    window.press("Enter")
+    end = time.monotonic() + PATIENCE_SECONDS
+    while "/lab/tree/" not in _place(window):
+        if time.monotonic() > end:
+            raise TimeoutError(f"No notebook after {PATIENCE_SECONDS} s: {_place(window)}")
+        time.sleep(0.1)
+
+
+def _place(window: Window) -> str:
+    """Return where a page is; nothing while it goes from one to the next."""
+    with suppress(RuntimeError, Error):  # Firefox's, and Playwright's
+        return str(window.evaluate("() => location.pathname"))
+    return ""
 
 
 @contextmanager
@@ -141,8 +161,6 @@ def _walk_all(browser: str, front_end: str, *, rounds: int) -> list[Finding]:
     for _ in range(rounds):
         with ExitStack() as stack:
             folder = stack.enter_context(tempfile.TemporaryDirectory())
-            if browser == "Firefox":
-                _lay_out_all(Path(folder))
             address = stack.enter_context(_workbook(Path(folder), front_end))
             for name in names:
                 profile = Path(folder) / f"{browser}-{name}"
@@ -156,13 +174,6 @@ def _walk_all(browser: str, front_end: str, *, rounds: int) -> list[Finding]:
 
 def _names() -> list[str]:
     return sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
-
-
-def _lay_out_all(home: Path) -> None:
-    """Let JupyterLab keep every output in the page: of one out of sight Firefox tells nothing."""
-    file = home / "settings" / "@jupyterlab" / "notebook-extension" / "tracker.jupyterlab-settings"
-    file.parent.mkdir(parents=True)
-    file.write_text('{"windowingMode": "none"}')
 
 
 @contextmanager

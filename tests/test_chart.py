@@ -231,13 +231,8 @@ def test_the_page_is_one_of_lines_and_letters(
     ((width, height),) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
     assert (float(width), float(height)) == pytest.approx(points, abs=1)
     assert b"/Subtype /Image" not in content
-    streams = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", content, re.DOTALL)
-    drawn = b""
-    for stream in streams:
-        try:
-            drawn += zlib.decompress(stream)
-        except zlib.error:
-            continue
+    streams = re.findall(rb"stream\n(.*?)\nendstream", content, re.DOTALL)
+    drawn = b"".join(map(zlib.decompress, streams))
     assert re.search(rb"[\d.]+ G\b", drawn)  # a grey
     assert not re.search(rb"[\d.]+ [\d.]+ [\d.]+ (?:rg|RG)\b", drawn)  # and no colour
     again = cm.write_chart(make_diagram(), tmp_path / "same.pdf", rules=RULE, paper=paper)

@@ -95,7 +95,7 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
     ),
     "a turn back": (
         lambda: cm.Segment(from_deg=0, to_deg=-349.5, from_mm=0, to_mm=5, law="cycloidal"),
-        r"ends before it begins: if it goes on over 360 deg, give to_deg=10\.5\.$",
+        r"ends before it begins: if it goes on over 360 deg, let it end at 10\.5 deg\.$",
     ),
     "a limit that is none": (
         lambda: DIE.where_beyond(float("nan")),
@@ -120,7 +120,7 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
     ),
     "a segment over 360 deg": (
         lambda: cm.Segment(from_deg=350, to_deg=10, from_mm=0, to_mm=5, law="cycloidal"),
-        r"ends before it begins: if it goes on over 360 deg, give to_deg=370\.",
+        r"ends before it begins: if it goes on over 360 deg, let it end at 370 deg\.$",
     ),
     "radians": (
         lambda: cm.CamTable(np.radians(TURN), LOBE, is_cycle=True),

@@ -135,8 +135,8 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     ),
     (
         lambda: Segment(from_deg=205, to_deg=150, from_mm=0, to_mm=0),
-        "The segment from 205 to 150 deg ends before it begins: if it goes on over 360 deg, give "
-        "to_deg=510.",
+        "The segment from 205 to 150 deg ends before it begins: if it goes on over 360 deg, let "
+        "it end at 510 deg.",
     ),
     (
         lambda: Segment(from_deg=0, to_deg=55, from_mm=0, to_mm=50, law=HALF),
@@ -163,5 +163,5 @@ def test_the_end_that_is_proposed_for_a_segment_is_one(ends: tuple[float, float]
     start, end = ends
     with pytest.raises(cm.InputError, match=r"ends before it begins") as refusal:
         Segment(from_deg=start, to_deg=end, from_mm=0, to_mm=0)
-    proposed = float(str(refusal.value).partition("to_deg=")[2].removesuffix("."))
+    proposed = float(str(refusal.value).partition("end at ")[2].removesuffix(" deg."))
     assert Segment(from_deg=start, to_deg=proposed, from_mm=0, to_mm=0).to_deg % 360 == end % 360

@@ -24,7 +24,7 @@ const notebook = () =>
     ({ context, isVisible }) => context?.sessionContext && isVisible,
   );
 const all = (selector, within = notebook().node) => [...within.querySelectorAll(selector)];
-const outputs = () => all(".jp-OutputArea-output").filter((each) => each.offsetParent);
+const outputs = () => all(".jp-OutputArea-output").filter((each) => each.checkVisibility());
 const marked = (number) => notebook().node.querySelector(`[data-walk="${number}"]`);
 const clipped = (element) => element.outerHTML.slice(0, 120);
 
@@ -35,6 +35,15 @@ async function until(isSo) {
     await pause(FRAME_MS);
   }
   return true;
+}
+
+/** What a look finds while all is laid out: of what is out of sight Firefox tells old sizes. */
+function laidOut(look) {
+  const lay = (how) => all(".jp-Cell").forEach((cell) => (cell.style.contentVisibility = how));
+  lay("visible");
+  const found = look();
+  lay("");
+  return found;
 }
 
 /** What a screen reader calls an element. */
@@ -92,7 +101,7 @@ const walk = {
     const found = outputs().flatMap((output) =>
       Object.entries(KINDS).flatMap(([kind, selector]) =>
         all(selector, output)
-          .filter((each) => each.offsetParent || each.closest("svg"))
+          .filter((each) => each.checkVisibility())
           .filter((each) => kind !== "clock" || /^(Play|Pause)$/.test(each.textContent))
           // Notebook 7 takes the arrow keys from ipywidgets' slider; docs/browsers.md says so
           .filter((each) => !(isNotebook7() && each.matches(".noUi-handle")))
@@ -176,7 +185,7 @@ const walk = {
     const drawn = "img, svg[role=img], input, select, button, [role=slider], [role=application]";
     return outputs().flatMap((output) =>
       all(drawn, output)
-        .filter((each) => each.offsetParent || each.closest("svg"))
+        .filter((each) => each.checkVisibility())
         .filter((each) => /^(Image)?$/.test(nameOf(each))) // JupyterLab says so of any picture
         .map(clipped),
     );
@@ -190,14 +199,15 @@ const walk = {
         if (scrolls(each)) return !element.closest(OURS);
       return false;
     };
-    return outputs().flatMap((frame) => {
+    const cutFrom = (frame) => {
       const right = Math.min(frame.getBoundingClientRect().right, innerWidth) + 1;
       return all(":not(svg *), svg text", frame)
         .filter((each) => !each.closest("[clip-path], .cm-hidden"))
         .filter((each) => each.getBoundingClientRect().right > right && !isReached(each, frame))
         .slice(0, 3)
         .map(clipped);
-    });
+    };
+    return laidOut(() => outputs().flatMap(cutFrom));
   },
 
   /** Go into the last cell that may be written in, with a cursor. */

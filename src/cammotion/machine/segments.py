@@ -62,8 +62,8 @@ class Segment:
         if self.angle_deg < 0:
             later = self.from_deg + (self.angle_deg % DEG_PER_TURN or DEG_PER_TURN)
             raise InputError(
-                f"The segment {span} ends before it begins: if it goes on over 360 deg, give "
-                f"to_deg={later:.12g}."
+                f"The segment {span} ends before it begins: if it goes on over 360 deg, let it "
+                f"end at {later:.12g} deg."
             )
         part_angle(self.angle_deg)
         if self.law is not None:
