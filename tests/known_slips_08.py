@@ -120,7 +120,7 @@ def bent(m: MillAndDie, alpha: float, order: int = 2) -> float:
 
 
 @cache
-def seen_bent(slots: int, alpha: float, order: int) -> float:
+def seen_bent(slots: float, alpha: float, order: int) -> float:
     ratio = mpmath.sin(mpmath.pi / slots)
 
     def seen(angle: mpmath.mpf) -> mpmath.mpf:
@@ -133,6 +133,13 @@ def seen_bent(slots: int, alpha: float, order: int) -> float:
 def wheel(m: MillAndDie) -> float:
     """Return the acceleration half-way from the entry to the middle, in rad/s²."""
     return bent(m, entry(m) / 2) * omega(m) ** 2
+
+
+def of_half_the_slots(m: MillAndDie) -> float:
+    """Return it with sin(2 pi/n) for sin(pi/n), NaN where that is 1."""
+    if m.table.slots == 4:
+        return math.nan
+    return seen_bent(m.table.slots / 2, entry(m) / 2, 2) * omega(m) ** 2
 
 
 def by_the_wheel(m: MillAndDie) -> float:
@@ -179,6 +186,7 @@ SLIPS = [
     KnownSlip("08.1", "diameters for radii", lambda m: 4 * inertia(m), "diameter"),
     KnownSlip("08.1", "radii halved", lambda m: inertia(m) / 4, "halved"),
     KnownSlip("08.1", "GD² in N m²", lambda m: 4 * 9.81 * inertia(m), "GD²"),
+    KnownSlip("08.1", "the lesson's", lessons(5.380 + 32.400 + 0.720), "machine of the lesson"),
     KnownSlip("08.1", "plate alone", plate, "alone"),
     KnownSlip("08.1", "stations alone", stations, "alone"),
     KnownSlip(
@@ -238,6 +246,9 @@ SLIPS = [
         "a whole turn",
         lambda m: inertia(m) * push(m) * m.table.stops + m.table.friction_N_m,
         "whole turn",
+    ),
+    KnownSlip(
+        "08.2", "the lesson's", lessons(38.5 * math.pi / 4 / 0.75**2 * SINE + 10), "of the lesson"
     ),
     KnownSlip("08.2", "no factor", lambda m: torque(m, 1), "factor Ca"),
     KnownSlip("08.2", "velocity factor", lambda m: torque(m, CV[m.table.law]), "velocity|Cv"),
@@ -318,6 +329,7 @@ SLIPS = [
         lambda m: bent(m, math.pi / 2 / m.table.slots) * omega(m) ** 2,
         r"alpha is pi/\(2n\)",
     ),
+    KnownSlip("08.4", "2 pi/n", of_half_the_slots, "2 pi/n|finite"),
     KnownSlip("08.4", "no arctan", tangent, "arctan is missing"),
     KnownSlip("08.4", "half of the entry", lambda m: bent(m, entry(m)) * omega(m) ** 2 / 2, "line"),
     KnownSlip(

@@ -126,6 +126,20 @@ def in_a_row(m: MillAndDie) -> float:
     return k1 * k2 / (k1 + k2)
 
 
+def two_equal(m: MillAndDie) -> float:
+    """Return the lower frequency of two equal masses and springs, NaN where it is the right one."""
+    f = m.follower
+    if f.m1_kg == f.m2_kg and f.k1_N_per_mm == f.k2_N_per_mm:
+        return math.nan
+    return 0.6180339887498949 * hertz(f.k1_N_per_mm, f.m1_kg)
+
+
+def dunkerley(m: MillAndDie) -> float:
+    """Return one over the root of the sum of m over k, each mass with all that is beneath it."""
+    gives = m.follower.m1_kg / m.follower.k1_N_per_mm + m.follower.m2_kg / in_a_row(m)
+    return hertz(1, gives)
+
+
 POLYNOMIAL = np.polynomial.Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
 
 
@@ -194,6 +208,7 @@ SLIPS = [
     KnownSlip("10.1", "by g", lambda m: rod(m, both(m) / G), r"\bg\b"),
     KnownSlip("10.1", "the weight", lambda m: rod(m, both(m) * G), "weight"),
     KnownSlip("10.1", "per minute", lambda m: rod(m, 3600 * both(m)), "hour"),
+    KnownSlip("10.1", "360", lambda m: rod(m, both(m) * (180 / math.pi) ** 2), "taken for 360"),
     KnownSlip("10.1", "half swings", lambda m: rod(m, both(m) / 4), "half as many"),
     # What the constant acceleration leaves.
     KnownSlip("10.2", "one jump", lambda m: arrows(m, (4,)), "single jump"),
@@ -205,6 +220,20 @@ SLIPS = [
     ),
     KnownSlip("10.2", "middle too low", lambda m: arrows(m, (4, -4, 4)), "middle"),
     KnownSlip("10.2", "no middle", lambda m: arrows(m, (4, 0, 4)), "missing"),
+    KnownSlip("10.2", "no end", lambda m: arrows(m, (4, -8)), "at the end is missing"),
+    KnownSlip(
+        "10.2",
+        "strokes by the square of the time",
+        lambda m: pushed(m) / m.follower.jump_mm * (math.tau * swings(m)) ** 2,
+        "acceleration with which",
+    ),
+    KnownSlip(
+        "10.2",
+        "m/s2",
+        lambda m: pushed(m) / 1000 * (math.tau * m.follower.ringing[1]) ** 2,
+        "acceleration with which",
+    ),
+    KnownSlip("10.2", "half of it", lambda m: pushed(m) / 2, "halved"),
     KnownSlip("10.2", "the middle", lambda m: arrows(m, (0, 8)), "middle alone"),
     KnownSlip(
         "10.2",
@@ -283,6 +312,18 @@ SLIPS = [
         lambda m: turns(m, time_s(m, m.follower.pressed_mm + 0.75 * m.follower.lift_mm)),
         "Three quarters",
     ),
+    KnownSlip(
+        "10.3",
+        "lost sign",
+        lambda m: turns(m, time_s(m, at_the_hardest(m) - m.follower.lift_mm / math.pi)),
+        "sign of the sine",
+    ),
+    KnownSlip(
+        "10.3",
+        "its own swing",
+        lambda m: 60 * hertz(m.follower.spring_N_per_mm, m.follower.lifted_kg),
+        "would swing on its spring",
+    ),
     KnownSlip("10.3", "less weight", lambda m: leaves(m, None, -G * m.follower.lifted_kg), "level"),
     KnownSlip(
         "10.3",
@@ -341,6 +382,11 @@ SLIPS = [
         "head held still",
     ),
     KnownSlip(
+        "10.4", "slide on both", lambda m: hertz(in_a_row(m), m.follower.m1_kg), "the slide alone"
+    ),
+    KnownSlip("10.4", "0.618", two_equal, "0.618|finite"),
+    KnownSlip("10.4", "periods", dunkerley, "periods"),
+    KnownSlip(
         "10.4",
         "masses exchanged",
         lambda m: modes(m, m.follower.m2_kg, m.follower.m1_kg)[0],
@@ -361,7 +407,8 @@ SLIPS = [
     # The cam that is designed backwards.
     KnownSlip("10.5", "the mass", wanted, "how high the mass"),
     KnownSlip("10.5", "sign", lambda m: 2 * wanted(m) - end(m), "sign"),
-    KnownSlip("10.5", "the spring", lambda m: end(m) - wanted(m), "pressed together"),
+    KnownSlip("10.5", "the spring", lambda m: end(m) - wanted(m), "pressed together, below 0"),
+    KnownSlip("10.5", "stretched", lambda m: wanted(m) - end(m), "is stretched, below 0"),
     KnownSlip(
         "10.5",
         "no 2 pi",

@@ -82,6 +82,17 @@ def preload_all_over(m: MillAndDie) -> float:
     return float(np.max(-push(m) * np.sin(2 * np.pi * X) - spring(m) * stroke(m) * RISEN))
 
 
+def steepest_all_over(m: MillAndDie) -> float:
+    """Return the largest pressure angle of many places of the rise."""
+    slope = mean(m) * (1 - np.cos(2 * np.pi * X))
+    return float(np.degrees(np.arctan(np.max(slope / (prime(m) + stroke(m) * RISEN)))))
+
+
+def sharpest_all_over(m: MillAndDie) -> float:
+    """Return the least radius of curvature of many places of the rise."""
+    return float(np.min(base(m) + stroke(m) * RISEN + bend(m) * np.sin(2 * np.pi * X)))
+
+
 def sine_in_degrees(m: MillAndDie) -> float:
     """Return the displacement at x = 3/4 of a calculator that counts in degrees."""
     return stroke(m) * law_in_degrees(0.75)
@@ -125,6 +136,11 @@ SLIPS = [
         "07.1", "stroke alone", lambda m: degrees(2 * mean(m), stroke(m) / 2), "prime circle is"
     ),
     KnownSlip("07.1", "2 pi", lambda m: degrees(2 * math.pi * mean(m), high(m)), "acceleration"),
+    KnownSlip("07.1", "all over", steepest_all_over, "all over"),
+    KnownSlip("07.1", "roller", lambda m: degrees(2 * mean(m), high(m) + 10), "roller's radius"),
+    KnownSlip("07.1", "roller off", lambda m: degrees(2 * mean(m), high(m) - 10), "roller's rad"),
+    KnownSlip("07.2", "roller", lambda m: needed(m) + 10, "roller's radius"),
+    KnownSlip("07.2", "roller off", lambda m: needed(m) - 10, "roller's radius"),
     KnownSlip("07.2", "to the axis", lambda m: 2 * mean(m) / TAN_30, "nearer"),
     KnownSlip("07.2", "whole stroke", lambda m: 2 * mean(m) / TAN_30 - stroke(m), "whole stroke"),
     KnownSlip("07.2", "added", lambda m: 2 * mean(m) / TAN_30 + stroke(m) / 2, "added"),
@@ -160,6 +176,7 @@ SLIPS = [
     KnownSlip(
         "07.4", "in degrees", lambda m: base(m) + sine_in_degrees(m) - bend(m), "sine counts in deg"
     ),
+    KnownSlip("07.4", "all over", sharpest_all_over, "all over"),
     KnownSlip("07.4", "whole", lambda m: base(m) + stroke(m) - bend(m), "whole stroke"),
     KnownSlip(
         "07.4",
@@ -194,6 +211,19 @@ SLIPS = [
         lambda m: push(m) - spring(m) * late(m) + 9.80665 * m.die_mass_kg,
         "weight",
     ),
+    KnownSlip(
+        "07.5",
+        "less weight",
+        lambda m: push(m) - spring(m) * late(m) - 9.80665 * m.die_mass_kg,
+        "weight",
+    ),
+    KnownSlip(
+        "07.5",
+        "a whole turn",
+        lambda m: m.die_mass_kg * peak(m, 360) - spring(m) * late(m),
+        "whole turn",
+    ),
+    KnownSlip("07.5", "per minute", lambda m: 3600 * push(m) - spring(m) * late(m), "an hour has"),
     KnownSlip(
         "07.5",
         "constant acceleration",

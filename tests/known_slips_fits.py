@@ -117,9 +117,18 @@ def with_rounded_unit(m: MillAndDie) -> float:
 
 
 def by_table(m: MillAndDie) -> float:
-    """Return the width of 11.3 in the table, NaN where the formula rounds to that."""
-    um = width(m.fits.turned_mm, m.fits.grade)
-    return um if um != round(grade(m)) else math.nan
+    """Return the width of 11.3 in the table, NaN where nobody can tell."""
+    return unless_alike(width(m.fits.turned_mm, m.fits.grade), grade(m), 0.002)
+
+
+def with_rounded_mean(m: MillAndDie) -> float:
+    """Return the width of 11.3 with D to a mm, NaN where nobody can tell."""
+    return unless_alike(grade(m, round(geometric(m))), grade(m), 0.002)
+
+
+def key_of_row(m: MillAndDie, by: int) -> float:
+    """Return the angle of 11.4 read from a row so many below the right one."""
+    return turned(m, 2 * TABLE["grades"]["9"][bisect_left(STEPS, m.fits.shaft[1]) + by])
 
 
 def turned(m: MillAndDie, um: float) -> float:
@@ -166,6 +175,7 @@ SLIPS = [
     KnownSlip("11.2", "shaft subtracted", lambda m: hole(m) + gap(m) - shaft_width(m), "thinner"),
     KnownSlip("11.2", "by the formulas", most_by_formulas, "formulas|finite"),
     KnownSlip("11.3", "by the table", by_table, "table says|finite"),
+    KnownSlip("11.3", "D to a mm", with_rounded_mean, "D was rounded|finite"),
     KnownSlip("11.3", "i to a tenth", with_rounded_unit, "rounded on the way|finite"),
     KnownSlip("11.3", "D itself", with_diameter, "whole step|finite|Not far"),
     KnownSlip("11.3", "arithmetic", lambda m: grade(m, sum(step(m)) / 2), "arithmetic|Close"),
@@ -194,6 +204,8 @@ SLIPS = [
     KnownSlip("11.4", "to and fro", lambda m: turned(m, 2 * play(m)), "twice"),
     KnownSlip("11.4", "pi r", lambda m: turned(m, 2 * play(m)), "pi times the radius"),
     KnownSlip("11.4", "by the formula", key_by_formula, "formula|finite"),
+    KnownSlip("11.4", "the row before", lambda m: key_of_row(m, -1), "beside the right one"),
+    KnownSlip("11.4", "the row after", lambda m: key_of_row(m, 1), "beside the right one"),
     KnownSlip("11.4", "radians", lambda m: play(m) / 500 / m.fits.shaft[0], "radian"),
     KnownSlip(
         "11.4",

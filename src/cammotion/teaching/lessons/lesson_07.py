@@ -2,8 +2,15 @@
 
 import math
 
+import numpy as np
+
 from cammotion.laws.catalogue import LAWS
-from cammotion.machine.kinematics import peak_acceleration
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    MINUTES_PER_HOUR,
+    STANDARD_GRAVITY,
+    peak_acceleration,
+)
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
@@ -12,6 +19,7 @@ from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.cams import face_under_contact, push_at_mid_stroke
 
 STEEPEST_DEG = 30
+ROLLER_MM = 10  # that of the lesson
 HARDEST = 3 / 4  # x at which the cycloid brakes hardest
 
 PER_DEG = (
@@ -21,10 +29,15 @@ PER_DEG = (
 _THREE_QUARTERS = (
     "Three quarters of the time are more than three quarters of the stroke: put x into the law."
 )
-_SINE = (
+SINE_LOST = (
     "The sign of the sine is lost: at x = 3/4 it is -1, so the displacement is more than three "
     "quarters of the stroke."
 )
+_ROLLER = (
+    "The roller's radius was counted. The prime circle goes through the roller's centre, so that "
+    "the radius is not in it."
+)
+_WEIGHT = "The weight was counted. The die moves level: it neither presses nor pulls."
 _LAW = LAWS["cycloidal"]
 
 
@@ -81,9 +94,16 @@ def _needed_all_over(m: MillAndDie) -> float:
     return m.stroke_mm * (ratio * float(_LAW(x, 1)) - float(_LAW(x)))
 
 
-def _push(m: MillAndDie) -> float:
-    """Return the largest inertia force in N."""
-    peak = peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour)
+def _steepest_all_over(m: MillAndDie) -> float:
+    """Return the largest pressure angle all over the rise in deg, of many places."""
+    x = np.linspace(0, 1, 20_001)
+    slopes, places = m.stroke_mm * _LAW(x, 1) / _angle(m), m.stroke_mm * _LAW(x)
+    return float(np.degrees(np.arctan2(slopes, prime_mm(m) + places)).max())
+
+
+def _push(m: MillAndDie, angle_deg: float | None = None) -> float:
+    """Return the largest inertia force in N, of the die's angle or of another."""
+    peak = peak_acceleration(m.stroke_mm, angle_deg or m.die_angle_deg, m.rate_per_hour)
     return m.die_mass_kg * float(peak)
 
 
@@ -107,9 +127,9 @@ def _preload_all_over(m: MillAndDie) -> float:
     return -_push(m) * math.sin(angle) - gain * float(_LAW(angle / (2 * math.pi)))
 
 
-def _sine_added(m: MillAndDie) -> float:
-    """Return where the die would be at x = 3/4 if the sine had another sign, in mm."""
-    return 2 * HARDEST * m.stroke_mm - _hardest_mm(m)
+def sine_added(stroke_mm: float) -> float:
+    """Return where a cycloid would be at x = 3/4 if its sine had another sign, in mm."""
+    return stroke_mm * (2 * HARDEST - float(_LAW(HARDEST)))
 
 
 def _in_degrees(m: MillAndDie) -> float:
@@ -119,6 +139,15 @@ def _in_degrees(m: MillAndDie) -> float:
 
 def _radius(m: MillAndDie) -> float:
     return base_mm(m) + _hardest_mm(m) - _bend(m)
+
+
+def _sharpest_all_over(m: MillAndDie) -> float:
+    """Return the least radius of curvature all over the rise in mm.
+
+    It is where the derivative of displacement and second derivative is 0.
+    """
+    x = 1 - math.acos(1 / (1 - (2 * math.pi / _angle(m)) ** 2)) / (2 * math.pi)
+    return base_mm(m) + m.stroke_mm * float(_LAW(x) + _LAW(x, 2) / _angle(m) ** 2)
 
 
 EXERCISES = (
@@ -150,6 +179,13 @@ EXERCISES = (
                 "The roller's centre is on the prime circle only before the rise. At mid-stroke "
                 "it is half the stroke further out.",
             ),
+            Slip(
+                _steepest_all_over,
+                "This is the largest angle all over the rise: a little before mid-stroke the "
+                "roller is nearer to the axis. Asked for is mid-stroke.",
+            ),
+            Slip(lambda m: _pressure(_slope(m), _height(m) + ROLLER_MM), _ROLLER),
+            Slip(lambda m: _pressure(_slope(m), _height(m) - ROLLER_MM), _ROLLER),
             Slip(
                 lambda m: _pressure(_slope(m), (prime_mm(m) + m.stroke_mm) / 2),
                 "Half of the prime circle's radius was taken, as if that were its diameter.",
@@ -247,6 +283,8 @@ EXERCISES = (
                 "This keeps the angle all over the rise: the worst place is a little before "
                 "mid-stroke, where the roller is nearer to the axis. Asked for is mid-stroke.",
             ),
+            Slip(lambda m: _needed(m) + ROLLER_MM, _ROLLER),
+            Slip(lambda m: _needed(m) - ROLLER_MM, _ROLLER),
             Slip(
                 lambda m: 2 * _needed(m),
                 "This is the diameter. The radius is asked for.",
@@ -333,10 +371,15 @@ EXERCISES = (
                 "The displacement is missing: the face has gone out already.",
             ),
             Slip(
+                _sharpest_all_over,
+                "This is the least radius all over the rise: a little before x = 3/4 the face is "
+                "nearer to the axis. Asked for is x = 3/4.",
+            ),
+            Slip(
                 lambda m: base_mm(m) + 0.75 * m.stroke_mm - _bend(m),
                 _THREE_QUARTERS,
             ),
-            Slip(lambda m: base_mm(m) + _sine_added(m) - _bend(m), _SINE),
+            Slip(lambda m: base_mm(m) + sine_added(m.stroke_mm) - _bend(m), SINE_LOST),
             Slip(lambda m: base_mm(m) + _in_degrees(m) - _bend(m), IN_DEGREES),
             Slip(
                 lambda m: base_mm(m) + m.stroke_mm - _bend(m),
@@ -391,7 +434,7 @@ EXERCISES = (
                 "law.",
             ),
             Slip(lambda m: _preload(m, 0.75 * m.stroke_mm), _THREE_QUARTERS),
-            Slip(lambda m: _preload(m, _sine_added(m)), _SINE),
+            Slip(lambda m: _preload(m, sine_added(m.stroke_mm)), SINE_LOST),
             Slip(lambda m: _preload(m, _in_degrees(m)), IN_DEGREES),
             Slip(
                 _preload_all_over,
@@ -414,9 +457,16 @@ EXERCISES = (
                 lambda m: stiffness(m) * _hardest_mm(m),
                 "This is what the spring gains by being pressed together. What is still missing?",
             ),
+            Slip(lambda m: _preload(m) + STANDARD_GRAVITY * m.die_mass_kg, _WEIGHT),
+            Slip(lambda m: _preload(m) - STANDARD_GRAVITY * m.die_mass_kg, _WEIGHT),
             Slip(
-                lambda m: _preload(m) + 9.80665 * m.die_mass_kg,
-                "The weight was counted. The die moves level: it neither presses nor pulls.",
+                lambda m: _push(m, DEG_PER_TURN) - stiffness(m) * _hardest_mm(m),
+                "The time of a whole turn was taken for that of the rise.",
+            ),
+            Slip(
+                lambda m: _push(m) * MINUTES_PER_HOUR**2 - stiffness(m) * _hardest_mm(m),
+                "The time of the rise was taken 60 times too short: the pieces are by the hour, "
+                "and an hour has 3600 seconds.",
             ),
             Slip(
                 lambda m: 4 / (2 * math.pi) * _push(m) - stiffness(m) * _hardest_mm(m),

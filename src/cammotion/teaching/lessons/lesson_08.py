@@ -8,11 +8,13 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, SECONDS_PER_MINUTE
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
-from cammotion.teaching.number_exercise import NumberExercise
+from cammotion.teaching.number_exercise import OF_THE_LESSON, NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import step_of_torque
 
+_SQUARE = 4  # slots, at right angles
 _G = 9.81  # as in the source
+_LESSONS = Indexer(38.5, 8, 0.75, law="modified sine", friction_N_m=10)  # with its further parts
 
 
 def _m2(length_mm: float) -> float:
@@ -121,11 +123,22 @@ def _without_arctan(m: MillAndDie) -> float:
     return abs(bent) * _omega(m) ** 2
 
 
+def _by_the_formula(m: MillAndDie, ratio: float, alpha: float) -> float:
+    """Return the acceleration for another lambda, or another alpha in rad."""
+    under = 1 - 2 * ratio * math.cos(alpha) + ratio**2
+    return abs(ratio * (1 - ratio**2) * math.sin(alpha) / under**2) * _omega(m) ** 2
+
+
 def _degrees_for_rad(m: MillAndDie) -> float:
     """Return the acceleration if alpha in deg was put in as if it were in rad."""
-    k, alpha = _wheel(m).ratio, _wheel(m).angle_deg / 4
-    under = 1 - 2 * k * math.cos(alpha) + k**2
-    return abs(k * (1 - k**2) * math.sin(alpha) / under**2) * _omega(m) ** 2
+    return _by_the_formula(m, _wheel(m).ratio, _wheel(m).angle_deg / 4)
+
+
+def _of_two_pi(m: MillAndDie) -> float:
+    """Return the acceleration with lambda = sin(2 pi/n), NaN where that is 1."""
+    ratio = math.sin(2 * math.pi / m.table.slots)
+    alpha = math.radians(_wheel(m).angle_deg / 4)
+    return _by_the_formula(m, ratio, alpha) if m.table.slots != _SQUARE else math.nan
 
 
 def _plate_in_words(m: MillAndDie) -> str:
@@ -220,6 +233,7 @@ EXERCISES = (
                 lambda m: (m.table.plate_kg + _weight(m)) * _m2(m.table.radius_mm),
                 "Here all of the mass is where the stations are. The plate's is not.",
             ),
+            Slip(lambda _: _LESSONS.inertia_kg_m2, OF_THE_LESSON),
             Slip(
                 lambda m: m.table.plate_kg + _weight(m),
                 "This is the mass, in kg. Each part of it counts by the square of its radius.",
@@ -307,6 +321,7 @@ EXERCISES = (
                 lambda m: _inertia(m) * _alpha(m, LAWS[m.table.law].Cq) + m.table.friction_N_m,
                 "This is with Cq, the largest V A, which belongs to the power. The torque has Ca.",
             ),
+            Slip(lambda _: _LESSONS.required_torque_N_m, OF_THE_LESSON),
             Slip(_alpha, "This is the angular acceleration, in rad/s². Which inertia is there?"),
             Slip(
                 lambda m: _inertia_torque(m) / m.table.radius_mm * MM_PER_M,
@@ -478,6 +493,11 @@ EXERCISES = (
                 "middle, is pi/2 - pi/n.",
             ),
             Slip(
+                _of_two_pi,
+                "Here lambda is sin(2 pi/n). From a slot to the middle between it and the next it "
+                "is half as far: sin(pi/n).",
+            ),
+            Slip(
                 _half_of_the_wheels_way,
                 "This is half-way in the angle of the wheel. That of the driver is asked for.",
             ),
@@ -523,7 +543,8 @@ EXERCISES = (
             "torque?",
             "d": "Power is torque times velocity. Does the velocity stay?",
         },
-        right="So a motor that just does it needs eight times the power for twice the pieces.",
+        right="So without a flywheel a motor that just does it needs eight times the power for "
+        "twice the pieces.",
         hints=(
             "How does the time enter into velocity and acceleration?",
             "Power is torque times velocity, on the table and on the shaft alike.",

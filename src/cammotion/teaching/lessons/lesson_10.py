@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from functools import partial
 
 from cammotion.dynamics.chain import two_masses
 from cammotion.dynamics.springs import natural_frequency, springs_in_series
@@ -17,6 +18,7 @@ from cammotion.machine.kinematics import (
 )
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.lessons.lesson_07 import SINE_LOST, sine_added
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import swings_of_rod
@@ -66,6 +68,13 @@ def _ringing(m: MillAndDie, *jumps: float, omega: float = 2 * math.pi) -> float:
     w = omega * _ratio(m)
     total = sum(jump * cmath.exp(-0.5j * w * at) for at, jump in enumerate(jumps or _JUMPS))
     return m.follower.jump_mm * abs(total) / w**2
+
+
+def _shaken(m: MillAndDie, *, in_m_per_s2: bool) -> float:
+    """Return the acceleration of its swing, in m/s² or in strokes by the square of the time."""
+    strokes = _ringing(m) / m.follower.jump_mm * (2 * math.pi * _ratio(m)) ** 2
+    unit = m.follower.jump_mm / MM_PER_M / m.follower.ringing[0] ** 2
+    return strokes * unit if in_m_per_s2 else strokes
 
 
 def _sinc(angle: float) -> float:
@@ -141,6 +150,20 @@ def _row(m: MillAndDie) -> float:
     return springs_in_series([m.follower.k1_N_per_mm, m.follower.k2_N_per_mm])
 
 
+def _as_if_equal(m: MillAndDie) -> float:
+    """Return the lower frequency by the factor of two equal masses, NaN where they are equal."""
+    f = m.follower
+    if (f.m1_kg, f.k1_N_per_mm) == (f.m2_kg, f.k2_N_per_mm):
+        return math.nan
+    return (math.sqrt(5) - 1) / 2 * _hertz(f.k1_N_per_mm, f.m1_kg)
+
+
+def _dunkerley(m: MillAndDie) -> float:
+    """Return the estimate for 10.4 from each mass alone, in Hz."""
+    alone = _hertz(m.follower.k1_N_per_mm, m.follower.m1_kg), _hertz(_row(m), m.follower.m2_kg)
+    return 1 / math.hypot(1 / alone[0], 1 / alone[1])
+
+
 def _law(m: MillAndDie, derivative: int = 0) -> float:
     return m.follower.wanted_mm * float(_SMOOTH(m.follower.wanted_x, derivative))
 
@@ -197,6 +220,11 @@ EXERCISES = (
                 lambda m: _rod(m, _together(m, omega=1)),
                 "The 2 pi is missing: the root of stiffness by mass is an angular frequency, in "
                 "rad a second.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m, omega=DEG_PER_TURN)),
+                "A swing was taken for 360, as in degrees. The root of stiffness by mass is in rad "
+                "a second, and a swing is 2 pi of it.",
             ),
             Slip(
                 lambda m: _rod(m, _together(m, float(cycle_time(m.follower.rod.per_hour)))),
@@ -269,6 +297,10 @@ EXERCISES = (
                 "The jump in the middle is missing, from push to brake.",
             ),
             Slip(
+                lambda m: _ringing(m, 4, -8),
+                "The jump at the end is missing, where the brake is let go.",
+            ),
+            Slip(
                 lambda m: _ringing(m, 0, -8),
                 "This is the jump in the middle alone. The acceleration also jumps where the move "
                 "begins and where it ends.",
@@ -307,8 +339,17 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: _ringing(m, 2, -4, 2),
-                "An acceleration of 2 strokes by the square of the time would push all the way. "
-                "Here half of the stroke is done in half of the time.",
+                "This is half of it. It was halved, though it is to each side already; or 2 "
+                "strokes by the square of the time were taken for the acceleration, as if it "
+                "pushed all the way. Here half of the stroke is done in half of the time.",
+            ),
+            *(
+                Slip(
+                    partial(_shaken, in_m_per_s2=in_m_per_s2),
+                    "This is the acceleration with which it swings. How far it swings is that over "
+                    "the square of the angular frequency.",
+                )
+                for in_m_per_s2 in (True, False)
             ),
             Slip(
                 lambda m: 2 * _ringing(m),
@@ -376,6 +417,17 @@ EXERCISES = (
                 lambda m: _speed(m, m.follower.pressed_mm + 3 / 4 * m.follower.lift_mm),
                 "Three quarters of the time are more than three quarters of the stroke: put x "
                 "into the law. And is x = 3/4 the worst place?",
+            ),
+            Slip(
+                lambda m: _speed(m, m.follower.pressed_mm + sine_added(m.follower.lift_mm)),
+                SINE_LOST,
+            ),
+            Slip(
+                lambda m: (
+                    SECONDS_PER_MINUTE * _hertz(m.follower.spring_N_per_mm, m.follower.lifted_kg)
+                ),
+                "This is how often the follower would swing on its spring in a minute. It leaves "
+                "where the cam brakes more than the spring can.",
             ),
             Slip(lambda m: _leaves(m, 0), _NOT_PRESSED),
             Slip(lambda m: _speed(m, _at(m, 3 / 4) - m.follower.pressed_mm), _NOT_PRESSED),
@@ -454,6 +506,21 @@ EXERCISES = (
             Slip(
                 lambda m: _hertz(_row(m), m.follower.m2_kg),
                 "This is the head on both springs, with a slide that has no mass.",
+            ),
+            Slip(
+                lambda m: _hertz(_row(m), m.follower.m1_kg),
+                "This is the slide alone, on both springs one behind the other. The slide is on "
+                "the push rod, and the spindle comes after it.",
+            ),
+            Slip(
+                _as_if_equal,
+                "The factor 0.618 is that of two equal masses on two equal springs.",
+            ),
+            Slip(
+                _dunkerley,
+                "The squares of two periods were added, each of one mass alone. That is an "
+                "estimate, and below the lower frequency for any two masses. The eigenvalue is "
+                "asked for.",
             ),
             Slip(
                 lambda m: _hertz(_row(m), m.follower.m1_kg + m.follower.m2_kg),
@@ -550,11 +617,18 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: _law(m) - _law(m, 2) / _turns(m) ** 2,
-                "The sign is wrong: to push the mass up, the spring has to be pressed together.",
+                "The sign is wrong: the cam's end is ahead of the mass where it pushes, and behind "
+                "it where it brakes.",
             ),
             Slip(
                 lambda m: _law(m, 2) / _turns(m) ** 2,
-                "This is by how much the spring is pressed together. Where is its end?",
+                "This is by how much the spring is pressed together, below 0 if it is stretched. "
+                "Where is its end?",
+            ),
+            Slip(
+                lambda m: -_law(m, 2) / _turns(m) ** 2,
+                "This is by how much the spring is stretched, below 0 if it is pressed together. "
+                "Where is its end?",
             ),
             Slip(
                 lambda m: _cam(m, omega=m.follower.wanted_swings),
@@ -601,9 +675,9 @@ EXERCISES = (
         hints=(
             "Which acceleration does the mass have there, and which force does that take?",
             "The spring gives it if it is pressed together by the acceleration over the square of "
-            "the angular frequency.",
-            "With x as the time the angular frequency is 2 pi times the swings of the move. The "
-            "end of the spring is so much above the mass.",
+            "the angular frequency. Where that is below 0 it is stretched.",
+            "With x as the time the angular frequency is 2 pi times the swings of the move. Add "
+            "how much the spring is pressed together to the height of the mass, with its sign.",
         ),
     ),
     ChoiceExercise(

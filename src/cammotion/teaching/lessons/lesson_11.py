@@ -71,10 +71,16 @@ def _with_rounded_unit(m: MillAndDie) -> float:
     return _unless_alike(wrong, _formula(m), _A_MICROMETRE_IN_500)
 
 
+def _with_rounded_mean(m: MillAndDie) -> float:
+    """Return it with the mean diameter to a mm, NaN where that is as good."""
+    wrong = _units(m) * _unit_at(round(mean_diameter_mm(m.fits.turned_mm)))
+    return _unless_alike(wrong, _formula(m), _A_MICROMETRE_IN_500)
+
+
 def _by_the_table(m: MillAndDie) -> float:
-    """Return the width in the table, NaN where that is the formula's, rounded to a um."""
+    """Return the width in the table, NaN where that is as good."""
     width = limits_of(f"{m.fits.turned_mm} H{m.fits.grade}").width_um
-    return math.nan if width == round(_formula(m)) else width
+    return _unless_alike(width, _formula(m), _A_MICROMETRE_IN_500)
 
 
 def _most_by_the_formulas(m: MillAndDie) -> float:
@@ -113,10 +119,15 @@ def _finer(m: MillAndDie) -> float:
     return grade_um(m.fits.turned_mm, m.fits.grade - 1)
 
 
-def _key_um(m: MillAndDie) -> float:
-    """Return the largest play of the key in its keyway."""
-    width = m.fits.shaft[1]
-    return Fit(f"{width} H{_KEY_GRADE}/h{_KEY_GRADE}").largest_clearance_um
+def _key_um(m: MillAndDie, width_mm: float | None = None) -> float:
+    """Return the largest play of the key in its keyway, or of one of another width."""
+    width = m.fits.shaft[1] if width_mm is None else width_mm
+    return Fit(f"{width:g} H{_KEY_GRADE}/h{_KEY_GRADE}").largest_clearance_um
+
+
+def _key_step(m: MillAndDie) -> tuple[float, float]:
+    """Return between which widths in mm the key lies; a step has its upper end."""
+    return size_step_mm(m.fits.shaft[1])
 
 
 def _turned(m: MillAndDie, play_um: float) -> float:
@@ -305,9 +316,10 @@ EXERCISES = (
             ),
             Slip(
                 _by_the_table,
-                "This is what the table says, in which the width is rounded by rules of its own. "
-                "The formula is asked for.",
+                "This is what the table says, in which the width is rounded. The formula is asked "
+                "for, and not rounded to whole µm.",
             ),
+            Slip(_with_rounded_mean, "D was rounded on the way: keep all digits until the end."),
             Slip(_coarser, "This is one grade too coarse."),
             Slip(_finer, "This is one grade too fine."),
             Slip(
@@ -374,6 +386,8 @@ EXERCISES = (
                 "This is by the formula. A drawing goes by the table, in which the width is "
                 "rounded.",
             ),
+            Slip(lambda m: _turned(m, _key_um(m, _key_step(m)[0])), _ANOTHER_ROW),
+            Slip(lambda m: _turned(m, _key_um(m, _key_step(m)[1] + 1)), _ANOTHER_ROW),
             Slip(
                 lambda m: math.radians(_turned(m, _key_um(m))),
                 "This is in radians. Degrees are asked for.",
