@@ -197,6 +197,7 @@ SLIPS = [
     KnownSlip(
         "01.1", "no brackets", lambda m: 360 - m.mill_angle_deg - m.work_deg / 2, "bracket|both"
     ),
+    KnownSlip("01.1", "work twice", lambda m: die(m) - m.work_deg / 2, "work was taken away twice"),
     KnownSlip("01.1", "mill and work", lambda m: m.mill_angle_deg + m.work_deg, "mill and work"),
     KnownSlip("01.1", "half of them", lambda m: (m.mill_angle_deg + m.work_deg) / 2, "half of wh"),
     KnownSlip("01.1", "less each other", lambda m: m.mill_angle_deg - m.work_deg, "from the mill"),
@@ -329,6 +330,8 @@ SLIPS = [
     KnownSlip("02.2", "chain rule once", lambda m: h_m / t_m * push(m), "once"),
     KnownSlip("02.2", "velocity", lambda m: h_m / t_m * speed(m), "velocity"),
     KnownSlip("02.2", "displacement", lambda m: h_m * way(m), "displacement"),
+    KnownSlip("02.2", "first", lambda m: h_m / t_m**2 * speed(m), "first derivative"),
+    KnownSlip("02.2", "powers of one", lambda m: h_m * t / t_m**3 * push(m), "powers those of"),
     KnownSlip("02.2", "jerk", lambda m: h_m / t_m**3 * jolt(m), "jerk"),
     KnownSlip("02.2", "sign", lambda m: -h_m / t_m**2 * push(m), "sign"),
     KnownSlip("02.2", "left in x", lambda m: h_m / t_m**2 * push(m, x), "contains x"),
@@ -357,6 +360,8 @@ SLIPS = [
     KnownSlip(
         "02.3", "weight added", lambda m: m.die_mass_kg * (peak(m, die(m)) + G), "weight was added"
     ),
+    KnownSlip("02.3", "less weight", lambda m: m.die_mass_kg * (peak(m, die(m)) - G), "each other"),
+    KnownSlip("02.3", "less force", lambda m: m.die_mass_kg * (10 - peak(m, die(m))), "each other"),
     KnownSlip("02.3", "weight with 10", lambda m: m.die_mass_kg * 10, "weight"),
     KnownSlip("02.3", "times 10", lambda m: m.die_mass_kg * peak(m, die(m)) * 10, r"\bg\b"),
     KnownSlip("02.3", "by 10", lambda m: m.die_mass_kg * peak(m, die(m)) / 10, r"\bg\b"),
@@ -405,6 +410,7 @@ SLIPS = [
     KnownSlip("02.4", "the new peak", lambda m: faster(m) ** 2 * peak(m, die(m)), "peak itself"),
     KnownSlip("03.1", "constant velocity", lambda m: 0.1 * m.pitch_mm, "constant velocity"),
     KnownSlip("03.1", "how far it came", lambda m: m.pitch_mm * law(0.9), "has come"),
+    KnownSlip("03.1", "die's stroke", lambda m: stroke(m) * law(0.1), "stroke of the die"),
     KnownSlip("03.1", "share", lambda _: law(0.1), "share"),
     KnownSlip("03.1", "percent", lambda _: 100 * law(0.1), "percent"),
     KnownSlip("03.1", "degree mode", lambda m: m.pitch_mm * law_in_degrees(0.1), "radian"),

@@ -55,6 +55,12 @@ def jerk_more(m: MillAndDie) -> float:
     return 100 * (one / other - 1)
 
 
+def jerk_less(m: MillAndDie) -> float:
+    """Return by how many percent it would be smaller, which is below 0."""
+    one, other = (FACTORS[name][2] for name in m.laws.compared)
+    return 100 * (1 - one / other)
+
+
 def velocity_less(m: MillAndDie) -> float:
     """Return by how many percent the first law's largest velocity is smaller."""
     one, other = (FACTORS[name][0] for name in m.laws.compared)
@@ -296,6 +302,7 @@ SLIPS = [
     than_another_law("modified sine"),
     than_another_law("cycloidal"),
     KnownSlip("05.2", "the jerk", jerk_more, "jerk"),
+    KnownSlip("05.2", "the jerk, turned round", jerk_less, "jerk"),
     KnownSlip("05.2", "the velocity", velocity_less, "with Cv"),
     # How many degrees the harsher law needs.
     KnownSlip("05.3", "no root", lambda m: die(m) * harsh(m) / gentle(m), "root|square"),

@@ -33,6 +33,46 @@ def test_the_force_that_holds_an_upright_die() -> None:
     assert says("02", "24 percent, not by 80")
 
 
+def test_a_wider_angle_makes_another_cam_under_the_same_roller() -> None:
+    """Where the die is set off the cam of 55 deg is hollow, and that of 124.8 deg is less so."""
+    x, g = 0.25, 9.80665
+
+    def pressure(angle_deg: float, prime_mm: float, roller_mm: float, a: float) -> float:
+        angle = math.radians(angle_deg)
+        r = prime_mm + 50 * (x - 1 / (2 * math.pi))
+        slope, bend = 50 / angle, 50 * 2 * math.pi / angle**2
+        curvature = (r**2 + 2 * slope**2 - r * bend) / (
+            r**2 + slope**2
+        ) ** 1.5  # of the pitch curve
+        force = 12 * (g + a) * math.hypot(slope, r) / r
+        return math.sqrt(force / (roller_mm * (1 - roller_mm * curvature)))
+
+    for prime_mm in (60, 80, 100, 150, 200, 300):
+        for roller_mm in (10, 20):
+            narrow = pressure(55, prime_mm, roller_mm, 4.154)
+            wide = pressure(124.84, prime_mm, roller_mm, 0.806)
+            assert 0.01 < 1 - wide / narrow < 0.125
+    assert says("02", "often less hollow there, and then it falls by less")
+
+
+def test_the_friction_of_the_table_in_its_flywheel() -> None:
+    """The modified sine by its zones, added up over a cycle at the mean power of the friction."""
+    x = np.linspace(0, 1, 200_001)
+    early = np.minimum(x, 1 - x)
+    sine, cosine = np.sin(4 * np.pi * early), np.cos(4 * np.pi / 3 * (early - 1 / 8))
+    law = 4 * np.pi**2 / (4 + np.pi) * np.where(early < 1 / 8, sine, cosine) * np.sign(0.5 - x)
+    velocity = np.concatenate([[0], np.cumsum(law[1:] + law[:-1]) * x[1] / 2])
+    step, time_s = 2 * np.pi / 8, 0.75
+    swings = []
+    for friction in (0, 10):
+        mean = friction * step / (time_s * 360 / 150)
+        power = (38.5 * step / time_s**2 * law + friction) * step / time_s * velocity - mean
+        done = np.concatenate([[0], np.cumsum(power[1:] + power[:-1]) * x[1] / 2 * time_s])
+        swings.append(done.max() - min(done.min(), done[-1] - mean * time_s * 210 / 150))
+    assert swings == pytest.approx([65.4, 67.8], abs=0.05)
+    assert says("08", "which makes it 67.8 J, 4 percent more")
+
+
 def test_the_jerks_at_which_play_is_crossed() -> None:
     """Written out: sine and cosine zones turn with so many waves, the polynomial is 10, -15, 6."""
     sine = 4 * math.pi / (4 + math.pi)  # the modified sine's Ca over pi
@@ -61,7 +101,7 @@ def test_the_collision_of_notebook_04() -> None:
     assert at_rim == pytest.approx(127.9, abs=0.05)
     assert 100 * (1 - covered(at_rim / 150)) == pytest.approx(2.0, abs=0.05)
     assert 50 * covered((ends - 65) / 140) - 19 == pytest.approx(6, abs=0.05)
-    assert says("04", "the die is 6 mm too deep")
+    assert says("04", "the die is 6 mm deeper than the rule allows, and 5 mm below the rim")
     assert says("04", "At 127.9 degrees")
     assert says("04", "2.0 mm to go")
 

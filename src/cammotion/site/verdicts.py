@@ -15,7 +15,7 @@ from itertools import pairwise
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Slip
-from cammotion.teaching.number_exercise import NEAR, NOT_FAR, NumberExercise
+from cammotion.teaching.number_exercise import NEAR, NOT_FAR, ROUND_G, NumberExercise
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, SAME, TYPED, WHOLE, last_place
 
 _MEASURED = re.compile(r"(?<=off by )\S+(?= %)")
@@ -62,7 +62,9 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     ratios = [ratio * right for ratio in exercise.ratios]
     yield from (0.0, right, -right)
     yield from ((one + other) / 2 for one, other in pairwise(slips))
-    lessons = filter(math.isfinite, exercise.of_the_lesson(machine))
+    lessons = [*filter(math.isfinite, exercise.of_the_lesson(machine))]
+    for value in lessons[:1]:
+        yield from _rounded(value, FEWEST + 1)
     for value in (*lessons, *slips, *carried, *ratios):
         yield from (*_beside(value, TYPED), *_rounded(value, MOST))
     for share in (NEAR, NOT_FAR):
@@ -70,7 +72,8 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     for value in slips:
         yield (value + right) / 2
         yield from (*_beside(value, SAME), value * (1 - MOST_OFF), value * (1 + MOST_OFF))
-    for value in (right, *slips, *carried, *ratios, right / STANDARD_GRAVITY):
+    in_g = (right / STANDARD_GRAVITY, right / ROUND_G)
+    for value in (right, *slips, *carried, *ratios, *in_g):
         yield from _beside(value, exercise.tolerance)
         most = MOST if value == right or value in slips else FEWEST + 1
         for digits in range(FEWEST, most + 1):

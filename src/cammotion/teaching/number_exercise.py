@@ -26,6 +26,7 @@ from cammotion.teaching.shown.frame import Shows
 
 GoingOn = Callable[[MillAndDie, float], float]
 """How an answer comes out of the answer to an earlier exercise."""
+ROUND_G = 10  # m/s2, as one reckons in the head
 NEAR, NOT_FAR = 0.02, 0.08  # so near it is the rounding, or most likely is
 _CLOSE = (
     "Close, but off by {} %. That is often a number that was rounded on the way: keep all digits "
@@ -138,8 +139,9 @@ class NumberExercise(Exercise):
     def _explain(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
-        ratios = [said for r, said in self.ratios.items() if self._is_about(given, r * right)]
-        mixed_up = self._mixed_up(given, machine)
+        mixed_up = self._mixed_up(given, machine, FEWEST + 1)
+        is_ratio = is_as_typed if mixed_up else self._is_about
+        ratios = [said for r, said in self.ratios.items() if is_ratio(given, r * right)]
         carried = self._carried_to(given, machine)
         rounded = in_one(
             reason
@@ -179,10 +181,13 @@ class NumberExercise(Exercise):
         carried = (slip.reason for slip in brought)
         return [*carried, *reasons, *self._mixed_up(given, machine), *ratios]
 
-    def _mixed_up(self, given: float, machine: MillAndDie) -> list[str]:
-        """Return what is said if numbers of the lesson's machine lead to a number, at most one."""
+    def _mixed_up(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[str]:
+        """Return what is said if numbers of the lesson's machine lead to a number, at most one.
+
+        The lesson's own answer is one that is typed with so many digits.
+        """
         lessons, *others = self.of_the_lesson(machine)
-        if is_as_typed(given, lessons):
+        if is_as_typed(given, lessons, digits):
             return [OF_THE_LESSON]
         return [MIXED] if any(is_as_typed(given, other) for other in others) else []
 
@@ -216,9 +221,8 @@ class NumberExercise(Exercise):
         return self._is(given, value) or is_rounded(given, value, FEWEST + 1)
 
     def _in_g(self, given: float, right: float) -> str:
-        if self.unit == "m/s²" and self._is(given * STANDARD_GRAVITY, right):
-            return _IN_G
-        return ""
+        is_in_g = any(self._is(given * g, right) for g in (STANDARD_GRAVITY, ROUND_G))
+        return _IN_G if self.unit == "m/s²" and is_in_g else ""
 
     def _far(self, given: float, right: float) -> str:
         """Say what there is to say of a number with no known history."""

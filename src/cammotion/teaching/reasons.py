@@ -36,10 +36,11 @@ RATIOS_OF_SUMS = {ratio: COMMON_RATIOS[ratio] for ratio in (-1.0, 2.0, 1 / 2, ma
 _TOO_FAST: Mapping[float, str] = {
     3600.0: (
         "This is 3600 times too large, 60 squared. Were pieces per hour taken for pieces per "
-        "minute?"
+        "minute, or is the time in minutes?"
     ),
     3600.0**2: (
-        "This is 3600 squared times too large. Were pieces per hour taken for pieces per second?"
+        "This is 3600 squared times too large. Were pieces per hour taken for pieces per second, "
+        "or is the time in hours?"
     ),
 }
 _TIMES: Mapping[float, str] = {
@@ -86,7 +87,8 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
     },
     "ms": {**_TIMES, 1 / 1000: "This is in seconds. Milliseconds are asked for."},
     "N": {
-        1000.0: "This is a thousand times too large. Is a length in mm where metres belong?",
+        1000.0: "This is a thousand times too large. Is a length in mm where metres belong, or a "
+        "mass in grams?",
         1 / 1000: "This is a thousand times too small: it is in kN. Newtons are asked for.",
         100.0: "This is a hundred times too large. Is a length in cm where metres belong?",
         **_TOO_FAST,

@@ -87,6 +87,10 @@ EXERCISES = (
                 lambda m: m.mill_angle_deg - m.work_deg,
                 "The work was taken from the mill's degrees. Both are taken from those of a turn.",
             ),
+            Slip(
+                lambda m: m.die_angle_deg - m.work_deg / 2,
+                "The work was taken away twice. The die works once a turn, between its two ways.",
+            ),
             *_ADDED_UP,
         ),
         hints=(

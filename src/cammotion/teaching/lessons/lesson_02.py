@@ -180,6 +180,14 @@ def _with_g(g: float) -> tuple[Slip, ...]:
             lambda m: m.die_mass_kg * (_peak(m) + g),
             "Here the weight was added. The force of the inertia alone is asked for.",
         ),
+        *(
+            Slip(
+                lambda m, sign=sign: sign * m.die_mass_kg * (_peak(m) - g),  # type: ignore[misc]
+                "Weight and force were taken from each other. The force of the inertia alone is "
+                "asked for.",
+            )
+            for sign in (1, -1)
+        ),
         Slip(
             lambda m: m.die_mass_kg * _peak(m) / g,
             "This is in kilograms of weight, divided by g. Newtons are asked for.",
@@ -260,6 +268,16 @@ EXERCISES = (
                 "What stands below the bracket divides both of its terms, not the first alone.",
             ),
             *(Slip(partial(_one_term, which=which), said) for which, said in enumerate(_TERMS)),
+            Slip(
+                lambda m: _h_m / _t_m**2 * _law(m, 1),
+                "This is the first derivative of the law, with the square of the time below it. "
+                "Differentiate once more.",
+            ),
+            Slip(
+                lambda m: _h_m / _t_m**2 * _t / _t_m * _law(m, 2),
+                "The numbers are those of two derivatives, the powers those of one. Each of the "
+                "two takes one from the power.",
+            ),
             Slip(
                 lambda m: _law(m, 2) / _t_m**2,
                 "The stroke is missing: h_m is a constant factor, and stays one when you "

@@ -82,6 +82,10 @@ EXERCISES = (
                 "This is S, the share of the stroke. Multiply it by the stroke.",
             ),
             Slip(
+                lambda m: m.stroke_mm * float(_LAW(QUIET_SHARE)),
+                "This is with the stroke of the die. How far does the mill move?",
+            ),
+            Slip(
                 lambda m: m.pitch_mm * 2 * math.pi**2 / 3 * QUIET_SHARE**3,
                 "This is the first term of the series, which is good for small x only. Put x into "
                 "the whole law.",
@@ -102,7 +106,7 @@ EXERCISES = (
         hints=(
             "How large a part of its move is still to come, in x?",
             "By symmetry as much is left in the last part as was covered in the first.",
-            "Put x = 0.1 into S(x) = x - sin(2 pi x)/(2 pi), and multiply by the stroke.",
+            "Put x = 0.1 into S(x) = x - sin(2 pi x)/(2 pi), and multiply by the way of the mill.",
         ),
     ),
     NumberExercise(
@@ -110,7 +114,8 @@ EXERCISES = (
         question=lambda m: (
             f"For the die the mill counts as standing during the first and last {m.quiet_deg:g} "
             f"of its {m.mill_angle_deg:g} degrees. The die works for {m.work_deg:g} degrees, and "
-            "moves only while it does. How many degrees does the die get for each way?"
+            "its ways lie where the mill counts as standing. How many degrees does the die get for "
+            "each way?"
         ),
         unit="deg",
         is_sum=True,
@@ -175,7 +180,7 @@ EXERCISES = (
         unit="",
         answer=_place,
         shows=place_of_die,
-        right="The unknown stands inside a sine: there is an answer, but no formula for it.",
+        right="The unknown stands inside a sine: there is an answer, but no closed formula for it.",
         slips=(
             Slip(
                 lambda m: m.limit_mm / m.stroke_mm,

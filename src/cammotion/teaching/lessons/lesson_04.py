@@ -103,7 +103,8 @@ EXERCISES = (
         number="04.2",
         question=lambda m: (
             f"At {m.rate_per_hour:g} pieces per hour, the animation shows a turn in {TURN_S} "
-            "seconds. By which factor is an acceleration on the screen smaller than in the machine?"
+            "seconds. By which factor is an acceleration smaller in this film than in the machine, "
+            "with lengths as in the machine?"
         ),
         unit="",
         answer=lambda m: (TURN_S / cycle_time(m.rate_per_hour)) ** 2,

@@ -22,6 +22,10 @@ from cammotion.teaching.shown.bars import angle_with_the_same_peak
 from cammotion.teaching.shown.ways import peak_of_die
 
 _p = sympy.Symbol("p")
+_WITH_CJ = (
+    "This compares the jerks. What is saved in acceleration is paid for in jerk; the acceleration "
+    "is asked for."
+)
 _WITH_CV = "This is with Cv, the factor of the velocity. The acceleration has Ca."
 
 
@@ -277,10 +281,8 @@ EXERCISES = (
                 "smaller?",
             ),
             Slip(lambda m: 100 * (1 - _gentle(m).Cv / _harsh(m).Cv), _WITH_CV),
-            Slip(
-                lambda m: 100 * (_gentle(m).Cj / _harsh(m).Cj - 1),
-                "By so much the jerk is larger, which is the price. The acceleration is asked for.",
-            ),
+            Slip(lambda m: 100 * (_gentle(m).Cj / _harsh(m).Cj - 1), _WITH_CJ),
+            Slip(lambda m: 100 * (1 - _gentle(m).Cj / _harsh(m).Cj), _WITH_CJ),
         ),
         hints=(
             "Stroke and time are the same for both. Which factor differs?",
@@ -353,6 +355,10 @@ EXERCISES = (
                 lambda m: _as_wide(m, "modified sine"),
                 "So it would be no worse than the modified sine. Take Ca of the law in the "
                 "question.",
+            ),
+            Slip(
+                lambda m: _as_wide(m, "cycloidal"),
+                "So it would be no worse than the cycloid. Take Ca of the law in the question.",
             ),
             Slip(
                 lambda m: _as_wide(m, "modified trapezoid"),
@@ -616,7 +622,7 @@ PREDICTIONS = (
         "05.widest",
         "large or small Cv",
         "large",
-        "The larger Cv, the wider the angle. Less velocity sounds gentler. But who is slow in the "
-        "middle has gone further before it, and is 19 mm deep too soon.",
+        "Of these laws, the larger Cv, the wider the angle. Less velocity sounds gentler. But who "
+        "is slow in the middle has gone further before it, and is 19 mm deep too soon.",
     ),
 )

@@ -25,6 +25,7 @@ from cammotion.teaching.shown.frame import (
 from cammotion.teaching.shown.strikes import ROUNDING, find_strike, fits_turn
 
 _TOP, _BOTTOM = 14, HEIGHT - 8
+_TOUCHES_MM = 0.01  # an x of four digits is as exact
 _DIE_MM, _FLOOR_MM = 30, 9  # how wide the die is drawn, and how thick the floor of the pocket
 _HALF, _MARGIN, _BESIDE = WIDTH / 2, 12, 120
 
@@ -35,8 +36,11 @@ def place_of_die(machine: MillAndDie, x: float) -> Shown | None:
         return None
     depth = machine.stroke_mm * float(LAWS["cycloidal"](x))
     room = machine.limit_mm - depth
-    if depth > machine.wait_mm + ROUNDING:
-        said = f"the die is {depth - machine.wait_mm:.2g} mm in the mill, which moves: it strikes."
+    if abs(depth - machine.wait_mm) < _TOUCHES_MM:
+        said = "the die is at the rim, and nothing is left of the margin."
+    elif depth > machine.wait_mm:
+        deep = f"{depth - machine.wait_mm:.2g} mm"
+        said = f"the die is {deep} in the mill, which moves: it strikes."
     elif room < -ROUNDING:
         said = "the die is above the rim, but by less than the margin."
     elif room < ROUNDING:
