@@ -165,6 +165,25 @@ def test_a_step_of_the_process_counts_from_both_sides() -> None:
     assert peak.at_deg == pytest.approx(195)
 
 
+def test_what_ends_is_not_added_to_what_begins() -> None:
+    """Friction ends at 205 deg, where the die stands, and there the process begins to press."""
+    pressing = cm.ProcessForce(motion="die", from_deg=205, to_deg=305, force_N=600)
+    load = {"die": cm.FollowerLoad(mass_kg=12)}
+    shaft = cm.Camshaft(make_diagram(), load, [pressing], friction_N={"die": 100})
+    assert shaft.peak_force("die").value == 600
+    (limit,) = cm.rate_limits(shaft, force_N=650)
+    moving = shaft.at_rate(limit.rate_per_hour)
+    assert abs(moving.peak_force("die").value) == pytest.approx(650)
+
+
+def test_a_force_that_is_about_to_end_counts_in_the_torque() -> None:
+    """By hand, just before 175 deg: 150 N times the slope, the masses next to nothing."""
+    pulled = cm.ProcessForce(motion="die", from_deg=172, to_deg=175, force_N=-160, last_N=150)
+    shaft = cm.Camshaft(make_diagram(), {"die": cm.FollowerLoad(mass_kg=1)}, [pulled])
+    slope = 0.050 / math.radians(55) * (1 - math.cos(2 * math.pi * 25 / 55))
+    assert shaft.at_rate(1e-3).peak_torque().value == pytest.approx(150 * slope, rel=1e-6)
+
+
 def test_a_force_over_the_end_of_the_turn() -> None:
     force = cm.ProcessForce(motion="die", from_deg=350, to_deg=370, force_N=10, last_N=30)
     assert force.at([345, 350, 0, 365, 10]).tolist() == [0, 10, 20, 25, 0]

@@ -139,6 +139,21 @@ def test_shapes_and_alone_as_among_many() -> None:
     assert np.shape(cm.running_factor(cm.EXAMPLE.die, [[1, 2], [3, 4]])) == (2, 2)
 
 
+@pytest.mark.parametrize("waves", [2, 20, 32, 100])
+def test_a_law_of_many_waves_by_its_closed_form(waves: int) -> None:
+    """Its own waves were passed over where they are much shorter than a swing of the mass."""
+    turns = 2 * sp.pi * waves
+    law = cm.MotionLaw("waves", cm.x - sp.sin(turns * cm.x) / turns)
+    places = np.linspace(0, 1, 400_001)
+    for ratio in (0.4, 2.3):
+        times = waves / ratio
+        left = abs(math.sin(math.pi * ratio) / (math.pi * ratio) * times**2 / (times**2 - 1))
+        assert cm.residual_vibration(law, ratio) == pytest.approx(left, abs=1e-12)
+        own, free = np.sin(2 * np.pi * waves * places), np.sin(2 * np.pi * ratio * places)
+        largest = np.abs(own - times * free).max() / abs(times**2 - 1)
+        assert cm.dynamic_factor(law, ratio) == pytest.approx(largest, rel=1e-6)
+
+
 def test_a_mass_that_hardly_swings_is_left_behind_by_the_whole_stroke() -> None:
     assert cm.residual_vibration("cycloidal", [1e-6, 1e-5, 1e-4]) == pytest.approx(1, abs=1e-6)
     assert cm.residual_vibration("cycloidal", 1e-6) == pytest.approx(1, abs=1e-9)

@@ -213,7 +213,7 @@ class Camshaft(Alike):
         """
         name = self._loaded(motion)
         moved = span.moved(name, angle_deg, self._cycle_s)
-        return self._parts(name, moved, span.way(name), angle_deg)
+        return self._parts(name, moved, span.way(name), angle_deg, span.middle)
 
     def torque_parts(self, span: Span, angle_deg: Floats) -> tuple[Floats, Floats]:
         """Return the torque in N m at angles in a span: of the masses, and the rest."""
@@ -260,12 +260,20 @@ class Camshaft(Alike):
         moved = Moved(*map(np.asarray, (motion.position_mm(angle), *derivatives)))
         return np.add(*self._parts(name, moved, np.sign(moved.velocity), angle)), moved.velocity
 
-    def _parts(self, name: str, moved: Moved, way: Numbers, angle: Floats) -> tuple[Floats, Floats]:
+    def _parts(
+        self,
+        name: str,
+        moved: Moved,
+        way: Numbers,
+        angle: Floats,
+        beside: float | None = None,
+    ) -> tuple[Floats, Floats]:
         """Return the force of the mass, and that of all else; `way` is where it moves, 1 for up."""
         load, friction = self.loads[name], self.friction_N.get(name, 0.0)
         standing = load.standing_N(moved.position_mm - self._lowest_mm[name]) + friction * way
         for force in self.process:
-            standing = standing + force.at(angle) if force.motion == name else standing
+            if force.motion == name:
+                standing = standing + force.at(angle, beside=beside)
         return load.mass_kg * moved.acceleration, np.asarray(standing)
 
     @cached_property

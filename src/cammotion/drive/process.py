@@ -1,7 +1,7 @@
 """Forces that the process has on a mechanism."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +12,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE
 from cammotion.quantities import InputError, Numbers, Quantity, keep_numbers, plain
 
+_ARC = replace(PART_ANGLE, name="arc of the force")
 _FORCE = Quantity("force of the process", "N", example=400, low=-math.inf)
 
 
@@ -47,11 +48,16 @@ class ProcessForce:
                 "goes on over the end of the turn, give "
                 f"to_deg={self.to_deg + turns * DEG_PER_TURN:g}."
             )
-        PART_ANGLE.number(self.to_deg - self.from_deg)
+        _ARC.number(self.to_deg - self.from_deg)
 
-    def at(self, angle_deg: ArrayLike) -> Numbers:
-        """Return the force in N at a cam angle in deg, 0 outside of the arc."""
-        width = self.to_deg - self.from_deg
-        share = (CAM_ANGLE.array(angle_deg) - self.from_deg) % DEG_PER_TURN / width
+    def at(self, angle_deg: ArrayLike, *, beside: float | None = None) -> Numbers:
+        """Return the force in N at a cam angle in deg, 0 outside of the arc.
+
+        At an end of the arc it is what begins there, or what acts at the angle `beside` it.
+        """
+        angle, width = CAM_ANGLE.array(angle_deg), self.to_deg - self.from_deg
+        inside = angle if beside is None else beside
+        since = (inside - self.from_deg) % DEG_PER_TURN
         last = self.force_N if self.last_N is None else self.last_N
-        return plain(np.where(share < 1, self.force_N + (last - self.force_N) * share, 0.0))
+        force = self.force_N + (last - self.force_N) * (since + angle - inside) / width
+        return plain(np.where(since < width, force, 0.0))

@@ -51,8 +51,10 @@ class Swing:
         self._pieces: list[tuple[int, int, float]] = []
         joints: list[float] = []
         for each in accelerations(curve):
-            count = int(np.ceil((each.high - each.low) / longest))
-            self._pieces.append((len(joints), count, (each.high - each.low) / count))
+            length = each.high - each.low
+            swings = max((abs(rate) * length / (2 * np.pi) for _, rate, _ in each.waves), default=0)
+            count = int(np.ceil(max(length / longest, _PER_SWING * swings)))
+            self._pieces.append((len(joints), count, length / count))
             joints += np.linspace(each.low, each.high, count, endpoint=False).tolist()
         self.joints = np.array([*joints, curve.high])
 
