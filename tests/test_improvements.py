@@ -1,5 +1,6 @@
 """What to change first: each gain is what the changed machine has, and no rule is broken anew."""
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -229,6 +230,42 @@ def test_a_move_that_hands_on_its_velocity_keeps_its_law() -> None:
     found = cm.improvements(cm.Machine("v", cm.TimingDiagram([valve], 90_000)))
     assert not len(found)
     assert "Not asked to be wider, for want of still arcs: the valve." in repr(found)
+
+
+def test_moves_that_hand_over_a_velocity_are_not_torn_apart() -> None:
+    """The first advice was an infinite peak; rounding puts the joint of the turn just below 360."""
+    slide = cm.motion(
+        "slide",
+        cm.rise(130, over_deg=200, law=cm.MATCHED),
+        cm.return_(130, over_deg=160, law=cm.CONSTANT_VELOCITY),
+    )
+    gate = cm.motion(
+        "gate",
+        *(cm.rise(20, over_deg=60), cm.dwell(60), cm.return_(20, over_deg=60), cm.dwell(180)),
+        start_deg=180,
+    )
+    rule = cm.ClearanceRule(cm.beyond("slide", 60), only_while=cm.within("gate", 15))
+    for start_deg in (0, 0.1, 33.3, 359.7):
+        diagram = cm.TimingDiagram([slide.shifted(start_deg), gate], 3000)
+        for one in cm.improvements(cm.Machine("m", diagram, [rule])):
+            assert one.mechanism == "gate"
+            assert math.isfinite(one.after)
+        for asked in (
+            lambda: cm.widest_move(diagram, "slide", rule),  # noqa: B023
+            lambda: cm.with_angle(diagram["slide"], 100),  # noqa: B023
+        ):
+            with pytest.raises(cm.InputError, match=r"'slide' go on with a velocity .* would jump"):
+                asked()
+
+
+def test_a_velocity_that_jumps_is_mended_by_a_law() -> None:
+    line = cm.MotionLaw("line", cm.x)
+    slide = cm.motion(
+        "slide", cm.rise(5, over_deg=180, law=line), cm.return_(5, over_deg=180, law=line)
+    )
+    first = cm.improvements(cm.Machine("m", cm.TimingDiagram([slide], 2000)))[0]
+    assert (first.kind, first.before) == ("law", math.inf)
+    assert first.after < 0.04
 
 
 def test_a_still_arc_that_stops_one_move_and_a_rule_that_stops_the_other() -> None:

@@ -4,13 +4,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy
 from crowds import LAWS, designs, draw, keeps
 from machines import DOWN_DEG, RULE, make_diagram, make_die, make_mill
 from scipy.optimize import differential_evolution
 
 import cammotion as cm
+from cammotion.limits.frame import rests_at
 from cammotion.quantities import InputError, WrongAnswerError
-from cammotion.whole.asked_of_moves import rests_at
+from cammotion.whole.mixed import Mixed, Rows
 from cammotion.whole.optimise import Optimised, optimise
 
 STILL = {"mill": [DOWN_DEG], "die": [DOWN_DEG]}
@@ -309,3 +311,22 @@ def test_the_answer_is_what_it_is_called() -> None:
     found = optimise(make_diagram(), [RULE], still=STILL)
     assert isinstance(found, Optimised)
     assert found.diagram == make_diagram()
+
+
+def test_a_law_whose_velocity_jumps_is_refused() -> None:
+    """It rests at its ends, and jumps within: no angle makes its peak finite."""
+    x, quarter = cm.x, sympy.Rational(1, 4)
+    part = sympy.Piecewise((0 * x, x <= quarter), (2 * (x - quarter), x <= 3 * quarter), (1, True))
+    law = cm.MotionLaw("stop and go", part)
+    for laws in ([law], ["cycloidal", law]):
+        with pytest.raises(cm.InputError, match="velocity of the law 'stop and go' jumps"):
+            cm.optimise(make_diagram(), RULE, still=STILL, laws=laws)
+
+
+@pytest.mark.parametrize("minimise", ["peak", "torque"])
+def test_too_short_a_time_is_no_proof(minimise: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It was told that no starts and angles keep the rules, which today's do."""
+    monkeypatch.setattr(Rows, "solve", lambda *_: Mixed(None, None))
+    shaft = cm.Camshaft(make_diagram(), {"die": cm.FollowerLoad(mass_kg=12)})
+    with pytest.raises(cm.InputError, match=r"In .* s no starts .* nor that there are none: give"):
+        cm.optimise(shaft, RULE, still=STILL, minimise=minimise, seconds=0.2)

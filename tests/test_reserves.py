@@ -192,3 +192,14 @@ def test_a_reserve_that_there_is_not() -> None:
         cm.widest_move(make_diagram(), "die", RULE, reserve_deg=-1)
     with pytest.raises(cm.InputError, match="reserve is -1 mm"):
         cm.widest_move(make_diagram(), "die", RULE, reserve_mm=-1)
+
+
+def test_a_distance_bears_few_errors_often() -> None:
+    """Of ten thousandths of a mm it was told to be without errors."""
+    low = cm.motion("low", cm.rise(30, over_deg=90), cm.dwell(90), cm.return_(30, over_deg=180))
+    high = cm.motion("high", cm.dwell(360), start_mm=67)
+    rule = cm.DistanceRule("high", above="low", at_least_mm=0)
+    diagram = cm.TimingDiagram([low, high], 2000)
+    for off_mm in (1e-3, 1e-6, 1e-9):
+        (left,) = cm.reserves(diagram, rule, off_mm=off_mm)
+        assert left.times == pytest.approx(37 / 2 / off_mm, rel=1e-6)

@@ -8,6 +8,7 @@ from functools import partial
 
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.piece import bisect
+from cammotion.limits.frame import hands_over
 from cammotion.limits.widest import WidestMove, widest_move, with_angle
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
@@ -18,7 +19,6 @@ from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError, in_decimals, plural, rate_as_text
 from cammotion.rules.checks import find_violations, smallest_clearance
 from cammotion.rules.rule import Rule, Violation
-from cammotion.whole.asked_of_moves import rests_at
 from cammotion.whole.optimise import optimise
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
@@ -237,7 +237,7 @@ def _other_law(
 ) -> Iterator[Improvement]:
     """Yield the change to the first of these laws, the gentlest first, that keeps the rules."""
     motion, before = machine.diagram[name], machine.peaks[name]
-    if _hands_over(motion):
+    if hands_over(motion):  # it would get a stop from a law that rests at its ends
         return
     broken = {violation.rule for violation in machine.violations}
     for law in laws:
@@ -249,21 +249,6 @@ def _other_law(
             said = f"give the {name} the law {law} (now: {old})"
             yield improvement(LAW, said, machine, changed, [name])
             return
-
-
-def _hands_over(motion: Motion) -> bool:
-    """Tell whether a move goes on at once with a velocity that the one before has left it.
-
-    Such a joint would get a stop from a law that rests at its ends.
-    """
-    moves = motion.moves
-    following = [*moves[1:], *moves[:1]]
-    return any(
-        abs((after.from_deg - before.to_deg) % DEG_PER_TURN) < _SAME_DEG
-        and not rests_at(as_law(before.law), 1)
-        and not rests_at(as_law(after.law), 0)
-        for before, after in zip(moves, following, strict=True)
-    )
 
 
 def gentle_laws() -> list[str]:

@@ -6,6 +6,7 @@ from itertools import product
 from typing import NamedTuple
 
 from cammotion.laws.catalogue import as_law
+from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
@@ -15,6 +16,21 @@ from cammotion.rules.conditions import after
 from cammotion.rules.rule import Rule
 
 NARROW_DEG = 1e-4  # a move that takes no time, for all that a cam can do
+_REST = 1e-6  # of the mean velocity: a law that is slower at its ends rests there
+
+
+def rests_at(law: MotionLaw, end: int) -> bool:
+    """Tell whether a law is at rest at its beginning, 0, or its end, 1."""
+    return abs(float(law(end, 1))) <= _REST
+
+
+def hands_over(motion: Motion) -> bool:
+    """Tell whether moves go on with a velocity that those before have left them, without a jump.
+
+    It would jump there if one of them got another angle or law.
+    """
+    laws = [as_law(move.law) for move in motion.moves]
+    return not motion.steps(1) and not all(rests_at(law, end) for law in laws for end in (0, 1))
 
 
 class Event(NamedTuple):
@@ -41,6 +57,12 @@ class Frame:
                 f"The motion {motion.name!r} has {len(moves)} moves, and only one with {build} can "
                 "be widened symmetrically: give it that, or ask optimise for the angles of "
                 "all its moves, with the arcs over which it has to stand."
+            )
+        if hands_over(motion):
+            raise InputError(
+                f"The moves of the motion {motion.name!r} go on with a velocity that another has "
+                "left them, and with other angles it would jump: give it moves that rest where "
+                "they meet, or build it anew with each angle."
             )
         first, last = moves[0], moves[-1]
         if motion.is_indexing:

@@ -22,7 +22,7 @@ _PHASE = Quantity("phase error", "deg", example=0.5, high=180, low_included=True
 _OFF = Quantity("error of the position", "mm", example=0.1, low_included=True)
 _ROUNDING_MM = 1e-9
 _CLOSE = 1e-8
-_DOUBLINGS, _TURNS = 24, 10  # of the errors, and of a deg: more than a turn
+_DOUBLINGS, _TURNS = 60, 10  # of the errors, and of a deg: more than a turn
 _MOST = 2.0**60  # times the errors, which no rule bears
 
 

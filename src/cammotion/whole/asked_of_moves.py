@@ -1,16 +1,16 @@
 """What is asked of the moves of parts, laws and ranges, read from what a user gives."""
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from cammotion.arguments.by_name import as_given, by_name
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
+from cammotion.limits.frame import rests_at
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, shorten
 from cammotion.whole.asked_of_all import FREE, Task
-
-_REST = 1e-6  # of the mean velocity: a law that is slower at its ends rests there
 
 Laws = Sequence[str | MotionLaw]
 Ranges = Sequence[tuple[float, float] | None]
@@ -40,12 +40,12 @@ def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
                 f"The law {law.name!r} does not rest at both its ends, and only moves from rest to "
                 "rest can be placed at will: give another one."
             )
+        if not math.isfinite(law.Ca):
+            raise InputError(
+                f"The velocity of the law {law.name!r} jumps, so that its peak acceleration is "
+                "infinite at any angle: give another one."
+            )
     return found
-
-
-def rests_at(law: MotionLaw, end: int) -> bool:
-    """Tell whether a law is at rest at its beginning, 0, or its end, 1."""
-    return abs(float(law(end, 1))) <= _REST
 
 
 def read_ranges(task: Task, what: str, given: Any) -> dict[str, list[tuple[float, float] | None]]:

@@ -89,10 +89,12 @@ def place(
     """Return the moves of all parts, and the share that no others can be below; None if none are.
 
     The largest peak is as small as can be; with its part held that of the next one, and so on.
+    Raises InputError where the time was too short to tell.
     """
     program = MoveProgram(movers, apart)
     program.rows.cost[program.least] = -1.0
     found = program.rows.solve(seconds)
+    found.check_time(seconds)
     if found.unknowns is None or found.bound is None:
         return None
     x = program.settle(found.unknowns)

@@ -128,9 +128,9 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     are enough; `bound` tells). What is found is checked before it is returned by `find_violations`
     and by its curves; raises WrongAnswerError if that fails.
     Raises InputError for what is out of range, for a force or a torque without a Camshaft, for laws
-    that do not rest at both ends, for an arc over which a part does not stand, for a rule that says
-    no position of a free part (of a distance, or of what moves or stands), and where no starts and
-    angles keep the rules.
+    that do not rest at both ends or whose velocity jumps, for an arc over which a part does not
+    stand, for a rule that says no position of a free part (of a distance, or of what moves or
+    stands), where no starts and angles keep the rules, and where the time was too short to tell.
 
     >>> import cammotion as cm
     >>> machine = cm.TimingDiagram([cm.EXAMPLE.mill, cm.EXAMPLE.die], rate_per_hour=2000)

@@ -196,7 +196,8 @@ class _Starts:
         """Return the start of a number; None where nothing keeps the rules.
 
         Those at random are between two of one order: one at random, and the one with the least
-        peak, so that no move is hardly there.
+        peak, so that no move is hardly there. Raises InputError where the time was too short to
+        tell whether there is the first.
         """
         program = MoveProgram(self.movers, self.apart)
         rows = program.rows
@@ -209,7 +210,10 @@ class _Starts:
         low, high = rows.low.copy(), rows.high.copy()
         if number == _TODAY and not _as_today(self.task, program):
             return None
-        x = rows.solve(seconds).unknowns
+        solved = rows.solve(seconds)
+        if number == _LEAST_PEAK:
+            solved.check_time(seconds)
+        x = solved.unknowns
         rows.low, rows.high = low, high
         settled = None if x is None else program.settle(x)
         if x is None or settled is None:
