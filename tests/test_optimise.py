@@ -318,7 +318,8 @@ def test_a_law_whose_velocity_jumps_is_refused() -> None:
     x, quarter = cm.x, sympy.Rational(1, 4)
     part = sympy.Piecewise((0 * x, x <= quarter), (2 * (x - quarter), x <= 3 * quarter), (1, True))
     law = cm.MotionLaw("stop and go", part)
-    for laws in ([law], ["cycloidal", law]):
+    choices: list[list[str | cm.MotionLaw]] = [[law], ["cycloidal", law]]
+    for laws in choices:
         with pytest.raises(cm.InputError, match="velocity of the law 'stop and go' jumps"):
             cm.optimise(make_diagram(), RULE, still=STILL, laws=laws)
 

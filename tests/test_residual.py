@@ -192,6 +192,13 @@ def test_a_move_beside_another_has_a_factor_and_no_residual() -> None:
         cm.running_residual(up_and_down, 4)
 
 
+def test_a_first_move_without_an_acceleration_has_no_factor() -> None:
+    """It ended in a division by zero."""
+    feed = cm.indexing_motion("feed", cm.rise(100, over_deg=360, law=cm.CONSTANT_VELOCITY), stops=4)
+    with pytest.raises(cm.InputError, match="motion 'feed' keeps its velocity, so that there is"):
+        cm.running_factor(feed, 3)
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [

@@ -458,3 +458,10 @@ def test_a_response_shows_what_it_is_of() -> None:
     die = cm.EXAMPLE.die
     shown = repr(cm.StartResponse(cm.tuned_mass(12, 0.02), die, 2000))
     assert shown == f"StartResponse(1 mass, {die!r}, 2000.0)"
+
+
+def test_a_start_that_rounding_puts_before_itself_is_the_start() -> None:
+    """The turn before it was begun, of a chain whose passage through a turn cannot be undone."""
+    response = cm.StartResponse(cm.tuned_mass(300, 0.9), DIE, 20)
+    low, high = response.span
+    assert response.peak_acceleration(over=(low - 5e-10, high)) == response.peak_acceleration()

@@ -77,13 +77,12 @@ def running_residual(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0
     """
     number = motion.segments.index(_first_move(motion))
     following = motion.segments[(number + 1) % len(motion.segments)]
-    found = _running(motion, ratios, damping_ratio, _left_behind)
     if not following.is_dwell:
         raise InputError(
             f"After its first move the motion {motion.name!r} goes on with a {following.kind}, so "
             "that nothing swings alone there: put a dwell between them."
         )
-    return found
+    return _running(motion, ratios, damping_ratio, _left_behind)
 
 
 @checked
@@ -91,7 +90,7 @@ def running_factor(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.0
     """Return how many times the cam's peak acceleration the mass's is, in a running machine.
 
     Both are those during the first move of the turn. The arguments and errors are those of
-    `running_residual`, but the move needs no dwell after it.
+    `running_residual`, but the move needs no dwell after it, and has to have an acceleration.
 
     >>> import cammotion as cm
     >>> print(f"{running_factor(cm.EXAMPLE.die, 5):.3f}")
@@ -99,6 +98,11 @@ def running_factor(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.0
     """
     move = _first_move(motion)
     cam = move.curve.derived(2).largest * move.angle_deg**2 / abs(move.change_mm)
+    if not cam:
+        raise InputError(
+            f"In its first move the motion {motion.name!r} keeps its velocity, so that there is no "
+            "peak to compare with: let it begin with another move."
+        )
     return _running(motion, ratios, damping_ratio, Swing.largest) / cam
 
 

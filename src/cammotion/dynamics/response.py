@@ -273,6 +273,11 @@ class StartResponse(_TurnResponse):
         turned = np.block([[matrix, np.zeros((len(row), 1))], [row, np.ones(1)]])
         return np.asarray(np.linalg.matrix_power(turned, turn)[-1, :-1])
 
+    def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
+        low, high = ordered(CAM_ANGLE, self.span if over is None else over)
+        begin = self.motion.start_deg
+        return super()._runs((begin if abs(low - begin) <= _ROUNDING else low, high))
+
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         begin = self.motion.start_deg
         high = begin + _MOST_TURNS * DEG_PER_TURN
