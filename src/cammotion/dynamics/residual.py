@@ -96,6 +96,7 @@ def running_factor(motion: Motion, ratios: ArrayLike, damping_ratio: float = 0.0
     >>> print(f"{running_factor(cm.EXAMPLE.die, 5):.3f}")
     1.062
     """
+    check_velocity(motion)
     move = _first_move(motion)
     cam = move.curve.derived(2).largest * move.angle_deg**2 / abs(move.change_mm)
     if not cam:

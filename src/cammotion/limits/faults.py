@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cammotion.limits.standing import unrolled_mm
 from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -23,7 +24,6 @@ _DEG = 1e-6
 _SHARE = 1e-6  # of a bound or a limit that may be rounding
 _BESIDE_DEG = 1e-7  # so near to a joint is just before it and just after it
 _STEPS = 7200  # of a turn, in which its curves are compared
-_OPEN = 1000  # stops of a turret that does not close within some turns
 
 
 class Asked(NamedTuple):
@@ -84,12 +84,7 @@ def _range_mm(motion: Motion, start_deg: float) -> tuple[float, float]:
     """Return the least and the largest position in the turn that begins at an angle."""
     turning = np.array(motion.turning_degs)
     angles = start_deg + np.mod(turning - start_deg, DEG_PER_TURN)
-    open_ended = replace(motion, stops=_OPEN) if motion.is_indexing else motion
-    middle = _OPEN // 2  # the angle may be just before the motion begins, which is a turn earlier
-    places = np.asarray(
-        open_ended.position_mm(middle * DEG_PER_TURN + np.array([start_deg, *angles]))
-    )
-    places -= middle * motion.pitch_mm
+    places = unrolled_mm(motion, np.array([start_deg, *angles]))
     return float(np.min(places)), float(np.max(places))
 
 

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from cammotion.arguments.by_name import as_given, by_name
 from cammotion.limits.bands import ROUNDING_MM
 from cammotion.machine.arcs import Arc, intersect, unwrap
@@ -11,7 +13,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, arcs_of
-from cammotion.quantities import InputError, listed, shorten
+from cammotion.quantities import Floats, InputError, listed, shorten
 
 _ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
 
@@ -88,3 +90,10 @@ def pair_of(given: Any, what: str, fix: str) -> tuple[float, float]:
     except (TypeError, ValueError):
         raise InputError(f"{what} is {shorten(given)}: give {fix}.") from None
     return first, second
+
+
+def unrolled_mm(motion: Motion, angles_deg: Floats) -> Floats:
+    """Return the positions at angles, without the leap back when a turret has closed."""
+    turns = np.floor((np.asarray(angles_deg) - motion.start_deg) / DEG_PER_TURN)
+    places = motion.position_mm(angles_deg - turns * DEG_PER_TURN)
+    return np.asarray(places + motion.pitch_mm * turns)

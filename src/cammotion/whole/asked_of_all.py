@@ -13,7 +13,7 @@ from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.standing import arcs_by_name, check_begins_at_a_stop
 from cammotion.machine.arcs import arcs, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
+from cammotion.machine.kinematics import DEG_PER_TURN, over_time
 from cammotion.quantities import Floats, InputError, Quantity, plural
 from cammotion.rules.checks import as_rules, find_violations
 from cammotion.rules.clearance import ClearanceRule
@@ -107,11 +107,11 @@ class Task:
 
     def in_metres(self, push: float) -> float:
         """Return an acceleration, given in mm/deg2, in m/s2."""
-        return push / MM_PER_M * (DEG_PER_TURN / self.diagram.cycle_time_s) ** 2
+        return float(over_time(2, push, self.diagram.cycle_time_s))
 
     def in_degrees(self, push: float) -> float:
         """Return an acceleration, given in m/s2, in mm/deg2."""
-        return push * MM_PER_M * (self.diagram.cycle_time_s / DEG_PER_TURN) ** 2
+        return push / self.in_metres(1.0)
 
     def too_hard(self, part: Part, design: TimingDiagram) -> bool:
         """Whether the peak of a part is above its own limit."""

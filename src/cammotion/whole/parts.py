@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cammotion.limits.corridors import NEAR_DEG
+from cammotion.limits.standing import unrolled_mm
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
@@ -53,7 +54,10 @@ class Part:
     @property
     def stands(self) -> list[Stand]:
         """Where it stands, in the order of the angles, over a turn from the first one on."""
-        return [Stand(*arc, unrolled_mm(self.motion, sum(arc) / 2)) for arc in self.still]
+        return [
+            Stand(*arc, float(unrolled_mm(self.motion, np.array(sum(arc) / 2))))
+            for arc in self.still
+        ]
 
     @property
     def middles_deg(self) -> list[float]:
@@ -113,13 +117,6 @@ def _highest(first: float, last: float, t: Floats, u: Floats, most: float) -> Fl
     to_last = last + most * u**2 / 2 - (most * u + v) ** 2 / (4 * most)
     found: Floats = np.minimum(from_first, to_last)
     return found
-
-
-def unrolled_mm(motion: Motion, angle_deg: float) -> float:
-    """Return the position at an angle, without the leap back when a turret has closed."""
-    turns = math.floor((angle_deg - motion.start_deg) / DEG_PER_TURN)
-    place = float(motion.position_mm(angle_deg - turns * DEG_PER_TURN))
-    return place + motion.pitch_mm * turns
 
 
 def intervals(motion: Motion, condition: Condition, low: float, high: float) -> list[Interval]:
