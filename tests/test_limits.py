@@ -407,7 +407,8 @@ def test_a_mill_that_also_stands_between_two_stops_still_knows_its_stops() -> No
     assert cm.find_violations(found.design, RULE) == ()
     assert found.motion.offset_mm([75, 250]) == pytest.approx([50, 0])
     with pytest.raises(
-        cm.InputError, match=r"^The indexing motion 'mill' stands at none of its st"
+        cm.InputError,
+        match=r"^In its still arcs the indexing motion 'mill' stands at none of its st",
     ):
         least_acceleration(
             make_diagram(mill, make_die()), "mill", LOOSE, still=[(70, 80)], cells=90
@@ -647,6 +648,12 @@ def test_numbers_that_make_no_sense_are_refused(more: dict[str, Any], match: str
 def test_arcs_over_which_it_cannot_stand_are_refused(still: Any, match: str) -> None:
     with pytest.raises(cm.InputError, match=match):
         least_acceleration(make_diagram(), "die", EXAMPLE, still=still, cells=12)
+
+
+def test_an_arc_over_which_a_table_moves_is_named() -> None:
+    """It was told to stand at none of its stops, where it stands from 150 to 360 deg."""
+    with pytest.raises(cm.InputError, match=r"arc from 0 to 10 deg the mill moves, from 0 to 10 d"):
+        least_acceleration(make_diagram(), "mill", EXAMPLE, still=[(0, 10)], cells=12)
 
 
 def test_what_is_no_question_is_refused() -> None:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.laws.piece import bisect
@@ -251,7 +251,8 @@ def _other_law(
             return
 
 
-def gentle_laws() -> list[str]:
+@cache
+def gentle_laws() -> tuple[str, ...]:
     """Return the laws of the catalogue with a finite jerk, the least peak acceleration first."""
     finite = [name for name, law in LAWS.items() if math.isfinite(law.Cj)]
-    return sorted(finite, key=lambda name: LAWS[name].Ca)
+    return tuple(sorted(finite, key=lambda name: LAWS[name].Ca))

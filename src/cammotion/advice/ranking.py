@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
 from html import escape
 from typing import Any
 
@@ -123,7 +122,8 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     >>> print(f"{found[0].rate_per_hour:.0f} pieces/h with the largest peak of today")
     3857 pieces/h with the largest peak of today
     """
-    found = [one for name in machine.diagram.names for one in changes_of(machine, name, _laws())]
+    laws = gentle_laws()
+    found = [one for name in machine.diagram.names for one in changes_of(machine, name, laws)]
     limit = None if seconds is None else _SECONDS.number(seconds)
     if limit is not None and machine.free:
         found += _balance(machine, limit)
@@ -150,8 +150,3 @@ def _balance(machine: Machine, seconds: float) -> Iterator[Improvement]:
     one = improvement(BALANCE, said, machine, found.design, names)
     if (one.gain > 0 or one.mends) and not one.worsens:
         yield one
-
-
-@cache
-def _laws() -> tuple[str, ...]:
-    return tuple(gentle_laws())

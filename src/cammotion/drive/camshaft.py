@@ -266,14 +266,14 @@ class Camshaft(Alike):
         moved: Moved,
         way: Numbers,
         angle: Floats,
-        beside: float | None = None,
+        beside_deg: float | None = None,
     ) -> tuple[Floats, Floats]:
         """Return the force of the mass, and that of all else; `way` is where it moves, 1 for up."""
         load, friction = self.loads[name], self.friction_N.get(name, 0.0)
         standing = load.standing_N(moved.position_mm - self._lowest_mm[name]) + friction * way
         for force in self.process:
             if force.motion == name:
-                standing = standing + force.at(angle, beside=beside)
+                standing = standing + force.at(angle, beside_deg=beside_deg)
         return load.mass_kg * moved.acceleration, np.asarray(standing)
 
     @cached_property

@@ -50,13 +50,13 @@ class ProcessForce:
             )
         _ARC.number(self.to_deg - self.from_deg)
 
-    def at(self, angle_deg: ArrayLike, *, beside: float | None = None) -> Numbers:
+    def at(self, angle_deg: ArrayLike, *, beside_deg: float | None = None) -> Numbers:
         """Return the force in N at a cam angle in deg, 0 outside of the arc.
 
-        At an end of the arc it is what begins there, or what acts at the angle `beside` it.
+        At an end of the arc it is what begins there, or what acts at the angle `beside_deg`.
         """
         angle, width = CAM_ANGLE.array(angle_deg), self.to_deg - self.from_deg
-        inside = angle if beside is None else beside
+        inside = angle if beside_deg is None else beside_deg
         since = (inside - self.from_deg) % DEG_PER_TURN
         last = self.force_N if self.last_N is None else self.last_N
         force = self.force_N + (last - self.force_N) * (since + angle - inside) / width

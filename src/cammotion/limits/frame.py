@@ -1,7 +1,9 @@
 """A motion made wider or narrower: what of it stays in place, and which angles it can take."""
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
@@ -132,17 +134,21 @@ class Frame:
         return sorted(met, key=lambda event: after(event.at_deg, start))
 
     def _peak(self, angles: Sequence[float]) -> float:
-        """Return the largest acceleration within the moves, in mm/deg2.
-
-        Of a move that goes on at one speed, and so is pushed at its ends, it is that speed.
-        """
-        return max(
-            abs(move.change_mm) * (curve.derived(2).largest or curve.derived(1).largest) / bm**2
-            for (move, _, _), bm in zip(self.anchors, angles, strict=True)
-            for curve in [as_law(move.law).curve]
-        )
+        """Return the largest acceleration within the moves, in mm/deg2."""
+        return max(push / bm**2 for push, bm in zip(self._pushes, angles, strict=True))
 
     def _even_share(self) -> float:
         """Return the angle of the first move with which both, sharing the room, peak alike."""
-        roots = [self._peak([1.0, 1e9]) ** 0.5, self._peak([1e9, 1.0]) ** 0.5]
-        return self.room * (roots[0] / sum(roots) if any(roots) else 0.5)
+        first, last = map(math.sqrt, self._pushes)
+        return self.room * first / (first + last)
+
+    @cached_property
+    def _pushes(self) -> list[float]:
+        """The largest acceleration of each move over one degree, in mm/deg2.
+
+        Of a move that goes on at one speed, and so is pushed at its ends, it is that speed.
+        """
+        curves = [(move.change_mm, as_law(move.law).curve) for move, _, _ in self.anchors]
+        return [
+            abs(mm) * (curve.derived(2).largest or curve.derived(1).largest) for mm, curve in curves
+        ]

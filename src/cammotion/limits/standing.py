@@ -74,12 +74,13 @@ def check_stands(motion: Motion, still: Sequence[Arc]) -> None:
 
 
 def check_begins_at_a_stop(motion: Motion, still: Sequence[Arc]) -> None:
-    """Raise InputError for an indexing motion that stands nowhere at a stop: no turn begins."""
+    """Raise InputError for an arc over which a motion moves, or if all are off an index's stops."""
+    check_stands(motion, still)
     off = [abs(float(motion.offset_mm((start + end) / 2))) for start, end in still]
     if motion.is_indexing and min(off) > ROUNDING_MM:
         raise InputError(
-            f"The indexing motion {motion.name!r} stands at none of its stops: give a still arc "
-            "over which it stands at one."
+            f"In its still arcs the indexing motion {motion.name!r} stands at none of its stops: "
+            "give one over which it stands at one."
         )
 
 

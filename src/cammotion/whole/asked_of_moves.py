@@ -1,7 +1,7 @@
 """What is asked of the moves of parts, laws and ranges, read from what a user gives."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from cammotion.arguments.by_name import as_given, by_name
@@ -25,11 +25,6 @@ def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
     found = []
     for part in task.parts:
         listed = chosen.get(part.motion.name)
-        if listed is not None and (isinstance(listed, str) or not isinstance(listed, Iterable)):
-            raise InputError(
-                f"The laws for the {part.motion.name} are {shorten(listed)}: give a list, for "
-                "example ['cycloidal', 'modified sine']."
-            )
         own = None if listed is None else [as_law(law) for law in listed]
         if own == []:
             raise InputError(f"The list of laws for the {part.motion.name} is empty: give one.")

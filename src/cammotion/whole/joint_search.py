@@ -105,11 +105,12 @@ class Search:
     def build(self, task: Task, found: Outline, peak: float, seconds: float) -> float:
         """Build motions in an outline, and offer them; return their weighted peak."""
         sides = sides_of(task.diagram, task.parts, task.rules)
-        design = task.diagram
-        for motion in motions(task.parts, sides, found, peak, seconds) or ():
-            design = design.with_motion(motion)
-        if design is task.diagram:
+        built = motions(task.parts, sides, found, peak, seconds)
+        if built is None:
             return np.inf
+        design = task.diagram
+        for motion in built:
+            design = design.with_motion(motion)
         self.offer(design, task)
         return weighted_peak(design, task.weights)
 
