@@ -546,3 +546,37 @@ def test_what_is_said_after_the_unit_of_a_position_is_of_something_else() -> Non
     line = "cam angle in deg lift in mm velocity in mm/s"
     assert [heading.words for heading in two_headings(line)] == ["", "lift in mm"]
     assert two_headings("lift in mm cam angle in deg")[1].words == "lift in mm"
+
+
+@pytest.mark.parametrize(
+    ("heading", "step", "told"),
+    [
+        ("cam angle %;lift [in]", 10, {"first": "percent"}),
+        ("angle [deg];cam #2 lift [in]", 36, {}),
+        ("angle [deg];load %;lift [in]", 36, {"columns": (1, 3)}),
+    ],
+)
+def test_a_sign_within_a_heading_is_no_comment(
+    heading: str, step: int, told: dict[str, Any], tmp_path: Path
+) -> None:
+    """The rest of the line was cut off, and inches became mm without a word."""
+    between = ";7;" if heading.count(";") > 1 else ";"
+    rows = [f"{step * n}{between}{1 - abs(n - 5) / 5:g}" for n in range(10)]
+    (tmp_path / "cam.csv").write_text("\n".join([heading, *rows]), "utf-8")
+    found = cm.read_cam_table(tmp_path / "cam.csv", **told)
+    assert found.position_mm.max() == pytest.approx(25.4)
+
+
+@pytest.mark.parametrize("unit", ["%", "normalized", "turn", "rev"])
+def test_a_position_in_parts_of_a_turn_is_asked_about(unit: str, tmp_path: Path) -> None:
+    """It was read as mm, and said to have no unit."""
+    rows = [f"{36 * n};{n % 5}" for n in range(10)]
+    (tmp_path / "cam.csv").write_text("\n".join([f"angle [deg];lift [{unit}]", *rows]), "utf-8")
+    with pytest.raises(InputError, match=r"second column is in .*: give the mm of one as"):
+        cm.read_cam_table(tmp_path / "cam.csv")
+
+
+def test_a_file_may_say_any_sign_between_its_cells(tmp_path: Path) -> None:
+    rows = [f"{36 * n}:{n % 5}" for n in range(10)]
+    (tmp_path / "cam.csv").write_text("\n".join(["sep=:", *rows]), "utf-8")
+    assert "cells between ':'" in cm.read_cam_table(tmp_path / "cam.csv").said

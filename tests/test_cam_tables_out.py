@@ -245,6 +245,26 @@ def test_all_files_are_written_or_none(tmp_path: Path) -> None:
     assert len([*tmp_path.iterdir()]) == 2
 
 
+def test_what_was_replaced_comes_back_if_another_cannot_be(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As where a program has the second file open."""
+    before = {path: path.read_bytes() for path in write_cam_tables(DIAGRAM, tmp_path).values()}
+    replace, done = Path.replace, []
+
+    def once(self: Path, target: Path) -> Path:
+        if done:
+            raise PermissionError(13, "Permission denied")
+        done.append(target)
+        return replace(self, target)
+
+    monkeypatch.setattr(Path, "replace", once)
+    with pytest.raises(InputError, match=r"cannot be written \(Permission denied\)"):
+        write_cam_tables(DIAGRAM, tmp_path, step_deg=10, overwrite=True)
+    assert done
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
 def test_a_folder_is_a_folder(tmp_path: Path) -> None:
     for folder in (tmp_path / "no", tmp_path / "die.csv"):
         with pytest.raises(InputError, match=r"^There is no folder '(no|die.csv)': make it, or"):

@@ -90,6 +90,39 @@ def test_a_motion_with_a_limited_jerk_is_lifted_as_wanted(tmp_path: Path) -> Non
         assert height == pytest.approx(lift_of(best.motion, angle), abs=allowed)
 
 
+def test_a_cam_that_is_as_small_as_can_be_is_not_undercut() -> None:
+    """A radius that is the roller's but for rounding was called undercut, and not written."""
+    for over_deg in (30, 45, 60, 75, 90):
+        for radius_mm in (2, 5, 8, 11):
+            lift = cm.motion(
+                "lift",
+                *(cm.rise(10, over_deg=over_deg), cm.dwell(60), cm.return_(10, over_deg=over_deg)),
+                cm.dwell(300 - 2 * over_deg),
+            )
+            roller = cm.TranslatingRoller(radius_mm)
+            prime = cm.smallest_prime_radius(lift, roller, pressure_angle_deg=80)
+            assert cm.RollerCam(lift, roller, prime).undercuts == ()
+
+
+def test_an_arm_that_is_too_short_for_its_travel_is_told_so() -> None:
+    """It was asked for a radius of more than 30 and less than 30 mm."""
+    far = cm.motion("far", cm.rise(188.5, over_deg=180), cm.return_(188.5, over_deg=180))
+    arm = cm.SwingingRoller(14, arm_mm=60, pivot_mm=90)
+    with pytest.raises(cm.InputError, match=r"no prime circle has a travel of 188\.5 mm: the arm"):
+        cm.RollerCam(far, arm, prime_radius_mm=60)
+    with pytest.raises(cm.InputError, match=r"more than 10 mm, .* give for example 15 mm"):
+        cm.RollerCam(AFTER, ROLLER, prime_radius_mm=5)
+
+
+def test_the_cutter_that_is_advised_fits() -> None:
+    cam = cm.RollerCam(cm.EXAMPLE.die, ROLLER, prime_radius_mm=100)
+    with pytest.raises(cm.InputError, match="give a cutter of at most") as refusal:
+        cam.cutter_mm(0, 1000)
+    advised = float(str(refusal.value).rpartition("at most ")[2].removesuffix(" mm."))
+    assert np.shape(cam.cutter_mm(0, advised)) == (2,)
+    assert advised > cam.hollowest.value + 10 - 0.01
+
+
 @pytest.mark.parametrize("motion", [AFTER, drawn(np.random.default_rng(4))], ids=str)
 def test_a_swinging_roller_is_lifted_as_wanted(motion: cm.Motion, tmp_path: Path) -> None:
     follower = cm.SwingingRoller(10, arm_mm=150, pivot_mm=165)
@@ -257,7 +290,7 @@ def test_a_cutter_that_is_too_large_is_refused() -> None:
     profile = cam.profile_mm(at) @ [1, 1j]
     way = cam.cutter_mm(at, most - 0.01) @ [1, 1j]
     assert min(np.abs(place - profile).min() for place in way) > most - 0.02
-    with pytest.raises(cm.InputError, match=f"give a cutter of at most {most:.4g} mm"):
+    with pytest.raises(cm.InputError, match=f"has a hollow, of {most:.6g} mm: give a cutter"):
         cam.cutter_mm(at, most + 0.01)
     with pytest.raises(cm.InputError, match="as wide as the roller, of 10 mm"):
         cam.cutter_mm(at, 10.5, outer=True)

@@ -272,6 +272,8 @@ ATTACKS = [
         "+".join(["x"] * 10**5),
         "(x+" * 200 + "x" + ")" * 200,
         "x" + "/2" * 400,
+        "sin(" * 60 + "x" + ")" * 60,
+        "(" * 60 + "x" + "+1)**(1/2)" * 60,
     ),
     *("Piecewise()", "Piecewise((x, True), (x, True))", "2*Piecewise((x, x <= 1/2), (x, True))"),
     *("Piecewise((x, x <= 0.7), (x, x <= 0.2), (x, True))", "Piecewise((x, x**2 <= 0.5), (x, 1))"),

@@ -402,6 +402,20 @@ def test_a_workbook_keeps_texts_and_numbers() -> None:
     assert [float(cell) for cell in found["one"][1][1:]] == numbers
 
 
+def test_the_name_of_a_sheet_never_ends_in_an_apostrophe() -> None:
+    names = ["cam " + 26 * "a" + "'b", 40 * "'", "a" * 30 + " b"]
+    found = read_sheets("b.xlsx", sheets_as_xlsx({name: [["x"]] for name in names}))
+    assert len(found) == len(names)
+    assert not any(name.startswith("'") or name.endswith(("'", " ")) for name in found)
+
+
+def test_a_long_name_of_a_file_is_that_of_the_machine(tmp_path: Path) -> None:
+    """It was shortened as in a sentence."""
+    machine = cm.Machine("press", cm.EXAMPLE.diagram)
+    path = cm.write_machine(machine, tmp_path / f"{70 * 'a'}.csv")
+    assert cm.read_machine(path).name == 70 * "a"
+
+
 def test_a_workbook_keeps_what_xml_does_not() -> None:
     found = read_sheets("b.xlsx", sheets_as_xlsx({"one": [CONTROLS]}))
     assert found["one"] == [CONTROLS]

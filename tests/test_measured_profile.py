@@ -185,6 +185,16 @@ def test_order_closing_point_and_sense_do_not_matter() -> None:
     assert mirrored.position_mm == pytest.approx(lift.position_mm, abs=1e-9)
 
 
+def test_an_arm_keeps_its_pivot_whichever_way_the_cam_turns() -> None:
+    """The same steel, turned the other way, lifts it as before, but in the other order."""
+    arm = cm.SwingingRoller(10, arm_mm=100, pivot_mm=110)
+    points = RollerCam(DIE, arm, 80).profile_mm(np.arange(0, 360, 0.5))
+    one, other = (
+        lift_from_profile(*points.T, follower=arm, clockwise=way) for way in (True, False)
+    )
+    assert other.position_mm == pytest.approx(np.roll(one.position_mm[::-1], 1), abs=1e-6)
+
+
 @pytest.mark.parametrize("number", range(10))  # more are drawn in tests/fresh
 def test_motions_of_drawn_machines_come_back(number: int) -> None:
     profiles(draw("profile", number))

@@ -228,3 +228,14 @@ def test_rates_and_strokes_in_other_units() -> None:
 )
 def test_what_turns_back_by_little_is_no_move(heights: list[float], left: list[float]) -> None:
     assert [height for _, height in _turns([*enumerate(heights)], 1.0)] == left
+
+
+def test_a_dwell_that_is_printed_at_two_levels_is_one() -> None:
+    """The last digit goes up within it, by less than the table's own step."""
+    at = np.arange(0, 360, 2.0)
+    lift = np.interp(at, [0, 100, 240, 340], [0, 50, 50, 0])
+    smooth = 25 * (1 - np.cos(np.pi * lift / 50))
+    smooth[(at >= 160) & (at <= 180)] += 1e-4
+    found = cm.motion_from_table("cam", cm.CamTable(at, smooth, is_cycle=True))
+    (top,) = (s for s in found.segments if s.is_dwell and s.from_mm > 49)
+    assert (top.from_deg, top.to_deg) == pytest.approx((100, 240), abs=4)

@@ -15,6 +15,7 @@ from cartons import all_dies, packaging_machine
 from report_checker import check
 
 import cammotion as cm
+from cammotion.quantities import WrongAnswerError
 from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
 from cammotion.report.live import live_figure
@@ -153,6 +154,44 @@ def test_a_crash_leaves_nothing_half_written(
 
     monkeypatch.setattr(writing, failing, fail)
     with pytest.raises(type(how)):
+        cm.write_report(replace(PRESS, still={}), tmp_path)
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_law_that_no_table_holds_is_refused_before_the_search(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    searched: list[cm.Machine] = []
+    monkeypatch.setattr(writing, "find_all", lambda machine, *_: searched.append(machine))
+    odd = cm.MotionLaw("odd ", cm.x)
+    slide = cm.motion("slide", cm.rise(5, over_deg=180, law=odd), cm.return_(5, over_deg=180))
+    with pytest.raises(cm.InputError, match="odd "):
+        cm.write_report(cm.Machine("m", cm.TimingDiagram([slide], 2000)), tmp_path)
+    assert not searched
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_cam_that_fails_does_not_take_the_report_with_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: Any, **__: Any) -> NoReturn:
+        raise WrongAnswerError("smallest_prime_radius", "it is too small")
+
+    monkeypatch.setattr(writing, "smallest_prime_radius", fail)
+    report = cm.write_report(replace(PRESS, still={}), tmp_path, dxf=True)
+    assert "no DXF of the die: " in report.page.read_text("utf-8")
+
+
+def test_a_folder_that_cannot_be_renamed_says_why(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was tried a thousand times, and told that there are so many folders."""
+
+    def held(*_: Any) -> NoReturn:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "rename", held)
+    with pytest.raises(cm.InputError, match=r"report-press \(Permission denied\): close what"):
         cm.write_report(replace(PRESS, still={}), tmp_path)
     assert not [*tmp_path.iterdir()]
 

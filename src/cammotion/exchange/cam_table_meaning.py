@@ -221,10 +221,10 @@ def lift_of(found: Columns, position: str | float | None) -> Lift:
         )
     elif unit in LENGTHS:
         why = "from the heading"
-    elif unit in {"deg", "rad"}:
+    elif unit in TURNS:
         raise InputError(
             f"The heading of {found.name} says that the second column is in {unit}: give the mm of "
-            "one as position, for an arm its length in mm times the rad of one."
+            "one as position; for an arm that is its length in mm times the rad of one."
         )
     else:
         unit, why = "mm", "no unit is named"

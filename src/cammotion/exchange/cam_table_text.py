@@ -21,6 +21,7 @@ _MARKS = {  # at the start of a file; the longer ones first
 }
 _COMMENT = re.compile(r"(?:^|(?<=[\s;,|]))(?:#|//|%|!|\(\*)")
 _ERROR_CELL = re.compile(r"#(?:NV|N/A|NAME\?|NUM!|NULL!|[A-Z]+!|DIV/0!)", re.IGNORECASE)
+_TITLE = re.compile(r"\D*[^\W\d_]{2}\D*")  # before a sign that is no comment: load %, cam #2
 _NO_TEXT = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _ENDS_INSIDE = re.compile(  # of lines, in a cell in quotes
     r'(?:^|(?<=[;\t,|]))"(?:[^"\n]|"")*(?:\n(?:[^"\n]|"")*){1,3}"(?=[;\t,|]|$)', re.MULTILINE
@@ -80,7 +81,7 @@ def _numbered(text: str) -> Iterator[tuple[int, str]]:
 
 def _line(number: int, text: str) -> Line:
     found = None if _ERROR_CELL.match(text.strip()) else _COMMENT.search(text)
-    if not found:
+    if not found or _TITLE.fullmatch(text, 0, found.start()):
         return Line(number, text, "")
     return Line(number, text[: found.start()], text[found.end() :].strip().lstrip("#/%!* \t"))
 

@@ -135,9 +135,10 @@ def _said(found: Columns, encoding: str, parts: tuple[str, str, str]) -> str:
         if n not in found.chosen
     ]
     left = f"; not used: {', '.join(unused)}" if unused else ""
+    between = SEPARATORS.get(found.separator, repr(found.separator))
     return (
         f"{found.name} has {len(found.rows)} rows from line {found.rows[0].line} to "
-        f"{found.rows[-1].line}, cells between {SEPARATORS[found.separator]}, "
+        f"{found.rows[-1].line}, cells between {between}, "
         f"{DECIMALS[found.decimal]} and {encoding} text: {place} is {master}, {other} is "
         f"{lift}, and together they are {shape}{left}."
     )

@@ -28,6 +28,7 @@ ALLOWED = f"x, numbers, pi, E, + - * / **, {', '.join(FUNCTIONS)} and Piecewise"
 _NAMES = {"x": x, "pi": sympy.pi, "E": sympy.E}
 _FORMS = (sympy.Add, sympy.Mul, sympy.Pow, *list(FUNCTIONS.values())[:-1])
 _DEEPEST, _MOST_PARTS = 150, 50_000  # levels and parts of an expression
+_STEEP = 10  # levels that a function or a power counts: its third derivative grows with each
 _LARGEST = 1000  # exponent, and number of which a function is taken: more could take for ever
 _BITS = 20_000  # of a whole number
 
@@ -99,7 +100,8 @@ def _check_size(tree: Any) -> None:
             )
         for child in ast.iter_child_nodes(node):  # a sum is one level, however long it is
             goes_on = _is_sum(node) and _is_sum(child) and child is node.left
-            waiting.append((child, depth + (not goes_on)))
+            is_steep = isinstance(node, ast.Call) or isinstance(getattr(node, "op", None), ast.Pow)
+            waiting.append((child, depth + (_STEEP if is_steep else not goes_on)))
 
 
 def _is_sum(node: ast.AST) -> bool:

@@ -32,6 +32,11 @@ class Source:
         return self.file.rpartition(".")[0] or self.file
 
     @property
+    def said(self) -> str:
+        """The name of the file as sentences have it: a long one is shortened."""
+        return shorten(self.file, of=str)
+
+    @property
     def heading_at(self) -> int:
         """The place of the heading among the rows; the first if none is found."""
         rows = enumerate(self.rows[:_SEARCHED])
@@ -39,7 +44,7 @@ class Source:
 
     def where(self, place: int) -> str:
         """Return in words where a row is."""
-        return f"{self.row_word} {place + 1} of {self.file}"
+        return f"{self.row_word} {place + 1} of {self.said}"
 
 
 def is_heading(row: list[str]) -> bool:
@@ -53,20 +58,19 @@ def open_source(path: str | Path) -> Source:
     What is too large, no text and no workbook is refused before anything of it is looked at.
     """
     file = as_path(path)
-    name = shorten(file.name, of=str)
     content = read_bytes(file, at_most=LARGEST_BYTES)
     if content.startswith((*ZIP, OLD)):
-        return from_book(name, content)
-    return from_text(name, decode(name, content))
+        return from_book(file.name, content)
+    return from_text(file.name, decode(shorten(file.name, of=str), content))
 
 
 def from_text(name: str, text: str) -> Source:
     """Return the table that a text is."""
-    separator = _separator(text)
-    rows = cut_rows(name, text, separator)
+    separator, said = _separator(text), shorten(name, of=str)
+    rows = cut_rows(said, text, separator)
     if len(rows) > MOST_ROWS:
         raise InputError(
-            f"The table {name} has {len(rows)} lines, and that of a machine at most {MOST_ROWS}: "
+            f"The table {said} has {len(rows)} lines, and that of a machine at most {MOST_ROWS}: "
             "give that table alone."
         )
     if separator == ",":  # only a cell in quotes can have a comma
@@ -84,8 +88,9 @@ def _separator(text: str) -> str:
 
 def from_book(name: str, content: bytes) -> Source:
     """Return the first sheet of a workbook that has the heading."""
-    sheets = read_sheets(name, content)
+    said = shorten(name, of=str)
+    sheets = read_sheets(said, content)
     found = [Source(name, rows, "Row") for rows in sheets.values() if rows]
     if not found:
-        raise InputError(f"The workbook {name} is empty: give one with a table of the segments.")
+        raise InputError(f"The workbook {said} is empty: give one with a table of the segments.")
     return next((one for one in found if is_heading(one.rows[one.heading_at])), found[0])

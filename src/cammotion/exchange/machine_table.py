@@ -98,7 +98,7 @@ def _misspelt(heading: list[str]) -> Iterator[tuple[str, str]]:
 
 def _records(source: Source, faults: Faults) -> list[Record]:
     """Return the lines below the heading in which anything stands."""
-    at, file = source.heading_at, source.file
+    at, file = source.heading_at, source.said
     named = {column.casefold(): column for column in (*HEADING, STILL, RULE, IN_FULL)}
     named["rules"] = RULE
     first = source.rows[at] if source.rows else []

@@ -130,8 +130,8 @@ def _sheet_names(names: Iterable[str]) -> list[str]:
     """Return names that a spreadsheet takes, each another one."""
     found: list[str] = []
     for name in names:
-        stem = _NO_NAME.sub("_", name).strip("' ") or "_"
-        number, free = 1, stem[:_LONGEST_NAME]
+        stem = _NO_NAME.sub("_", name).strip("' ")[:_LONGEST_NAME].rstrip("' ") or "_"
+        number, free = 1, stem
         while free.casefold() in {one.casefold() for one in found}:
             number += 1
             free = f"{stem[: _LONGEST_NAME - len(str(number)) - 1]} {number}"

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cammotion.bracketed import Function, largest, where_positive
+from cammotion.bracketed import Extreme, Function, largest, where_positive
 from cammotion.hardware.envelope import Lift
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import unwrap
@@ -79,6 +79,11 @@ class DiscCam(ABC):
             curve.derived(order)(phase, "right") * PER_RAD**order for order in range(count)
         )
         return [first - self.motion.range_mm[0], *others]
+
+    def largest(self, of: Callable[[Lift], Floats]) -> Extreme:
+        """Return the largest value over the turn of what the lift says, and where it is."""
+        pieces = self.motion.curve.pieces
+        return largest(lambda piece, at: of(lift_of(self.motion, piece, at)), pieces)
 
 
 def lift_of(motion: Motion, piece: Piece, places: Floats) -> Lift:

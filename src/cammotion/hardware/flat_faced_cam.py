@@ -6,7 +6,7 @@ from functools import cached_property
 from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
-from cammotion.bracketed import Extreme, largest
+from cammotion.bracketed import Extreme
 from cammotion.hardware.disc_cam import (
     PER_RAD,
     DiscCam,
@@ -72,10 +72,7 @@ class FlatFacedCam(DiscCam):
     @cached_property
     def sharpest(self) -> Extreme:
         """The least radius of curvature of the profile in mm, and where it is."""
-        found = largest(
-            lambda piece, at: -self._radius(lift_of(self.motion, piece, at)),
-            self.motion.curve.pieces,
-        )
+        found = self.largest(lambda lift: -self._radius(lift))
         return Extreme(-found.value, found.at_deg)
 
     @cached_property

@@ -46,13 +46,20 @@ class RollerFollower(ABC):
 
     def check(self, prime_radius_mm: float, travel_mm: float) -> None:
         """Raise InputError for a prime circle with which the follower cannot be built."""
-        low, high = self.primes(travel_mm)
-        if not max(low, self.radius_mm) < prime_radius_mm < high:
+        reach, high = self.primes(travel_mm)
+        low = max(reach, self.radius_mm)
+        if not low < high:
+            raise InputError(
+                f"With this follower no prime circle has a travel of {travel_mm:g} mm: the arm "
+                "does not reach so far. Give a longer arm, or a shorter travel."
+            )
+        if not low < prime_radius_mm < high:
             most = f" and less than {high:.6g}" if math.isfinite(high) else ""
+            example = (low + high) / 2 if most else 1.5 * low
             raise InputError(
                 f"The radius of the prime circle is {prime_radius_mm:g} mm; with this follower it "
-                f"has to be more than {max(low, self.radius_mm):.6g}{most} mm, which the roller, "
-                "the offset or the arm ask for: give one between."
+                f"has to be more than {low:.6g}{most} mm, which the roller, the offset or the arm "
+                f"ask for: give for example {example:.4g} mm."
             )
 
 

@@ -75,8 +75,8 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     surface if that is 0, in order once round the cam either way, in mm about its axis as it lies at
     0 deg of cam angle, y up to the follower. At least 36 are needed, and they may be unevenly
     spaced. `follower` is a TranslatingRoller, a SwingingRoller or "flat face". The cam turns
-    `clockwise` under it, as those of the package do, or the other way. `count` is how many even
-    angles are asked for.
+    `clockwise` under it, as those of the package do, or the other way; the pivot of an arm stays on
+    the right. `count` is how many even angles are asked for.
 
     Exact but for what a curve through the points leaves open between them; noise is not smoothed
     away, and lowers what is taken as 0, as ProfileLift says. Raises InputError for points that are
@@ -101,14 +101,16 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
             f"The follower is {shorten(follower)}: give a TranslatingRoller, a SwingingRoller or "
             f"{_FLAT!r}."
         )
-    places = COUNT.whole(count)
+    places, way = COUNT.whole(count), 1
+    if not clockwise and isinstance(follower, SwingingRoller):  # its pivot stays on the right
+        clockwise, way = True, -1
     traced = Traced(_checked(x_mm, y_mm, clockwise=clockwise), away, follower)
     allowed = _NOISE * traced.noise_mm + _ROUNDING * traced.size_mm
     traced.refuse_gaps(allowed)
     traced.refuse_kinks()
     traced.refuse_strays()
     degrees = np.arange(places, dtype=np.float64) * (DEG_PER_TURN / places)
-    answers = [*traced.answers(np.radians(degrees))]
+    answers = [*traced.answers(np.radians(way * degrees))]
     if not answers:
         traced.refuse_turning_back()
     off, position = min(answers, key=lambda each: each[0])

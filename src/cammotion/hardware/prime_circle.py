@@ -65,7 +65,8 @@ def smallest_base_radius(motion: Motion, *, profile_radius_mm: float = 0) -> flo
 
     With it the profile has at least `profile_radius_mm` of radius everywhere, so that it is not
     undercut: it is that less the least sum of the displacement and its second derivative by the
-    rad, and not below 0. Raises InputError for a motion that no disc cam can give.
+    rad, or 0 where this is not above 0 and every base circle will do. Raises InputError for a
+    motion that no disc cam can give.
 
     >>> import cammotion as cm
     >>> print(f"{smallest_base_radius(cm.EXAMPLE.die):.2f} mm")

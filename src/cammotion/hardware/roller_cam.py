@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.arguments import checked
-from cammotion.bracketed import Extreme, largest
+from cammotion.bracketed import Extreme
 from cammotion.hardware.disc_cam import (
     DiscCam,
     Undercut,
@@ -32,6 +32,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Numbers, keep_numbers, plain
 
 _FINE_DEG, _SEEN_MM = 0.05, 1e-3
+_SHARP = 1e-9  # of the roller: so little too sharp is rounding
 
 
 @checked
@@ -101,8 +102,8 @@ class RollerCam(DiscCam):
                 else f"at {self.hollowest.at_deg:.5g} deg the profile has a hollow"
             )
             raise InputError(
-                f"The radius of the cutter is {radius:g} mm, and {where}, of {most:.4g} mm: give a "
-                f"cutter of at most {most:.4g} mm."
+                f"The radius of the cutter is {radius:.7g} mm, and {where}, of {most:.6g} mm: give "
+                f"a cutter of at most {math.floor(1e3 * most) / 1e3:.7g} mm."
             )
         return self._beside(
             angle_deg, self.roller_radius_mm - radius if outer else radius - self.roller_radius_mm
@@ -136,18 +137,12 @@ class RollerCam(DiscCam):
     @cached_property
     def largest_pressure_angle(self) -> Extreme:
         """The largest pressure angle in deg on either side, counted positive, and where it is."""
-        return largest(
-            lambda piece, at: np.abs(self._pressure(lift_of(self.motion, piece, at))),
-            self.motion.curve.pieces,
-        )
+        return self.largest(lambda lift: np.abs(self._pressure(lift)))
 
     @cached_property
     def sharpest(self) -> Extreme:
         """The least radius of the pitch curve in mm where it bulges outwards, and where it is."""
-        found = largest(
-            lambda piece, at: self._curvature(lift_of(self.motion, piece, at)),
-            self.motion.curve.pieces,
-        )
+        found = self.largest(self._curvature)
         return Extreme(1 / found.value, found.at_deg)
 
     @cached_property
@@ -156,10 +151,7 @@ class RollerCam(DiscCam):
 
         The radius is counted positive, and infinite for a curve that is nowhere hollow.
         """
-        found = largest(
-            lambda piece, at: -self._curvature(lift_of(self.motion, piece, at)),
-            self.motion.curve.pieces,
-        )
+        found = self.largest(lambda lift: -self._curvature(lift))
         return Extreme(1 / found.value if found.value > 0 else math.inf, found.at_deg)
 
     @cached_property
@@ -200,9 +192,8 @@ class RollerCam(DiscCam):
 
     def _sharper_than_roller(self, side: int) -> tuple[Undercut, ...]:
         def excess(piece: Piece, at: Floats) -> Floats:
-            return (
-                side * self._curvature(lift_of(self.motion, piece, at)) * self.roller_radius_mm - 1
-            )
+            bent = side * self._curvature(lift_of(self.motion, piece, at))
+            return bent * self.roller_radius_mm - 1 - _SHARP
 
         return undercuts_of(
             excess,

@@ -75,7 +75,7 @@ def motion_from_table(
             f"The table goes over {travel:g} mm, which is no more than {within:.3g} mm of rounding "
             "or noise, and so stays where it is: make a motion of a dwell of 360 deg."
         )
-    stays = _dwells(table, within, shortest)
+    stays = _dwells(table, within, swing, shortest)
     if noise:
         table, stays = eased(table, stays)
     moves = _with_dwells(table, stays, swing) if stays else _without_dwells(table, swing)
@@ -86,7 +86,7 @@ def motion_from_table(
     return found.shifted(-(found.start_deg // DEG_PER_TURN) * DEG_PER_TURN)
 
 
-def _dwells(table: CamTable, within_mm: float, shortest: float) -> list[Stay]:
+def _dwells(table: CamTable, within_mm: float, alike_mm: float, shortest: float) -> list[Stay]:
     """Return the first and the last point of each dwell, the last one after it, and its height.
 
     Points count on over the end of the turn.
@@ -102,7 +102,7 @@ def _dwells(table: CamTable, within_mm: float, shortest: float) -> list[Stay]:
             last += 1
         if angles[last] - angles[n] >= shortest and last - n > 1:  # two may lie beside a turn
             middle = float(np.median(heights[n : last + 1]))
-            known = (stay for _, _, stay in found if abs(stay - middle) <= within_mm)
+            known = (stay for _, _, stay in found if abs(stay - middle) <= max(within_mm, alike_mm))
             height, first = next(known, middle), n
             if found and found[-1][1] == n - 1 and found[-1][2] == height:  # it goes on
                 first, _, _ = found.pop()

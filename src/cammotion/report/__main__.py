@@ -1,7 +1,8 @@
 """What ``workbook.py report MACHINE`` runs: read the table, write the report, say how it went.
 
 It ends with 0 if all rules are kept, with 3 if the report was written and a rule is broken, with 2
-for a table that cannot be read, of which nothing is written, and with 1 for any other failure.
+for a table that cannot be read, of which nothing is written, or for a command that cannot be, and
+with 1 for any other failure.
 """
 
 import argparse
@@ -21,10 +22,10 @@ _BAR, _WIDTH = 24, 100
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write a report; what stands in the way is said in a sentence."""
     parser = argparse.ArgumentParser(prog="workbook.py report")
-    parser.add_argument("machine", type=Path)
-    parser.add_argument("--folder", type=Path, default=Path())
-    parser.add_argument("--seconds", type=float, default=20.0)
-    parser.add_argument("--dxf", action="store_true")
+    parser.add_argument("machine", type=Path, help="its table, CSV or .xlsx")
+    parser.add_argument("--folder", type=Path, default=Path(), help="where the report is written")
+    parser.add_argument("--seconds", type=float, default=20.0, help="for the proof of a bound: 20")
+    parser.add_argument("--dxf", action="store_true", help="also a disc cam of what comes back")
     options = parser.parse_args(arguments)
     suit_any_terminal()
     try:

@@ -12,13 +12,14 @@ from pathlib import Path
 from cammotion.arguments import checked
 from cammotion.exchange.cam_files import write_cam
 from cammotion.exchange.cam_tables_out import write_cam_tables
+from cammotion.exchange.machine_files import machine_rows
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
 from cammotion.files import as_path, is_folder, stems, write_new
 from cammotion.hardware.followers import TranslatingRoller
 from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
 from cammotion.own import Machine
-from cammotion.quantities import InputError, Quantity, shorten
+from cammotion.quantities import InputError, Quantity, WrongAnswerError, shorten
 from cammotion.report.findings import Findings, Progress, find_all
 from cammotion.report.page import write_page
 from cammotion.report.sheets import sheets_of
@@ -60,9 +61,10 @@ def write_report(
     each mechanism, the tables as CSV and for CODESYS, and with `dxf` a disc cam of each mechanism
     that comes back (a roller of 10 mm, a pressure angle of 30 deg). The tables are those of the
     best design, if still arcs are given, else of the machine as it is. The search for the bound
-    takes at most so many `seconds`; an interrupt of the keyboard takes the best so far. Either all
-    is written, or nothing. `progress` is told the share that is done, and what is being done.
-    Raises InputError for a folder that is not there or cannot be written to.
+    takes at most so many `seconds`. An interrupt of the keyboard ends it with the best so far, and
+    the one for the best design without one. Either all is written, or nothing. `progress` is told
+    the share that is done, and what is being done. Raises InputError for a folder that is not there
+    or cannot be written to, and for a law that no table can hold.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm
@@ -79,6 +81,7 @@ def write_report(
             f"The folder {shorten(place.name or str(place))} is not there, or you may not write in "
             "it: give one of your own."
         )
+    machine_rows(machine)  # refuses a law that no table can hold, before it takes long
     found = find_all(machine, limit, tell)
     tell(_WRITING, "writing")
     with _part(place) as part:
@@ -119,7 +122,7 @@ def _write_cams(found: Findings, part: Path) -> list[str]:
             radius = max(MARGIN * least, 2 * ROLLER_MM)
             write_cam(RollerCam(motion, roller, prime_radius_mm=radius), part / DXF / file)
             said.append(f"{DXF}/{file}: prime circle of {radius:.4g} mm, roller of {ROLLER_MM:g}")
-        except InputError as wrong:
+        except (InputError, WrongAnswerError) as wrong:
             said.append(f"no DXF of the {motion.name}: {wrong}")
     return said
 
@@ -140,6 +143,12 @@ def _move(part: Path, place: Path, name: str) -> Path:
     for number in range(1, _MOST):
         target = place / (name if number == 1 else f"{name}-{number}")
         if not target.exists():
-            with contextlib.suppress(OSError):  # another report has just taken it
+            try:
                 return part.rename(target)
-    raise InputError(f"There are {_MOST} folders {name} already: delete some.")
+            except OSError as wrong:
+                if not target.exists():  # else another report has just taken it
+                    raise InputError(
+                        f"The report cannot be called {target.name} ({wrong.strerror}): close what "
+                        "has its files open, and ask again."
+                    ) from None
+    raise InputError(f"There are {_MOST - 1} folders {name} already: delete some.")
