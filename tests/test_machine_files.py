@@ -82,6 +82,21 @@ def test_a_misspelt_column_that_may_be_left_out_is_told(column: str, typed: str)
         cm.machine_from_text(TABLE.replace(f"; {column}", f"; {typed}", 1))
 
 
+def test_a_rule_in_a_column_of_another_name_is_not_passed_over() -> None:
+    """Called Regel, it was left out, and the report ended with all rules kept."""
+    with pytest.raises(cm.InputError, match=r"column 'Regel', which is yours: call .* 'rule', or"):
+        cm.machine_from_text(TABLE.replace("; rule", "; Regel", 1))
+    both = TABLE.replace("; rule", "; rule; Notiz", 1).replace("0.65", "0.65; see drawing", 1)
+    assert len(cm.machine_from_text(both).rules) == len(cm.machine_from_text(TABLE).rules) > 0
+
+
+def test_the_decimal_mark_of_a_rule_is_that_of_its_table() -> None:
+    with pytest.raises(
+        cm.InputError, match=r"'0,65': with the decimal mark of this table it is 0\.65"
+    ):
+        cm.machine_from_text(TABLE.replace("0.65", "0,65").replace("150;", "150.5;"))
+
+
 @pytest.mark.parametrize("mark", [".", ","])
 def test_an_angle_of_three_decimals_tells_the_mark(mark: str) -> None:
     """What is printed with three decimals is typed so; nobody writes 353366 deg."""

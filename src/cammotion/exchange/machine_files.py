@@ -36,8 +36,8 @@ def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine
     says over which arc a part has to stand, "yes" in the line of a dwell or "205 to 305", and
     `rule` has a rule in each cell, in any line: "the die may be beyond 19 mm only while the mill is
     within 0.65 mm", where "moving" or "standing" may be in place of a limit, or "the pusher stays
-    at least 5 mm above the flap". Other columns are yours, but for one that means `still` or `rule`
-    by another name, where that is lacking.
+    at least 5 mm above the flap". Other columns are yours, but for one in which a rule stands, or
+    that means `still` or `rule` by another name, where that is lacking.
 
     Raises one InputError with all that is wrong, a line each, with its place in the table; so for
     a file of more than 10 MB and for a workbook that is none.

@@ -85,7 +85,9 @@ class Record:
             )
         given = [*zip(heading, cells, strict=False)]
         stripped = {column: cell.strip() for column, cell in given}
-        self.cells = {column: stripped.get(column, "") for column in (*HEADING, STILL, RULE)}
+        known = *HEADING, STILL, RULE
+        self.cells = {column: stripped.get(column, "") for column in known}
+        self.others = {c: cell for c, cell in stripped.items() if c not in (*known, IN_FULL)}
         parts = (name_in(cell.strip()) for column, cell in given if column == IN_FULL)
         self.in_full = " ".join(parts).strip()
         quoted = [STILL, RULE]

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from difflib import get_close_matches
 from itertools import pairwise
 from typing import Any
@@ -67,6 +68,7 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     with faults.at():
         rate = _the_same(records, RATE)
     rules = _rules(records, names, motions, faults)
+    _ask_of_rules_elsewhere(records, names, faults)
     still = _still(records, faults)
     for motion in motions:
         for where, arc in still.get(motion.name, ()):
@@ -232,6 +234,21 @@ def _rules(
             found[bare] = record.where
             rules.append(rule)
     return rules
+
+
+def _ask_of_rules_elsewhere(records: list[Record], names: list[str], faults: Faults) -> None:
+    """Add as a fault each column of another name in which a rule stands."""
+    asked = set()
+    for record in records:
+        for column, cell in record.others.items():
+            with suppress(InputError):
+                rule = rule_from_text(cell, names, record.decimal)
+                if column not in asked:
+                    faults.add(
+                        f"{record.where}: there stands '{rule}' in the column {shorten(column)}, "
+                        f"which is yours: call the column '{RULE}', or leave out the rule."
+                    )
+                asked.add(column)
 
 
 def _forbidden(one: Rule, other: Rule) -> str:

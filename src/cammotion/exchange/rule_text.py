@@ -1,5 +1,6 @@
 """Rules and still arcs as a person types them into a cell."""
 
+import math
 import re
 from collections.abc import Iterable
 from dataclasses import replace
@@ -160,8 +161,11 @@ def _plain(number: float) -> str:
 def _number(text: str, whole: str, decimal: str) -> float:
     """Return a number in a sentence, whose decimal mark is that of the table, or the only one."""
     number = number_in(text, decimal)
-    if number != number:  # noqa: PLR0124 - it is no number
-        others = two_readings(text)
-        fix = "write it with a 0 more behind" if others else "give a number, for example 19"
+    if math.isnan(number):
+        fix, other = "give a number, for example 19", {".": ",", ",": "."}.get(decimal, "")
+        if two_readings(text):
+            fix = "write it with a 0 more behind"
+        elif other and not math.isnan(number_in(text, other)):
+            fix = f"with the decimal mark of this table it is {text.replace(other, decimal)}"
         raise InputError(f"In {shorten(whole)} stands {shorten(text)}: {fix}.")
     return number
