@@ -491,3 +491,9 @@ def test_what_is_made_of_a_law_has_its_own_factors(
     assert law.Cq == pytest.approx(np.abs(v * a).max(), rel=1e-6)
     assert law.Cj_inside == pytest.approx(np.abs(law(places, 3)).max(), rel=1e-3)
     assert_near(v, np.gradient(law(places), places), abs=1e-2)
+
+
+def test_constant_velocity_is_found_by_its_name() -> None:
+    """It was taken for the constant acceleration, as tables were not."""
+    named = cm.rise(50, over_deg=60, law="Constant velocity")
+    assert named == cm.rise(50, over_deg=60, law=cm.CONSTANT_VELOCITY)

@@ -90,6 +90,11 @@ def test_a_rule_in_a_column_of_another_name_is_not_passed_over() -> None:
     assert len(cm.machine_from_text(both).rules) == len(cm.machine_from_text(TABLE).rules) > 0
 
 
+def test_a_matched_law_is_told_where_it_comes_from() -> None:
+    with pytest.raises(cm.InputError, match=r"law=MATCHED, and write_machine writes 'law in full'"):
+        cm.machine_from_text(TABLE.replace("cycloidal", "Matched", 1))
+
+
 def test_the_decimal_mark_of_a_rule_is_that_of_its_table() -> None:
     with pytest.raises(
         cm.InputError, match=r"'0,65': with the decimal mark of this table it is 0\.65"

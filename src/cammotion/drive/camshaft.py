@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 from cammotion.alike import Alike
 from cammotion.arguments.by_name import by_name
 from cammotion.bracketed import Extreme, summit
-from cammotion.drive.process import ProcessForce
+from cammotion.drive.process import ProcessForce, force_beside
 from cammotion.drive.spans import Moved, Span, SpanFunction, nodes, running_extremes, spans
 from cammotion.dynamics.loads import FollowerLoad, check_spring
 from cammotion.machine.diagram import TimingDiagram, as_diagram
@@ -258,7 +258,8 @@ class Camshaft(Alike):
         motion, rate = self.diagram[name], self.diagram.rate_per_hour
         derivatives = (motion.derivative(order, angle, rate) for order in (1, 2))
         moved = Moved(*map(np.asarray, (motion.position_mm(angle), *derivatives)))
-        return np.add(*self._parts(name, moved, np.sign(moved.velocity), angle)), moved.velocity
+        parts = self._parts(name, moved, np.sign(moved.velocity), angle, angle)
+        return np.add(*parts), moved.velocity
 
     def _parts(
         self,
@@ -266,14 +267,17 @@ class Camshaft(Alike):
         moved: Moved,
         way: Numbers,
         angle: Floats,
-        beside_deg: float | None = None,
+        beside: Floats | float,
     ) -> tuple[Floats, Floats]:
-        """Return the force of the mass, and that of all else; `way` is where it moves, 1 for up."""
+        """Return the force of the mass, and that of all else.
+
+        `way` is where it moves, 1 for up. The process has at an end what it has `beside` it.
+        """
         load, friction = self.loads[name], self.friction_N.get(name, 0.0)
         standing = load.standing_N(moved.position_mm - self._lowest_mm[name]) + friction * way
         for force in self.process:
             if force.motion == name:
-                standing = standing + force.at(angle, beside_deg=beside_deg)
+                standing = standing + force_beside(force, angle, beside)
         return load.mass_kg * moved.acceleration, np.asarray(standing)
 
     @cached_property

@@ -10,7 +10,7 @@ from cammotion.machine.diagram import name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, PART_ANGLE
-from cammotion.quantities import InputError, Numbers, Quantity, keep_numbers, plain
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain
 
 _ARC = replace(PART_ANGLE, name="arc of the force")
 _FORCE = Quantity("force of the process", "N", example=400, low=-math.inf)
@@ -50,14 +50,15 @@ class ProcessForce:
             )
         _ARC.number(self.to_deg - self.from_deg)
 
-    def at(self, angle_deg: ArrayLike, *, beside_deg: float | None = None) -> Numbers:
-        """Return the force in N at a cam angle in deg, 0 outside of the arc.
+    def at(self, angle_deg: ArrayLike) -> Numbers:
+        """Return the force in N at a cam angle in deg, 0 outside of the arc."""
+        angle = CAM_ANGLE.array(angle_deg)
+        return plain(force_beside(self, angle, angle))
 
-        At an end of the arc it is what begins there, or what acts at the angle `beside_deg`.
-        """
-        angle, width = CAM_ANGLE.array(angle_deg), self.to_deg - self.from_deg
-        inside = angle if beside_deg is None else beside_deg
-        since = (inside - self.from_deg) % DEG_PER_TURN
-        last = self.force_N if self.last_N is None else self.last_N
-        force = self.force_N + (last - self.force_N) * (since + angle - inside) / width
-        return plain(np.where(since < width, force, 0.0))
+
+def force_beside(force: ProcessForce, angle: Floats, beside: Floats | float) -> Floats:
+    """Return the force in N at an angle, at an end of its arc as it is at the angle beside it."""
+    width, since = force.to_deg - force.from_deg, (beside - force.from_deg) % DEG_PER_TURN
+    last = force.force_N if force.last_N is None else force.last_N
+    found = force.force_N + (last - force.force_N) * (since + angle - beside) / width
+    return np.where(since < width, found, 0.0)

@@ -9,6 +9,7 @@ from cammotion.exchange.cells import Plain, name_in, number_in, two_readings
 from cammotion.exchange.law_text import is_same_law, law_from_text
 from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS
 from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.parts import MATCHED
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, one_of, shorten
 
@@ -54,6 +55,11 @@ class Laws:
 
     def find(self, name: str, text: str) -> str | MotionLaw | None:
         """Return the law that a line names, and says in full if `text` is not empty."""
+        if not text and name.casefold() == MATCHED:
+            raise InputError(
+                "A law that is matched depends on its neighbours, and a table has to say it in "
+                f"full: build the motion with law=MATCHED, and write_machine writes '{IN_FULL}'."
+            )
         if not text:
             named = {law.name.strip(): law for law in self._given}
             found = one_of("motion law", name or DWELL, [DWELL, *named, *KNOWN, *LAWS])

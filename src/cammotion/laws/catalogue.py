@@ -147,6 +147,8 @@ def as_law(law: Any) -> MotionLaw:
     >>> as_law("cycloidal")
     MotionLaw('cycloidal')
     """
+    if isinstance(law, str) and law.casefold() == CONSTANT_VELOCITY.name:
+        return CONSTANT_VELOCITY
     return law if isinstance(law, MotionLaw) else LAWS[law]
 
 
