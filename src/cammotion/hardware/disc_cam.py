@@ -80,7 +80,7 @@ class DiscCam(ABC):
         )
         return [first - self.motion.range_mm[0], *others]
 
-    def largest(self, of: Callable[[Lift], Floats]) -> Extreme:
+    def _largest(self, of: Callable[[Lift], Floats]) -> Extreme:
         """Return the largest value over the turn of what the lift says, and where it is."""
         pieces = self.motion.curve.pieces
         return largest(lambda piece, at: of(lift_of(self.motion, piece, at)), pieces)

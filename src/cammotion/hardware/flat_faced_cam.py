@@ -72,7 +72,7 @@ class FlatFacedCam(DiscCam):
     @cached_property
     def sharpest(self) -> Extreme:
         """The least radius of curvature of the profile in mm, and where it is."""
-        found = self.largest(lambda lift: -self._radius(lift))
+        found = self._largest(lambda lift: -self._radius(lift))
         return Extreme(-found.value, found.at_deg)
 
     @cached_property

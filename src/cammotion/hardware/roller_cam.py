@@ -137,12 +137,12 @@ class RollerCam(DiscCam):
     @cached_property
     def largest_pressure_angle(self) -> Extreme:
         """The largest pressure angle in deg on either side, counted positive, and where it is."""
-        return self.largest(lambda lift: np.abs(self._pressure(lift)))
+        return self._largest(lambda lift: np.abs(self._pressure(lift)))
 
     @cached_property
     def sharpest(self) -> Extreme:
         """The least radius of the pitch curve in mm where it bulges outwards, and where it is."""
-        found = self.largest(self._curvature)
+        found = self._largest(self._curvature)
         return Extreme(1 / found.value, found.at_deg)
 
     @cached_property
@@ -151,7 +151,7 @@ class RollerCam(DiscCam):
 
         The radius is counted positive, and infinite for a curve that is nowhere hollow.
         """
-        found = self.largest(lambda lift: -self._curvature(lift))
+        found = self._largest(lambda lift: -self._curvature(lift))
         return Extreme(1 / found.value if found.value > 0 else math.inf, found.at_deg)
 
     @cached_property
