@@ -90,6 +90,11 @@ def test_a_rule_in_a_column_of_another_name_is_not_passed_over() -> None:
     assert len(cm.machine_from_text(both).rules) == len(cm.machine_from_text(TABLE).rules) > 0
 
 
+def test_the_example_of_a_rate_is_a_rate() -> None:
+    with pytest.raises(cm.InputError, match=r"'fast'; .* number, for example 2000"):
+        cm.machine_from_text(TABLE.replace("2000", "fast"))
+
+
 def test_a_matched_law_is_told_where_it_comes_from() -> None:
     with pytest.raises(cm.InputError, match=r"law=MATCHED, and write_machine writes 'law in full'"):
         cm.machine_from_text(TABLE.replace("cycloidal", "Matched", 1))

@@ -93,6 +93,14 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
         lambda: cm.polynomial((0, 0, 0), (1.0000001, 0, 0)),
         r"from s = 0 to 1\.0000001; a motion law goes from 0 to 1",
     ),
+    "a machine for its diagram": (
+        lambda: cm.plot_timing(cm.Machine("press", cm.EXAMPLE.diagram)),  # type: ignore[arg-type]
+        r"^plot_timing is given diagram=press.*: give its timing diagram, with \.diagram behind it",
+    ),
+    "a mass for a chain": (
+        lambda: cm.SteadyResponse(cm.OneMass("cycloidal", 3), DIE, 2000),  # type: ignore[arg-type]
+        r"^SteadyResponse is given chain=OneMass.*: give a Chain\.$",
+    ),
     "a turn back": (
         lambda: cm.Segment(from_deg=0, to_deg=-349.5, from_mm=0, to_mm=5, law="cycloidal"),
         r"ends before it begins: if it goes on over 360 deg, let it end at 10\.5 deg\.$",

@@ -95,10 +95,11 @@ def _checked(function: Any, title: str) -> Any:
         nonlocal readers
         if readers is None:
             readers = dict(_readers(function))
-        bound = bind(signature, title, args, kwargs)
+        said = type(args[0]).__name__ if title == "__init__" else title
+        bound = bind(signature, said, args, kwargs)
         for name, value in bound.arguments.items():
             if name in readers and value is not signature.parameters[name].default:
-                bound.arguments[name] = _read(*readers[name], value, f"{title} is given {name}")
+                bound.arguments[name] = _read(*readers[name], value, f"{said} is given {name}")
         return function(*bound.args, **bound.kwargs)
 
     call.refuses_calls = True  # type: ignore[attr-defined]  # a call that does not fit, by bind
@@ -113,6 +114,8 @@ def _read(reader: _Reader, how: str, value: Any, what: str) -> Any:
         what, how, value = what + wrong.place, wrong.how, wrong.value
     except TypeError:
         pass
+    if _HOW["TimingDiagram"] in how and hasattr(value, "diagram"):  # of a machine, of what is found
+        how = "its timing diagram, with .diagram behind it"
     raise InputError(f"{what}={shorten(value)}: give {how}.")
 
 

@@ -37,6 +37,7 @@ RESERVED = {DWELL, *KNOWN, *LAWS}
 OWN = "own law, "
 """What stands before a law in full that is called by a reserved name and is another."""
 
+_EXAMPLES = {RATE: 2000, STOPS: 24}
 _OF_A_SEGMENT = ["motion", *NUMBERS.values(), "law"]
 
 
@@ -120,7 +121,7 @@ class Record:
         if math.isnan(number):
             raise InputError(
                 f"{self.where}: '{column}' is {shorten(cell)}; it has to be a number, for example "
-                "150."
+                f"{_EXAMPLES.get(column, 150)}."
             )
         return number
 
