@@ -143,6 +143,7 @@ def _matched(
         [segment.curve.derived(n).ends[which] * angle**n / way for n in (1, 2)]
         for segment, which in ((before, 1), (after, 0))
     ]
-    title = "matched, {:.6g} {:.6g} to {:.6g} {:.6g}".format(*slopes[0], *slopes[1])
+    values = (value + 0.0 for each in slopes for value in each)  # no -0
+    title = "matched, {:.6g} {:.6g} to {:.6g} {:.6g}".format(*values)
     law = polynomial((0, *slopes[0]), (1, *slopes[1]), name=title, may_leave=True)
     return Segment(**part | {"law": law})

@@ -20,6 +20,7 @@ from matplotlib.text import Text
 MOST = 24  # columns of a name in a picture; an ideograph takes two
 TITLE = 48  # of a design, of which a legend holds fewer
 ELLIPSIS, MISSING = "…", "□"
+_OF_A_NUMBER = "0123456789.,-"
 _LEGEND, _BELOW_POINTS = 10, 600  # the size of its names, and what they fill below a picture
 _FEW = 6  # so many names have room in a legend among curves
 _MARKS = 3  # more above and below one letter would run into the next line
@@ -143,13 +144,21 @@ def text_px(text: str, size: float, *, bold: bool = False) -> float:
 
 
 def cut(text: str, width: float, size: float, *, bold: bool = False) -> str:
-    """Return a line with an ellipsis at its end where it could be wider than `width`."""
+    """Return a line with an ellipsis at its end where it could be wider than `width`.
+
+    A number stays whole, or is left out.
+
+    >>> cut("gripper at 110 mm", 200, 10), cut("gripper at 110 mm", 72, 10)
+    ('gripper at 110 mm', 'gripper at…')
+    """
     room, whole = width - text_px(ELLIPSIS, size, bold=bold), 0.0
     shown = ""
     for c in text:
         whole += text_px(c, size, bold=bold)
         if whole > width:
-            return shown.rstrip() + ELLIPSIS
+            goes_on = text[len(shown)] in _OF_A_NUMBER
+            ends = shown.rstrip(_OF_A_NUMBER) if goes_on else shown
+            return (ends or shown).rstrip() + ELLIPSIS
         if whole <= room:
             shown += c
     return text
