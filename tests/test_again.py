@@ -324,3 +324,11 @@ def test_no_number_is_asked_for_that_four_digits_do_not_tell_from_a_wrong_one() 
 
     assert "a wrong way leads to 3" in fresh_numbers.why_not(beside(0.0005), machine_for())
     assert fresh_numbers.why_not(beside(0.002), machine_for()) == ""
+
+
+@pytest.mark.parametrize("ends", [(0, 70), (70, 100)])
+def test_an_answer_at_the_end_of_its_range_is_not_asked_for(
+    ends: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(fresh_numbers._RANGES, "deg", ends)
+    assert "70 is not between" in fresh_numbers.why_not(EXERCISES["01.1"], machine_for())

@@ -16,7 +16,7 @@ from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 import cammotion as cm
-from cammotion.views.chart import draw_chart
+from cammotion.views.chart import _MARGIN, draw_chart
 from cammotion.views.chart_lanes import beside
 from cammotion.views.names import ELLIPSIS
 
@@ -282,3 +282,10 @@ def test_laws_that_have_no_room_beside_their_lane_are_counted(count: int, shown:
     figure = page(cm.TimingDiagram(dies, 2000))
     expect_clear(figure, 1)
     assert texts(figure).count(f"and {len(laws) - shown} more") == count
+
+
+def test_a_title_ends_within_its_frame() -> None:
+    for count in range(20, 120, 4):
+        figure = draw_chart(make_diagram(), 1.0, ("M" + "a" * count, DAY), [RULE], {})
+        (title,) = (box for said, box in boxes(figure) if said.startswith("Ma"))
+        assert title.x1 < figure.bbox.width * (1 - _MARGIN / 297)

@@ -14,6 +14,7 @@ from sympy.physics.units import meter
 
 import cammotion as cm
 from cammotion.views.live.figure import LiveFigure
+from cammotion.views.live.usual import quantity_of
 
 t, k, b, c = sp.symbols("t k b c")
 SPAN = (t, 0, 1)
@@ -335,3 +336,9 @@ def test_braces_in_a_name_are_said_as_they_are() -> None:
         "at u_{1} = 0: a_{max} = 0",
         "largest: |a_{max}| = 2",
     ]
+
+
+def test_a_power_that_is_not_whole_is_no_quantity() -> None:
+    h, time = sp.symbols("h_m t_m", positive=True)
+    assert quantity_of(h / time**2) == "a"
+    assert quantity_of(h ** sp.Rational(3, 2) / time**2) is None

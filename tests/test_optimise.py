@@ -1,5 +1,6 @@
 """The best starts, angles and laws of all moves: against orders, balances and an evolution."""
 
+import os
 from typing import Any
 
 import numpy as np
@@ -331,3 +332,12 @@ def test_too_short_a_time_is_no_proof(minimise: str, monkeypatch: pytest.MonkeyP
     shaft = cm.Camshaft(make_diagram(), {"die": cm.FollowerLoad(mass_kg=12)})
     with pytest.raises(cm.InputError, match=r"In .* s no starts .* nor that there are none: give"):
         cm.optimise(shaft, RULE, still=STILL, minimise=minimise, seconds=0.2)
+
+
+def test_what_is_printed_after_a_solution_is_seen(capfd: pytest.CaptureFixture[str]) -> None:
+    rows = Rows()
+    rows.unknown(0.0, 1.0, cost=1.0)
+    assert rows.solve().bound == 0
+    os.write(1, b"seen")
+    os.write(2, b"told")
+    assert capfd.readouterr() == ("seen", "told")

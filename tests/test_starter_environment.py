@@ -14,6 +14,7 @@ import zipfile
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -496,3 +497,16 @@ def use_bundled_pip(monkeypatch: pytest.MonkeyPatch) -> None:
         with_pip = partial(processes.environ, PYTHONPATH=str(wheel))
         monkeypatch.setattr(processes, "environ", with_pip)
         monkeypatch.setattr(installer, "add_pip", lambda: None)
+
+
+@pytest.mark.parametrize(("free_mb", "fits"), [(1399, False), (1400, True)])
+def test_the_tools_of_the_tests_need_1400_mb(
+    free_mb: int, fits: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    room = SimpleNamespace(free=free_mb * 1_000_000)
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: room)
+    if fits:
+        environment.check_disk(environment.MB_FOR_TESTS)
+    else:
+        with pytest.raises(WorkbookError, match=f"{free_mb} MB are free .* needs 1400 MB"):
+            environment.check_disk(environment.MB_FOR_TESTS)

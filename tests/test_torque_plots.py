@@ -52,3 +52,8 @@ def test_nothing_and_another_quantity_are_refused() -> None:
         plot(TABLES["sine"])
     with pytest.raises(cm.InputError, match="no quantity 'energy': use one of 'torque', 'power'"):
         plot(TABLES, quantity="energy")
+
+
+def test_the_legend_has_two_columns() -> None:
+    legend: Any = cm.plot_torque(TABLES).get_legend()
+    assert legend._ncols == 2

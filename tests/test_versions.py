@@ -267,3 +267,9 @@ def test_a_change_of_an_angle_is_told_as_one_or_lost_in_rounding() -> None:
                 assert "another law" not in change.after
     assert cm.compare(before, narrow(0.3, 150 + 360 * 30_000)).changes == ()
     assert cm.compare(before, narrow(0.3 + 1e-6, 150)).changes != ()
+
+
+def test_no_ticks_stand_before_the_names_of_changes() -> None:
+    ax = cm.plot_comparison(cm.compare(cm.EXAMPLE.diagram, cm.EXAMPLE.diagram.at_rate(3000)))
+    (bars,) = ax.figure.axes[1:]
+    assert {tick.tick1line.get_markersize() for tick in bars.yaxis.get_major_ticks()} == {0}
