@@ -582,11 +582,14 @@ def test_a_file_may_say_any_sign_between_its_cells(tmp_path: Path) -> None:
     assert "cells between ':'" in cm.read_cam_table(tmp_path / "cam.csv").said
 
 
-@pytest.mark.parametrize(("peak", "closes"), [(18.4, True), (19.3, False)])
-def test_a_turn_closes_within_twice_its_largest_step(
-    peak: float, closes: bool, tmp_path: Path
-) -> None:
-    """Of a table that ends a step before: the ends are 1.8 steps apart, or 3.6."""
-    rows = [f"{10 * n};{peak - abs(n - peak):.3f}" for n in range(36)]
-    (tmp_path / "cam.csv").write_text("\n".join(["angle [deg];lift [mm]", *rows]), "utf-8")
-    assert cm.read_cam_table(tmp_path / "cam.csv").is_cycle == closes
+def test_a_turn_closes_within_twice_its_largest_step(tmp_path: Path) -> None:
+    """Of a table that ends a step before: the ends are 1.8 steps apart, and then 3.6."""
+
+    def found(peak: float) -> CamTable:
+        rows = [f"{10 * n};{peak - abs(n - peak):.3f}" for n in range(36)]
+        (tmp_path / "cam.csv").write_text("\n".join(["angle [deg];lift [mm]", *rows]), "utf-8")
+        return cm.read_cam_table(tmp_path / "cam.csv")
+
+    assert found(18.4).is_cycle
+    with pytest.raises(InputError, match=r"does not close, .* 3\.6 off"):
+        found(19.3)
