@@ -37,10 +37,15 @@ async function until(isSo) {
   return true;
 }
 
-/** What a look finds while all is laid out: of what is out of sight Firefox tells old sizes. */
-function laidOut(look) {
+/**
+ * What a look finds once all is laid out. Cells come into the page one after the other, in Firefox
+ * for some seconds, and of what is out of sight it tells nothing.
+ */
+async function laidOut(look) {
+  await until(() => all(".jp-Cell").length >= notebook().content.widgets.length);
   const lay = (how) => all(".jp-Cell").forEach((cell) => (cell.style.contentVisibility = how));
   lay("visible");
+  await pause(10 * FRAME_MS); // figures fit themselves into their widths
   const found = look();
   lay("");
   return found;
@@ -97,8 +102,8 @@ const walk = {
   },
 
   /** Number everything that can be moved, and say what it is. */
-  controls() {
-    const found = outputs().flatMap((output) =>
+  async controls() {
+    const inside = (output) =>
       Object.entries(KINDS).flatMap(([kind, selector]) =>
         all(selector, output)
           .filter((each) => each.checkVisibility())
@@ -106,8 +111,8 @@ const walk = {
           // Notebook 7 takes the arrow keys from ipywidgets' slider; docs/browsers.md says so
           .filter((each) => !(isNotebook7() && each.matches(".noUi-handle")))
           .map((element) => ({ kind, element })),
-      ),
-    );
+      );
+    const found = await laidOut(() => outputs().flatMap(inside));
     const seen = new Set([null]);
     return found.map(({ kind, element }, number) => {
       const figure = element.closest(OURS),
@@ -183,12 +188,12 @@ const walk = {
   /** What has no name for a screen reader. */
   nameless() {
     const drawn = "img, svg[role=img], input, select, button, [role=slider], [role=application]";
-    return outputs().flatMap((output) =>
+    const inside = (output) =>
       all(drawn, output)
         .filter((each) => each.checkVisibility())
         .filter((each) => /^(Image)?$/.test(nameOf(each))) // JupyterLab says so of any picture
-        .map(clipped),
-    );
+        .map(clipped);
+    return laidOut(() => outputs().flatMap(inside));
   },
 
   /** What is wider than its frame and cannot be scrolled to; of figures, whatever is wider. */
