@@ -207,3 +207,10 @@ def test_what_is_refused_later() -> None:
         cm.OneMass("cycloidal", 3)(0.5, 3)
     with pytest.raises(cm.InputError, match=r"OneMass\('cycloidal', swings=n, .* has symbols"):
         cm.OneMass("cycloidal", n)(0.5)
+
+
+def test_a_number_of_sympys_is_a_number() -> None:
+    """It was told to have symbols; and what is nearly no swing is refused at once."""
+    assert cm.OneMass("cycloidal", sp.Integer(4)).peak == cm.OneMass("cycloidal", 4).peak
+    with pytest.raises(cm.InputError, match=r"is 1e-12; it has to be .* at least 1e-06"):
+        cm.OneMass("cycloidal", 1e-12)

@@ -153,6 +153,7 @@ class Chain:
         """The roots of the damped system in 1/s, complex, two for each mass, slowest decay first.
 
         Each free motion is a sum of exp(root * t); a root without imaginary part does not swing.
+        Two roots that meet, as with a damping ratio of 1, are exact to half of the digits only.
         """
         roots = np.linalg.eigvals(self.system.matrix).astype(complex)
         return np.asarray(roots[np.lexsort((roots.imag, -roots.real))])

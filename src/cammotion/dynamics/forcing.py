@@ -168,8 +168,8 @@ def _approximated(piece: Piece) -> list[Forcing]:
             waiting += [(middle, high), (low, middle)]
         if len(found) + len(waiting) > _MOST:
             raise InputError(
-                f"The acceleration about {low:g} bends too sharply for polynomials to follow it: "
-                "give a smoother law."
+                f"The acceleration about {low:g} bends too sharply for polynomials to follow it, "
+                "or its terms cancel each other too nearly: give a smoother law, or fewer terms."
             )
     return found
 

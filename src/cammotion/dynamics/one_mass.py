@@ -38,7 +38,14 @@ _TIME = Quantity("dimensionless time x = t/tm", "", example=1.5, low=-1e6, high=
 _ORDER = Quantity(
     "derivative (position, velocity, acceleration)", "", example=2, high=2, low_included=True
 )
-SWINGS = Quantity("period ratio (swings during the move)", "", example=4, high=1000)
+SWINGS = Quantity(
+    "period ratio (swings during the move)",
+    "",
+    example=4,
+    low=1e-6,
+    high=1000,
+    low_included=True,
+)
 _SAME, _PROBES = 1e-12, (0.3123, 0.7411)  # zones that differ by less there are one
 _ACCELERATION = 2  # the highest derivative a response is asked for
 tau, zeta = sympy.symbols("tau zeta", positive=True)
@@ -48,8 +55,8 @@ class OneMass(Alike):
     """A mass on a spring that a `law` drives from rest to rest once, and then leaves alone.
 
     `law` is a name or a law, `swings` the period ratio tau = tm/Tn: how often the mass, alone and
-    undamped, swings during the move (its natural frequency in Hz times the indexing time in s), at
-    most 1000. `damping_ratio` is dimensionless, from 0 (none) to 0.99. Each may be a symbol
+    undamped, swings during the move (its natural frequency in Hz times the indexing time in s),
+    1e-6 to 1000. `damping_ratio` is dimensionless, from 0 (none) to 0.99. Each may be a symbol
     instead; then there are expressions and no numbers. Cam and mass rest before the move.
     Raises InputError for other numbers, for an unknown law, for one that does not go from 0 to 1,
     for one whose velocity jumps, and for one that is not made of polynomials and waves.
@@ -65,7 +72,7 @@ class OneMass(Alike):
         self.law = as_law(law)
         given = {tau: (SWINGS, swings), zeta: (UNDERDAMPED, damping_ratio)}
         self._of = {
-            s: v if isinstance(v, sympy.Expr) else q.number(v) for s, (q, v) in given.items()
+            s: v if getattr(v, "free_symbols", None) else q.number(v) for s, (q, v) in given.items()
         }
         _zones(self.law)  # refuses a law that has none
 

@@ -164,7 +164,10 @@ def _solve_one(program: Program, bounds: Floats) -> Solution | None:
     if result.status == INFEASIBLE:
         return None
     if result.status != _SOLVED:
-        raise InputError(f"The linear program was not solved ({result.message}): change the grid.")
+        raise InputError(
+            f"The linear program was not solved ({result.message}): take another grid, or ask for "
+            "less."
+        )
     bound = float(result.fun)
     if program.is_bounded or program.sizes is not None:
         at_most, equal = result.ineqlin.marginals, result.eqlin.marginals

@@ -87,9 +87,10 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
     the one the motion is early or late, a clearance of the other is left. What is broken
     `elsewhere`, by others alone, is listed in the answer. With a `DistanceRule` both get one angle,
     and laws that do not turn back. The answer is checked before it is returned: no rule is broken,
-    what stood still stands where it did, and no move that is a thousandth of a degree wider is
-    free. Raises InputError if no move keeps the rules, for a motion of another build, for a reserve
-    below 0, and for what are no rules of this diagram.
+    what stood still stands where it did, and no single angle that is a thousandth of a degree wider
+    is free. Raises InputError if no move keeps the rules, for a motion of another build or one
+    whose moves hand over a velocity, for a reserve below 0, and for what are no rules of this
+    diagram.
 
     >>> import cammotion as cm
     >>> found = widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)

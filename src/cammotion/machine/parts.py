@@ -92,8 +92,8 @@ def indexing_motion(
     """Return a motion that goes on part by part from stop to stop, one pitch each turn.
 
     The parts, made by `rise`, `return_` and `dwell`, fill 360 deg, and its stops are where a turn
-    begins: a dwell between two moves of one turn is none. `stops` pitches close the turret. Raises
-    InputError unless the parts do so.
+    begins: a dwell between two moves of one turn is none, whatever a rule says of a stop. `stops`
+    pitches close the turret. Raises InputError unless the parts do so.
 
     >>> import cammotion as cm
     >>> mill = cm.indexing_motion("mill", cm.rise(100, over_deg=150), cm.dwell(210), stops=24)
