@@ -43,11 +43,11 @@ async function until(isSo) {
  */
 async function laidOut(look) {
   await until(() => all(".jp-Cell").length >= notebook().content.widgets.length);
-  const lay = (how) => all(".jp-Cell").forEach((cell) => (cell.style.contentVisibility = how));
-  lay("visible");
+  const style = document.head.appendChild(document.createElement("style"));
+  style.textContent = ".jp-Cell { content-visibility: visible !important; contain: none !important }";
   await pause(10 * FRAME_MS); // figures fit themselves into their widths
   const found = look();
-  lay("");
+  style.remove();
   return found;
 }
 
