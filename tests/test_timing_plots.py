@@ -344,3 +344,13 @@ def test_a_clearance_map_shows_a_part_wherever_it_moves(start: float) -> None:
     ):
         assert near <= values.min() <= values.max() <= far
         assert far - near < 1.2 * stroke
+
+
+def test_broken_rules_without_a_name_are_counted_beside_those_with_one() -> None:
+    named, bare = (
+        cm.ClearanceRule(cm.beyond("die", mm), only_while=cm.within("mill", 0.65), name=name)
+        for mm, name in ((19, "die clear"), (19.2, ""))
+    )
+    ax = cm.plot_timing(TOO_WIDE, rules=[named, bare])
+    said = [text.get_text() for text in ax.texts]
+    assert "broken: die clear (and 1 rule without a name)" in said

@@ -7,6 +7,7 @@ from typing import Any
 from cammotion.exchange.all_faults import Faults
 from cammotion.exchange.cells import Plain, name_in, number_in, two_readings
 from cammotion.exchange.law_text import is_same_law, law_from_text
+from cammotion.exchange.xlsx_in import A_DATE
 from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.parts import MATCHED
@@ -37,6 +38,7 @@ RESERVED = {DWELL, *KNOWN, *LAWS}
 OWN = "own law, "
 """What stands before a law in full that is called by a reserved name and is another."""
 
+_AS_A_NUMBER = ", and format the cell as a number"
 _EXAMPLES = {RATE: 2000, STOPS: 24}
 _OF_A_SEGMENT = ["motion", *NUMBERS.values(), "law"]
 
@@ -56,12 +58,13 @@ class Laws:
 
     def find(self, name: str, text: str) -> str | MotionLaw | None:
         """Return the law that a line names, and says in full if `text` is not empty."""
-        if not text and name.casefold() == MATCHED:
-            raise InputError(
-                "A law that is matched depends on its neighbours, and a table has to say it in "
-                f"full: build the motion with law=MATCHED, and write_machine writes '{IN_FULL}'."
-            )
         if not text:
+            if name.casefold() == MATCHED:
+                raise InputError(
+                    "A law that is matched depends on its neighbours, and a table has to say it "
+                    "in full: build the motion with law=MATCHED, and write_machine writes "
+                    f"'{IN_FULL}'."
+                )
             named = {law.name.strip(): law for law in self._given}
             found = one_of("motion law", name or DWELL, [DWELL, *named, *KNOWN, *LAWS])
             return None if found == DWELL else named.get(found) or KNOWN.get(found) or found
@@ -121,7 +124,7 @@ class Record:
         if math.isnan(number):
             raise InputError(
                 f"{self.where}: '{column}' is {shorten(cell)}; it has to be a number, for example "
-                f"{_EXAMPLES.get(column, 150)}."
+                f"{_EXAMPLES.get(column, 150)}{_AS_A_NUMBER if cell.endswith(A_DATE) else ''}."
             )
         return number
 

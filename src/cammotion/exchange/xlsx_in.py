@@ -21,6 +21,9 @@ MOST_PARTS, MOST_ROWS, MOST_COLUMNS = 1000, 20_000, 200
 ZIP, OLD = (b"PK\x03\x04", b"PK\x05\x06"), b"\xd0\xcf\x11\xe0"
 """What a zip begins with, and an old workbook or one that is locked by a password."""
 
+A_DATE = " as a date"
+"""What stands behind a number that a cell shows as a date or a time."""
+
 _BOOK = "xl/workbook.xml"
 _ESCAPED = re.compile(r"_x(?![Dd][89A-Fa-f])([0-9A-Fa-f]{4})_")  # no half of a character
 _REFERENCE = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
@@ -200,7 +203,7 @@ def _number(number: float, style: list[str]) -> str:
     if style == [_PERCENT]:
         return f"{100 * number:g} %"
     text = repr(number).removesuffix(".0")
-    return f"{text} as a date" if style == [_DATE] else Plain(text)
+    return f"{text}{A_DATE}" if style == [_DATE] else Plain(text)
 
 
 def _text(element: ElementTree.Element) -> str:

@@ -10,6 +10,7 @@ from matplotlib.patches import Rectangle
 
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.diagram import TimingDiagram
+from cammotion.quantities import plural
 from cammotion.rules.rule import Rule, Violation
 from cammotion.views.displacement import curve_angles, displacement
 from cammotion.views.lanes import LANE_SHARE, SHARED_AXIS
@@ -84,6 +85,9 @@ def _say_names(ax: Axes, violations: Sequence[Violation]) -> None:
     lines = [f"broken: {short(name, 2 * MOST)}" for name in names[:_MOST_LINES]]
     if len(names) > _MOST_LINES:
         lines[-1] += f" (and {len(names) - _MOST_LINES} more)"
+    nameless = len({one.rule for one in violations if not one.rule.name})
+    if lines and nameless:
+        lines[-1] += f" (and {plural(nameless, 'rule')} without a name)"
     for number, line in enumerate(reversed(lines)):
         text = ax.annotate(
             line,
