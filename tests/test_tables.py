@@ -442,7 +442,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(stops="0"),
     ],
-    "Line 2 of bad.csv: 'stops' is 'many'; it has to be a number, for example 150.": [
+    "Line 2 of bad.csv: 'stops' is 'many'; it has to be a number, for example 24.": [
         HEADING,
         changed(stops="many"),
     ],
