@@ -1,5 +1,6 @@
 """Checks of a machine: where it is, its peaks, what breaks a rule, the widest move, its table."""
 
+from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TypeAlias
@@ -15,6 +16,7 @@ from fresh.sampling import (
     excesses,
     grid_of,
     margin,
+    track_of,
     tracks_of,
     worst,
 )
@@ -158,3 +160,33 @@ def _away_from_joints(track: Track, angles: Array) -> Flags:
     joints = np.array([angle for piece in track.pieces for angle in piece.joints_deg])
     off = np.abs((angles[:, None] - joints + 180) % 360 - 180)
     return np.asarray(off.min(axis=1) > NEAR_DEG)
+
+
+def is_refused(motion: cm.Motion, ask: Callable[[], object]) -> bool:
+    """Tell whether moves hand over a velocity, and see that other angles are refused for them."""
+    if not _hands_over(track_of(motion)):
+        return False
+    said = "nothing"
+    try:
+        ask()
+    except cm.InputError as refusal:
+        said = str(refusal)
+    assert "with other angles it would jump" in said, f"{motion.name} is torn apart: {said}"
+    return True
+
+
+def _hands_over(track: Track) -> bool:
+    """Tell by the laws' own expressions whether a velocity goes on at a joint and jumps nowhere."""
+    beside, joints = [], []
+    for before, after in zip([track.pieces[-1], *track.pieces], track.pieces, strict=False):
+        joints.append(
+            (float(before.curve(1, before.to_deg)), float(after.curve(1, after.from_deg)))
+        )
+        near = 1e-9 * (after.to_deg - after.from_deg)
+        inner = after.joints_deg[1:-1]
+        beside += [
+            (float(after.curve(1, a - near)), float(after.curve(1, a + near))) for a in inner
+        ]
+    least = 1e-6 * max(1e-12, *(abs(speed) for pair in joints + beside for speed in pair))
+    jumps = any(abs(one - other) > least for one, other in joints + beside)
+    return not jumps and any(abs(one) > least for one, _ in joints)

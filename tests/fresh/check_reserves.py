@@ -1,6 +1,7 @@
 """Checks of what is left until a rule breaks: motions are shifted, and limits, among samples."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,7 @@ from numpy.typing import ArrayLike
 
 import cammotion as cm
 from cammotion import InputError
-from fresh.check_machines import NEAR_MM
+from fresh.check_machines import NEAR_MM, is_refused
 from fresh.check_widest import widened
 from fresh.drawing import Machine
 from fresh.sampling import Track, Tracks, track_of, tracks_of, worst
@@ -44,6 +45,8 @@ def reserved(machine: Machine) -> None:
     for motion in machine.diagram.motions:
         rules = [r for r in machine.rules if motion.name in (r.when.motion, r.only_while.motion)]
         if not rules or len(motion.moves) != (1 if motion.is_indexing else 2):
+            continue
+        if is_refused(motion, partial(cm.widest_move, machine.diagram, motion.name, rules)):
             continue
         deg, mm = rng.choice([0.0, 0.2, 4.0]), rng.choice([0.0, 0.01, 1.0])
         try:

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 import cammotion as cm
 from cammotion import InputError, Motion
-from fresh.check_machines import NEAR_DEG, NEAR_MM, same
+from fresh.check_machines import NEAR_DEG, NEAR_MM, is_refused, same
 from fresh.drawing import Machine
 from fresh.sampling import Piece, Track, track_of, tracks_of, worst_of
 
@@ -20,6 +21,8 @@ def widenings(machine: Machine) -> None:
     for motion in machine.diagram.motions:
         if len(motion.moves) == (1 if motion.is_indexing else 2):
             angle = machine.rng.uniform(0.02, 1) * _most(motion)
+            if is_refused(motion, partial(cm.with_angle, motion, angle)):
+                continue
             try:
                 found = track_of(cm.with_angle(motion, angle))
             except InputError as refusal:
@@ -149,7 +152,9 @@ def _widenable(machine: Machine) -> Iterator[Motion]:
     for motion in machine.diagram.motions:
         has_part = any(motion.name in _motions_of(rule) for rule in machine.rules)
         if has_part and len(motion.moves) == (1 if motion.is_indexing else 2):
-            yield motion
+            ask = partial(cm.widest_move, machine.diagram, motion.name, machine.rules)
+            if not is_refused(motion, ask):
+                yield motion
 
 
 def _room(motion: Motion) -> float:
