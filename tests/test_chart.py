@@ -285,7 +285,7 @@ def test_laws_that_have_no_room_beside_their_lane_are_counted(count: int, shown:
 
 
 def test_a_title_ends_within_its_frame() -> None:
-    for count in range(20, 120, 4):
+    for count in range(20, 120, 20):
         figure = draw_chart(make_diagram(), 1.0, ("M" + "a" * count, DAY), [RULE], {})
         (title,) = (box for said, box in boxes(figure) if said.startswith("Ma"))
         assert title.x1 < figure.bbox.width * (1 - _MARGIN / 297)

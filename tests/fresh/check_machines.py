@@ -12,6 +12,7 @@ import cammotion as cm
 from fresh.drawing import Machine
 from fresh.sampling import (
     Array,
+    Piece,
     Track,
     excesses,
     grid_of,
@@ -177,16 +178,16 @@ def is_refused(motion: cm.Motion, ask: Callable[[], object]) -> bool:
 
 def _hands_over(track: Track) -> bool:
     """Tell by the laws' own expressions whether a velocity goes on at a joint and jumps nowhere."""
+
+    def speed(piece: Piece, angle: float) -> float:
+        return float(piece.curve(1, np.array(angle)))
+
     beside, joints = [], []
     for before, after in zip([track.pieces[-1], *track.pieces], track.pieces, strict=False):
-        joints.append(
-            (float(before.curve(1, before.to_deg)), float(after.curve(1, after.from_deg)))
-        )
+        joints.append((speed(before, before.to_deg), speed(after, after.from_deg)))
         near = 1e-9 * (after.to_deg - after.from_deg)
         inner = after.joints_deg[1:-1]
-        beside += [
-            (float(after.curve(1, a - near)), float(after.curve(1, a + near))) for a in inner
-        ]
-    least = 1e-6 * max(1e-12, *(abs(speed) for pair in joints + beside for speed in pair))
+        beside += [(speed(after, at - near), speed(after, at + near)) for at in inner]
+    least = 1e-6 * max(1e-12, *(abs(one) for pair in joints + beside for one in pair))
     jumps = any(abs(one - other) > least for one, other in joints + beside)
     return not jumps and any(abs(one) > least for one, _ in joints)
