@@ -3,16 +3,19 @@
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
+from fresh.check_machines import is_refused
 from fresh.drawing import build, draw
 from fresh.runner import CHECKS, examine, main, run
 from fresh.sampling import tracks_of
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
+from cammotion.limits import frame
 from cammotion.measured.fits import Through
 from cammotion.teaching import again
 from cammotion.teaching.number_exercise import NumberExercise
@@ -185,6 +188,20 @@ def test_a_planted_fault_is_found(monkeypatch: pytest.MonkeyPatch, check: str) -
     monkeypatch.undo()
     found = examine(SEED, number, (check,))
     assert not found, found[0]
+
+
+def test_moves_that_are_torn_apart_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    slide = cm.motion(
+        "slide",
+        cm.rise(130, over_deg=200, law=cm.MATCHED),
+        cm.return_(130, over_deg=160, law=cm.CONSTANT_VELOCITY),
+    )
+    ask = partial(cm.with_angle, slide, 100)
+    assert is_refused(slide, ask)
+    assert not is_refused(cm.EXAMPLE.die, ask)
+    monkeypatch.setattr(frame, "hands_over", lambda _: False)
+    with pytest.raises(AssertionError, match="slide is torn apart: nothing"):
+        is_refused(slide, ask)
 
 
 def test_the_seed_of_a_finding_is_printed_and_finds_it_again(
