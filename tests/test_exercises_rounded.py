@@ -12,6 +12,7 @@ from cammotion.teaching.exercise import Slip
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.reasons import short_name
+from cammotion.teaching.variants import machine_for
 
 
 def simple(answer: float, *slips: float) -> NumberExercise:
@@ -148,3 +149,12 @@ def test_a_right_answer_that_is_nearly_round_is_right_with_all_its_digits() -> N
     for given in (right, 109.9995, 110.0, 109.999):
         assert is_right(exercise, given)
     assert say(exercise, 112.0) == "two too many"
+
+
+def test_a_right_answer_beside_another_way_may_have_five_digits() -> None:
+    """For this name a number of the lesson's machine leads to 140.72, the right way to 140.754."""
+    machine = machine_for("torn1 201")
+    exercise = EXERCISES["04.3"]
+    assert isinstance(exercise, NumberExercise)
+    assert f"{exercise.solution(machine):.2f}" == "140.75"
+    rounding.assert_rounded_as_asked_is_right(exercise, machine)

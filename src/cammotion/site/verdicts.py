@@ -15,7 +15,7 @@ from itertools import pairwise
 from cammotion.machine.kinematics import STANDARD_GRAVITY
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Slip
-from cammotion.teaching.number_exercise import NEAR, NOT_FAR, ROUND_G, NumberExercise
+from cammotion.teaching.number_exercise import EXACT, NEAR, NOT_FAR, ROUND_G, NumberExercise
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, SAME, TYPED, WHOLE, last_place
 
 _MEASURED = re.compile(r"(?<=off by )\S+(?= %)")
@@ -75,7 +75,8 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     in_g = (right / STANDARD_GRAVITY, right / ROUND_G)
     for value in (right, *slips, *carried, *ratios, *in_g):
         yield from _beside(value, exercise.tolerance)
-        most = MOST if value == right or value in slips else FEWEST + 1
+        most = MOST if value in slips else FEWEST + 1
+        most = EXACT if value == right else most
         for digits in range(FEWEST, most + 1):
             yield from _rounded(value, digits)
 

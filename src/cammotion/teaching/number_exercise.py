@@ -26,6 +26,7 @@ from cammotion.teaching.shown.frame import Shows
 
 GoingOn = Callable[[MillAndDie, float], float]
 """How an answer comes out of the answer to an earlier exercise."""
+EXACT = 7  # digits: a number that agrees in so many is the answer, whatever leads near to it
 ROUND_G = 10  # m/s2, as one reckons in the head
 NEAR, NOT_FAR = 0.02, 0.08  # so near it is the rounding, or most likely is
 _CLOSE = (
@@ -118,7 +119,7 @@ class NumberExercise(Exercise):
         """Return why a number is wrong; "" if it is right."""
         given = to_number(answer, self.wanted)
         right, wrong, digits = _known(self, machine)
-        if any(is_rounded(given, right, more) for more in range(digits, MOST + 1)):
+        if any(is_rounded(given, right, more) for more in range(digits, EXACT + 1)):
             return ""
         off = abs(given - right)
         slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)
