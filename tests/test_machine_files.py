@@ -86,6 +86,10 @@ def test_a_rule_in_a_column_of_another_name_is_not_passed_over() -> None:
     """Called Regel, it was left out, and the report ended with all rules kept."""
     with pytest.raises(cm.InputError, match=r"column 'Regel', which is yours: call .* 'rule', or"):
         cm.machine_from_text(TABLE.replace("; rule", "; Regel", 1))
+    noted = TABLE.replace("; rule", "; rule; Notiz", 1).replace(
+        "mill within 0.65", "mill within 0.65; die beyond 19 only while mill within 0.65", 1
+    )
+    assert cm.machine_from_text(noted).rules == (RULE,)
     both = TABLE.replace("; rule", "; rule; Notiz", 1).replace("0.65", "0.65; see drawing", 1)
     assert len(cm.machine_from_text(both).rules) == len(cm.machine_from_text(TABLE).rules) > 0
 

@@ -59,10 +59,9 @@ def _write(contents: Mapping[Path, bytes], *, overwrite: bool) -> None:
         for path, (part, target) in parts.items():
             with _told(path):
                 if part != target:
-                    before = target.read_bytes()  # of a file that is there; a new one is empty
+                    before = target.read_bytes()
                     part.replace(target)
-                    if before:
-                        undo.callback(target.write_bytes, before)
+                    undo.callback(target.write_bytes, before)  # a new one then goes as a whole
         undo.pop_all()
 
 

@@ -27,7 +27,7 @@ from cammotion.exchange.machine_source import from_text, open_source
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.table_numbers import ANGLE_DECIMALS
 from cammotion.files import write_new
-from cammotion.laws.catalogue import LAWS, as_law
+from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -126,8 +126,7 @@ def read_segments(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Timing
 
 def _in_full(law: MotionLaw) -> list[str]:
     """Return the cells that say what a law is; empty for one of the catalogue under its name."""
-    known = LAWS[law.name] if law.name in {*LAWS} else KNOWN.get(law.name)
-    if known and is_same_law(known, law):
+    if law.name in KNOWN and is_same_law(as_law(law.name), law):
         return [""]
     text = (OWN if law.name in RESERVED else "") + law_as_text(law)
     return [name_cell(part) for part in wrap(text, _LONGEST, break_on_hyphens=False)]

@@ -31,10 +31,10 @@ STILL, RULE = "still", "rule"
 IN_FULL = "law in full"
 """The column that says what a law is; further ones of this name go on where a cell is full."""
 
-KNOWN = {CONSTANT_VELOCITY.name: CONSTANT_VELOCITY}
-"""The laws that are known by their names, beside those of the catalogue."""
+KNOWN = CONSTANT_VELOCITY.name, *LAWS
+"""The laws that are known by their names."""
 
-RESERVED = {DWELL, *KNOWN, *LAWS}
+RESERVED = {DWELL, *KNOWN}
 OWN = "own law, "
 """What stands before a law in full that is called by a reserved name and is another."""
 
@@ -66,8 +66,8 @@ class Laws:
                     f"'{IN_FULL}'."
                 )
             named = {law.name.strip(): law for law in self._given}
-            found = one_of("motion law", name or DWELL, [DWELL, *named, *KNOWN, *LAWS])
-            return None if found == DWELL else named.get(found) or KNOWN.get(found) or found
+            found = one_of("motion law", name or DWELL, [DWELL, *named, *KNOWN])
+            return None if found == DWELL else named.get(found) or found
         if name in RESERVED and not text.startswith(OWN):
             raise InputError(
                 f"The law is called {name!r}, but '{IN_FULL}' says another one: empty that cell "

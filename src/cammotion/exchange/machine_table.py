@@ -68,7 +68,7 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     with faults.at():
         rate = _the_same(records, RATE)
     rules = _rules(records, names, motions, faults)
-    _ask_of_rules_elsewhere(records, names, faults)
+    _ask_of_rules_elsewhere(records, names, rules, faults)
     still = _still(records, faults)
     for motion in motions:
         for where, arc in still.get(motion.name, ()):
@@ -236,19 +236,21 @@ def _rules(
     return rules
 
 
-def _ask_of_rules_elsewhere(records: list[Record], names: list[str], faults: Faults) -> None:
-    """Add as a fault each column of another name in which a rule stands."""
-    asked = set()
+def _ask_of_rules_elsewhere(
+    records: list[Record], names: list[str], rules: list[Rule], faults: Faults
+) -> None:
+    """Add as a fault each column of another name in which a rule stands that is not among these."""
+    known, asked = {*map(nameless, rules)}, set()
     for record in records:
         for column, cell in record.others.items():
             with suppress(InputError):
                 rule = rule_from_text(cell, names, record.decimal)
-                if column not in asked:
+                if nameless(rule) not in known and column not in asked:
                     faults.add(
                         f"{record.where}: there stands '{rule}' in the column {shorten(column)}, "
                         f"which is yours: call the column '{RULE}', or leave out the rule."
                     )
-                asked.add(column)
+                    asked.add(column)
 
 
 def _forbidden(one: Rule, other: Rule) -> str:

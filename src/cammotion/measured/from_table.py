@@ -125,7 +125,7 @@ def _with_dwells(table: CamTable, stays: Sequence[Stay], swing: float) -> Iterat
         values = np.array([stay, *heights[which[1:-1]], there])
         spline = _settled(places, values, _near(table), "clamped")
         moves = list(_moves(spline, table, swing))
-        yield from moves or [_stay(places[0], places[-1], stay, there)]
+        yield from moves or [_stay(places[0], places[-1], stay)]
 
 
 def _without_dwells(table: CamTable, swing: float) -> Iterator[Segment]:
@@ -262,10 +262,8 @@ def _warn(motion: Motion, table: CamTable) -> None:
         )
 
 
-def _stay(start: float, end: float, height: float, then: float | None = None) -> Segment:
-    """Return a dwell, at the end of which it may be a little higher or lower, by the noise."""
-    last = height if then is None else then
-    return Segment(from_deg=float(start), to_deg=float(end), from_mm=height, to_mm=last)
+def _stay(start: float, end: float, height: float) -> Segment:
+    return Segment(from_deg=float(start), to_deg=float(end), from_mm=height, to_mm=height)
 
 
 def _twice(table: CamTable) -> tuple[Floats, Floats]:

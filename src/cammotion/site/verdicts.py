@@ -75,8 +75,7 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     in_g = (right / STANDARD_GRAVITY, right / ROUND_G)
     for value in (right, *slips, *carried, *ratios, *in_g):
         yield from _beside(value, exercise.tolerance)
-        most = MOST if value in slips else FEWEST + 1
-        most = EXACT if value == right else most
+        most = EXACT if value == right else MOST if value in slips else FEWEST + 1
         for digits in range(FEWEST, most + 1):
             yield from _rounded(value, digits)
 

@@ -146,7 +146,7 @@ def text_px(text: str, size: float, *, bold: bool = False) -> float:
 def cut(text: str, width: float, size: float, *, bold: bool = False) -> str:
     """Return a line with an ellipsis at its end where it could be wider than `width`.
 
-    A number stays whole, or is left out.
+    A number stays whole or is left out, unless the line begins with it.
 
     >>> cut("gripper at 110 mm", 200, 10), cut("gripper at 110 mm", 72, 10)
     ('gripper at 110 mm', 'gripper at…')

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cammotion.limits.linear import INFEASIBLE, Program, search
-from cammotion.quantities import Floats, InputError
+from cammotion.quantities import Floats
 
 _SHORTEST_S = 0.05
 _WITHIN = 1e-4  # of the objective: so near to the best is found
@@ -25,13 +25,10 @@ class Mixed(NamedTuple):
     unknowns: Floats | None
     bound: float | None
 
-    def check_time(self, seconds: float) -> None:
-        """Raise InputError if nothing was found, and not that there is nothing to be found."""
-        if self.unknowns is None and self.bound != np.inf:
-            raise InputError(
-                f"In {seconds:.3g} s no starts and angles were found that keep all of this, nor "
-                "that there are none: give more seconds."
-            )
+    @property
+    def is_open(self) -> bool:
+        """Whether nothing was found, and not that there is nothing to be found."""
+        return self.unknowns is None and self.bound != np.inf
 
 
 class Rows:

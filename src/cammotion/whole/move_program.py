@@ -16,9 +16,9 @@ import numpy as np
 
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.kinematics import DEG_PER_TURN
-from cammotion.quantities import Floats
+from cammotion.quantities import Floats, InputError
 from cammotion.whole.crossings import End, Span
-from cammotion.whole.mixed import Rows
+from cammotion.whole.mixed import Mixed, Rows
 
 _NARROWEST_DEG = 1e-3
 _APART_DEG = 4e-6  # so far arcs are kept apart, for what the solver rounds
@@ -93,8 +93,7 @@ def place(
     """
     program = MoveProgram(movers, apart)
     program.rows.cost[program.least] = -1.0
-    found = program.rows.solve(seconds)
-    found.check_time(seconds)
+    found = program.solved(seconds)
     if found.unknowns is None or found.bound is None:
         return None
     x = program.settle(found.unknowns)
@@ -198,6 +197,16 @@ class MoveProgram:
         shares = [end.shares[min(n, len(end.shares) - 1)] for n in range(len(width))]
         terms = [(self.starts[part][end.move], 1.0), *zip(width, shares, strict=True)]
         return terms, end.turns * DEG_PER_TURN
+
+    def solved(self, seconds: float) -> Mixed:
+        """Return what the solver finds; raise InputError where the time was too short to tell."""
+        found = self.rows.solve(seconds)
+        if found.is_open:
+            raise InputError(
+                f"In {seconds:.3g} s no starts and angles were found that keep all of this, nor "
+                "that there are none: give more seconds."
+            )
+        return found
 
     def settle(self, x: Floats) -> Floats | None:
         """Keep the whole numbers that were found; return the best unknowns with these.

@@ -54,10 +54,8 @@ class Part:
     @property
     def stands(self) -> list[Stand]:
         """Where it stands, in the order of the angles, over a turn from the first one on."""
-        return [
-            Stand(*arc, float(unrolled_mm(self.motion, np.array(sum(arc) / 2))))
-            for arc in self.still
-        ]
+        places = unrolled_mm(self.motion, np.array(self.still).mean(axis=1))
+        return [Stand(*arc, place) for arc, place in zip(self.still, places.tolist(), strict=True)]
 
     @property
     def middles_deg(self) -> list[float]:

@@ -210,10 +210,8 @@ class _Starts:
         low, high = rows.low.copy(), rows.high.copy()
         if number == _TODAY and not _as_today(self.task, program):
             return None
-        solved = rows.solve(seconds)
-        if number == _LEAST_PEAK:
-            solved.check_time(seconds)
-        x = solved.unknowns
+        solve = program.solved if number == _LEAST_PEAK else rows.solve
+        x = solve(seconds).unknowns
         rows.low, rows.high = low, high
         settled = None if x is None else program.settle(x)
         if x is None or settled is None:

@@ -14,7 +14,7 @@ from cammotion.teaching.shown.bars import step_of_torque
 
 _SQUARE = 4  # slots, at right angles
 _G = 9.81  # as in the source
-_LESSONS = Indexer(38.5, 8, 0.75, law="modified sine", friction_N_m=10)  # with its further parts
+_LESSONS = Indexer(38.5, 8, 0.75, law="modified sine", friction_N_m=10)  # the table of the lesson
 
 
 def _m2(length_mm: float) -> float:
