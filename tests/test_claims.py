@@ -34,10 +34,10 @@ def test_the_force_that_holds_an_upright_die() -> None:
 
 
 def test_a_wider_angle_makes_another_cam_under_the_same_roller() -> None:
-    """Where the die is set off the cam of 55 deg is hollow, and that of 124.8 deg is less so."""
+    """Where the die is set off the cam of 55 deg is hollow, and that of 124.8 deg is not."""
     x, g = 0.25, 9.80665
 
-    def pressure(angle_deg: float, prime_mm: float, roller_mm: float, a: float) -> float:
+    def on(angle_deg: float, prime_mm: float, roller_mm: float, a: float) -> tuple[float, float]:
         angle = math.radians(angle_deg)
         r = prime_mm + 50 * (x - 1 / (2 * math.pi))
         slope, bend = 50 / angle, 50 * 2 * math.pi / angle**2
@@ -45,12 +45,13 @@ def test_a_wider_angle_makes_another_cam_under_the_same_roller() -> None:
             r**2 + slope**2
         ) ** 1.5  # of the pitch curve
         force = 12 * (g + a) * math.hypot(slope, r) / r
-        return math.sqrt(force / (roller_mm * (1 - roller_mm * curvature)))
+        return curvature, math.sqrt(force / (roller_mm * (1 - roller_mm * curvature)))
 
     for prime_mm in (60, 80, 100, 150, 200, 300):
         for roller_mm in (10, 20):
-            narrow = pressure(55, prime_mm, roller_mm, 4.154)
-            wide = pressure(124.84, prime_mm, roller_mm, 0.806)
+            hollow, narrow = on(55, prime_mm, roller_mm, 4.154)
+            bulge, wide = on(124.84, prime_mm, roller_mm, 0.806)
+            assert hollow < 0 < bulge
             assert 0.01 < 1 - wide / narrow < 0.125
     assert says("02", "often less hollow there, and then it falls by less")
 
