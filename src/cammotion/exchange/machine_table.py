@@ -240,17 +240,19 @@ def _ask_of_rules_elsewhere(
     records: list[Record], names: list[str], rules: list[Rule], faults: Faults
 ) -> None:
     """Add as a fault each column of another name in which a rule stands that is not among these."""
-    known, asked = {*map(nameless, rules)}, set()
+    found: list[tuple[str, str, Rule]] = []
     for record in records:
         for column, cell in record.others.items():
             with suppress(InputError):
-                rule = rule_from_text(cell, names, record.decimal)
-                if nameless(rule) not in known and column not in asked:
-                    faults.add(
-                        f"{record.where}: there stands '{rule}' in the column {shorten(column)}, "
-                        f"which is yours: call the column '{RULE}', or leave out the rule."
-                    )
-                    asked.add(column)
+                found.append((record.where, column, rule_from_text(cell, names, record.decimal)))
+    known = {*map(nameless, rules)} if found else set()
+    strange = [one for one in found if nameless(one[2]) not in known]
+    first = {column: (where, rule) for where, column, rule in reversed(strange)}
+    for column, (where, rule) in first.items():
+        faults.add(
+            f"{where}: there stands '{rule}' in the column {shorten(column)}, which is yours: call "
+            f"the column '{RULE}', or leave out the rule."
+        )
 
 
 def _forbidden(one: Rule, other: Rule) -> str:
