@@ -129,6 +129,17 @@ def test_the_speed_swings_as_its_energy_has_it() -> None:
     assert 0.005 < swing < 0.01
 
 
+def test_a_speed_that_would_swing_widely_is_warned_of() -> None:
+    def ripple(inertia: float) -> float:
+        return cm.Camshaft(make_diagram(), {"die": DIE}, inertia_kg_m2=inertia).speed_ripple
+
+    energy = cm.Camshaft(make_diagram(), {"die": DIE}).energy_swing_J
+    just = energy / (0.2 * SPEED**2)
+    assert ripple(1.001 * just) == pytest.approx(0.2, rel=2e-3)  # without a warning, as all tests
+    with pytest.warns(UserWarning, match=r"speed would swing by 20 %.*larger inertia_kg_m2"):
+        ripple(0.999 * just)
+
+
 @pytest.mark.parametrize("start", [-1e-17, -1e-12, 1e-12, 359.9999999999])
 def test_a_motion_that_begins_just_beside_the_turn(start: float) -> None:
     motion = make_die().shifted(210 + start)  # from 0 deg on

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.alike import Alike
+from cammotion.arguments import warn
 from cammotion.arguments.by_name import by_name
 from cammotion.bracketed import Extreme, summit
 from cammotion.drive.process import ProcessForce, force_beside
@@ -34,6 +35,7 @@ LOADED = "load of a motion"  # what is there of some names only
 _LOAD = "FollowerLoad(mass_kg=12)"
 _FRICTION = Quantity("friction", "N", example=20, low_included=True)
 _INERTIA = Quantity("inertia of the drive", "kg m2", example=2, low_included=True)
+_SMALL_RIPPLE = 0.2  # a tenth up and down, and what the masses ask by a fifth
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,7 +179,8 @@ class Camshaft(Alike):
         """How far the speed swings in a turn, as a part of it: the energy over I Omega^2.
 
         It takes a motor that gives the mean torque alone, and a ripple that is small: then the
-        speed may be taken as even. Raises InputError without an inertia of the drive.
+        speed may be taken as even. Above 20 % there is a UserWarning. Raises InputError without an
+        inertia of the drive.
 
         >>> import cammotion as cm
         >>> loads = {"die": FollowerLoad(mass_kg=12), "mill": FollowerLoad(mass_kg=40)}
@@ -190,7 +193,14 @@ class Camshaft(Alike):
                 "The inertia of the drive is 0 kg m2, and without one nothing keeps the speed "
                 "even: give it, for example inertia_kg_m2=2."
             )
-        return self.energy_swing_J / (self.inertia_kg_m2 * self.speed_rad_per_s**2)
+        ripple = self.energy_swing_J / (self.inertia_kg_m2 * self.speed_rad_per_s**2)
+        if ripple > _SMALL_RIPPLE:
+            warn(
+                f"The speed would swing by {100 * ripple:.3g} % in a turn, but the torque is that "
+                f"of an even speed: with {self.inertia_kg_m2:g} kg m2 the ripple is not true any "
+                "more. Give a larger inertia_kg_m2."
+            )
+        return ripple
 
     @cached_property
     def spans(self) -> tuple[Span, ...]:
