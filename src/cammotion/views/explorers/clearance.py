@@ -185,11 +185,16 @@ def _checked(diagram: Any, rule: Any, contact_mm: Any) -> tuple[ClearanceRule, f
     shapes = [segment.kind for segment in die.moves] == ["rise", "return"] and mill.is_indexing
     sides = rule.when.is_beyond and not rule.only_while.is_beyond
     limit, near = rule.when.limit_mm, rule.only_while.limit_mm
-    if not (shapes and sides and len(mill.moves) == 1 and limit <= contact):
+    if not (shapes and sides and len(mill.moves) == 1):
         raise InputError(
             f"The rule '{rule}' cannot be explored: give one in which a motion that rises and "
-            "returns once may be beyond a limit, short of contact_mm, only while an indexing "
-            "motion with one move is within another."
+            "returns once may be beyond a limit only while an indexing motion with one move is "
+            "within another."
+        )
+    if limit > contact:
+        raise InputError(
+            f"The position of contact is {contact:g} mm, and the rule '{rule}' lets the "
+            f"{die.name} pass it: give a contact_mm of at least {limit:g} mm."
         )
     if not (
         die.start_mm <= limit and die.start_mm < contact and 0 <= near < abs(mill.pitch_mm) / 2
