@@ -112,6 +112,13 @@ SLIPS = [
     KnownSlip("09.1", "in mm", lambda m: step(m) / 1000, "mm"),
     KnownSlip("09.1", "one degree", lambda m: step(m) * (m.measured.points / 360) ** 2, "degree"),
     KnownSlip("09.1", "in minutes", lambda m: step(m) / 3600, "minutes"),
+    KnownSlip(
+        "09.1",
+        "radians for the time",
+        lambda m: m.measured.limit * (2 * math.pi / m.measured.points) ** 2 / 2 * 1e6,
+        "in rad",
+    ),
+    KnownSlip("09.1", "the lesson's", lambda m: m.measured.limit / 81 / 2 * 1e6, "lesson"),
     KnownSlip("09.1", "twice the time", lambda m: 4 * step(m), "doubled"),
     KnownSlip("09.1", "half the error", lambda m: step(m) / 4, "not half of it"),
     KnownSlip(
@@ -201,6 +208,12 @@ SLIPS = [
         ),
         "upside",
     ),
+    KnownSlip(
+        "09.4",
+        "proportion",
+        lambda m: m.measured.left[1] * m.measured.left[0] / m.measured.left[2],
+        "proportion",
+    ),
     KnownSlip("09.4", "the share scaled", scaled, "share itself"),
     KnownSlip("09.4", "taken away", lambda m: 100 - left(m), "taken away"),
     KnownSlip(
@@ -240,6 +253,8 @@ SLIPS = [
     KnownSlip("09.5", "counted twice", lambda m: wave(m) / 2, "four times"),
     KnownSlip("09.5", "counted once", lambda m: wave(m) / 4, "counted once"),
     KnownSlip("09.5", "the way in mm", way_mm, "displacement, in mm"),
+    KnownSlip("09.5", "the cycloid's peak", lambda m: wave(m) * math.pi / 2, "cycloid"),
+    KnownSlip("09.5", "no pi²", lambda m: wave(m) * math.pi**2, "pi²"),
     KnownSlip("09.5", "the push", push, "itself"),
     KnownSlip("09.5", "no 4/pi", lambda m: push(m) / m.measured.rank, "4/pi"),
     KnownSlip("09.5", "half", lambda m: wave(m) / 2, "half"),

@@ -124,6 +124,23 @@ NUMBER_SLIPS = [
         ),
         "added",
     ),
+    KnownSlip(
+        "12.1",
+        "sums",
+        lambda m: (
+            m.rate_per_hour
+            * math.sqrt((before(m) + mill(m)) / (peak(m, stroke(m), widest(m)) + mill(m)))
+        ),
+        "added|largest",
+    ),
+    KnownSlip("12.2", "mean velocity", lambda m: least(m, 1) * time(m, m.mill_angle_deg), "mean"),
+    KnownSlip(
+        "12.2",
+        "degrees",
+        lambda m: 4 * m.pitch_mm / 1000 / m.mill_angle_deg**2,
+        "degrees",
+    ),
+    KnownSlip("12.2", "the lesson's", lambda _: 4.0, "lesson"),
     KnownSlip("12.2", "the cycloid", lambda m: least(m, CYCLOID), "cycloid"),
     KnownSlip("12.2", "the harmonic", lambda m: least(m, math.pi**2 / 2), "harmonic"),
     KnownSlip("12.2", "modified sine", lambda m: least(m, 5.52796), "modified sine"),

@@ -462,6 +462,9 @@ SLIPS = [
     KnownSlip("06.1", "against it", lambda m: 2 + 2 * m.laws.head_start, "against|helps"),
     KnownSlip("06.1", "taken away once", lambda m: 2 - m.laws.head_start, "once"),
     KnownSlip("06.1", "the cycloid", lambda _: CYCLOID, "cycloid"),
+    KnownSlip(
+        "06.1", "the cycloid for the rest", lambda m: CYCLOID * (1 - m.laws.head_start), "cycloid"
+    ),
     KnownSlip("06.1", "half the cycloid", lambda _: math.pi, "cycloid"),
     KnownSlip("06.1", "none", lambda _: 0.0, "does not arrive"),
     KnownSlip(
@@ -498,6 +501,12 @@ SLIPS = [
         "sign",
         lambda m: ramped(m, pushed(m) + r),
         "sign|larger|higher|ramps cost",
+    ),
+    KnownSlip(
+        "06.2",
+        "half of the time",
+        lambda m: ramped(m, sympy.Rational(1, 2) - r),
+        "pause",
     ),
     KnownSlip("06.2", "no ramps", lambda m: ramped(m, pushed(m)), "depend|r = 0|without ramps"),
     KnownSlip("06.2", "no pause", lambda _: 4 / (1 - 2 * r), "pause"),
@@ -562,6 +571,10 @@ SLIPS = [
     KnownSlip("06.3", "in mm", lambda m: 1000 * least(m), "mm"),
     KnownSlip("06.3", "in g", lambda m: least(m) / G, r"in g\b"),
     KnownSlip("06.3", "the cycloid", lambda m: hard(m, widest(m), CYCLOID), "cycloid"),
+    KnownSlip("06.3", "default law", lambda m: hard(m, later(m), CYCLOID, up(m)), "cycloid"),
+    KnownSlip("06.3", "the lesson's height", lambda m: least(m, 31), "lesson|finite"),
+    KnownSlip("06.3", "in mm/deg²", lambda m: 1000 * least(m) * time(m, 1) ** 2, "mm/deg²"),
+    KnownSlip("06.3", "time not squared", lambda m: least(m) * time(m, 1), "squared"),
     KnownSlip("06.3", "per minute", lambda m: 3600 * least(m), "minute"),
     KnownSlip("06.3", "braked upwards", lambda m: -least(m), "sign"),
     # How far the cycloid is from it.
@@ -592,15 +605,11 @@ SLIPS = [
     ),
     # The force of a servo.
     KnownSlip("06.5", "the die alone", lambda m: servo(m, 0), "motor|alone"),
+    KnownSlip("06.5", "lead in mm", lambda m: servo(m, 1e-4 * (2 * math.pi / 10) ** 2), "in mm"),
+    KnownSlip("06.5", "no brackets", lambda m: servo(m, 1e-4 * 2 * math.pi / 0.01**2), "2 pi with"),
     KnownSlip("06.5", "the motor alone", lambda m: servo(m, MOTOR_KG, 0), "die|alone"),
     KnownSlip("06.5", "2 pi forgotten", lambda m: servo(m, 1e-4 / 0.01**2), "2 pi|radian"),
     KnownSlip("06.5", "not squared", lambda m: servo(m, 1e-4 * SCREW), "square"),
-    KnownSlip(
-        "06.5",
-        "lead in mm",
-        lambda m: servo(m, 1e-4 * (2 * math.pi / 10) ** 2),
-        "mm|metre|motor's inertia",
-    ),
     KnownSlip(
         "06.5",
         "lead in cm",

@@ -83,7 +83,15 @@ def test_four_digits_are_enough_and_one_percent_off_is_close(exercise: NumberExe
             known = {*reasons_of(exercise), *(slip.reason for slip in exercise.carried)}
             if any(is_as_typed(off * right, n) for n in exercise.of_the_lesson(machine)):
                 known |= {OF_THE_LESSON, MIXED}
-            assert re.match(r"Close, but off by 1\.5 %", said) or said in known
+            close = r"This is too" if exercise.is_count else r"Close, but off by 1\.5 %"
+            assert re.match(close, said) or said in known
+
+
+def test_a_count_that_is_one_off_was_not_rounded() -> None:
+    for machine in MACHINES:
+        right = EXERCISES["09.3"].solution(machine)
+        for off in (-1, 1):
+            assert "ound" not in say(EXERCISES["09.3"], right + off, machine)
 
 
 @each_number

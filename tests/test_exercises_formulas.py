@@ -12,6 +12,7 @@ from judging import ACCELERATION, each_formula, is_right, say
 
 from cammotion.teaching.example import EXAMPLE
 from cammotion.teaching.expression_exercise import ExpressionExercise
+from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.variants import NAMELESS
 
 t, h_m, t_m = sympy.symbols("t h_m t_m")
@@ -73,7 +74,8 @@ def test_the_right_formula_in_every_sensible_form(formula: Any) -> None:
 
 
 ODD_FORMULAS: list[tuple[Any, str]] = [
-    (FORMULA * (1 + sympy.Rational(1, 1000)), r"1\.001 times what it should be"),
+    (FORMULA * (1 + sympy.Rational(1, 1000)), r"within 0\.1 % .* probably rounded\. Keep"),
+    (FORMULA * (1 + sympy.Rational(1, 100)), r"1\.01 times what it should be"),
     (-FORMULA, "not the sign"),
     (6 * h_m / t_m**2 * sympy.cos(sympy.pi * t / t_m), "right at both ends and wrong between"),
     (FORMULA + t, "another formula"),
@@ -96,6 +98,14 @@ ODD_FORMULAS: list[tuple[Any, str]] = [
     (lambda t, h_m, t_m: 1 / 0, "stopped with ZeroDivisionError"),  # noqa: ARG005
     (print, "returns nothing"),
 ]
+
+
+@pytest.mark.parametrize("formula", ["4/(1 - 2.003*r)", "4.01/(1 - 2*r)"])
+def test_a_right_formula_with_rounded_numbers_is_told_so(formula: str) -> None:
+    """Nothing is said of a factor that would be missing: none is."""
+    said = say(EXERCISES["06.2"], sympy.sympify(formula))
+    assert re.search("probably rounded. Keep fractions", said)
+    assert "factor" not in said
 
 
 @pytest.mark.parametrize(("formula", "said"), ODD_FORMULAS)

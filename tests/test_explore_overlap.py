@@ -295,7 +295,10 @@ def rule_of(first: Condition, second: Condition) -> cm.ClearanceRule:
     [
         (rule_of(cm.beyond("mill", 19), cm.within("die", 0.65)), "cannot be explored: give one in"),
         (rule_of(cm.within("die", 19), cm.within("mill", 0.65)), "cannot be explored: give one in"),
-        (rule_of(cm.beyond("die", 21), cm.within("mill", 0.65)), "contact is 20 mm.*give a contact_mm of at least 21 mm"),
+        (
+            rule_of(cm.beyond("die", 21), cm.within("mill", 0.65)),
+            "contact is 20 mm.*give a contact_mm of at least 21 mm",
+        ),
         (rule_of(cm.beyond("die", -1), cm.within("mill", 0.65)), "the die above its start, 0 mm"),
         (rule_of(cm.beyond("die", 19), cm.within("mill", 50)), "half of its pitch, 50 mm"),
         (rule_of(cm.beyond("die", 19), cm.within("mill", -0.1)), "the mill from 0 to half of"),

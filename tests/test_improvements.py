@@ -10,8 +10,9 @@ from cartons import all_dies, packaging_machine, pusher_rule
 from machines import Array
 
 import cammotion as cm
-from cammotion.advice import changes, ranking
-from cammotion.advice.changes import gentle_laws
+from cammotion.advice import changes, ranking, widening
+from cammotion.advice.changes import Improvement, gentle_laws
+from cammotion.machine.segments import with_dwells
 from cammotion.quantities import WrongAnswerError
 
 DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
@@ -296,9 +297,107 @@ def test_a_change_that_breaks_a_rule_is_an_error_and_no_answer(
         motion = cm.with_angle(diagram[name], min(found.angle_deg + 2, 129))
         return replace(found, diagram=diagram.with_motion(motion))
 
-    monkeypatch.setattr(changes, "widest_move", too_wide)
+    monkeypatch.setattr(widening, "widest_move", too_wide)
     with pytest.raises(WrongAnswerError, match="breaks the rule"):
         cm.improvements(PRESS)
+
+
+FILLER = cm.machine_from_text(
+    """
+motion;stops;from in deg;to in deg;from in mm;to in mm;law;machine rate in pieces/h;still;rule
+wheel; 10; 195; 280; 24; 0; modified sine; 6000; 25 to 110; arm beyond 4 only while wheel within .2
+arm; ; -30; 30; 0; 16; cycloidal; ; ; tamper beyond 2 only while arm within 13
+; ; 60; 150; 16; 0; cycloidal; ; ;
+tamper; ; 115; 140; 0; 7; cycloidal; ; 140 to 150; tamper beyond 1 only while wheel within 0.1
+; ; 150; 185; 7; 0; cycloidal; ; ;
+""",
+    "filler",
+)
+FOLDER = """
+motion; from in deg; to in deg; from in mm; to in mm; law; machine rate in pieces/h; still; rule
+pusher; 100; 180; 60; 10; cycloidal; 600; 180 to 190; pusher - flap at least 5 mm
+; 200; 320; 10; 60; cycloidal; ; 320 to 350;
+flap; -60; 0; 0; HEIGHT; cycloidal; ; 205 to 300;
+; 60; 150; HEIGHT; 0; cycloidal; ; ;
+"""
+EARLY = cm.machine_from_text(
+    """
+motion;stops;from in deg;to in deg;from in mm;to in mm;law;machine rate in pieces/h;still;rule
+mill; 24; 0; 150; 0; 100; cycloidal; 2000; 200 to 215; die beyond 19 only while mill within 0.65
+die; ; 165; 200; 0; 50; cycloidal; ; 200 to 215;
+; ; 215; 270; 50; 0; cycloidal; ; ;
+""",
+    "early",
+)
+
+
+def folder(flap_mm: float) -> cm.Machine:
+    return cm.machine_from_text(FOLDER.replace("HEIGHT", f"{flap_mm}"), "folder")
+
+
+def widened(machine: cm.Machine, name: str) -> Improvement:
+    (found,) = (c for c in cm.improvements(machine) if (c.mechanism, c.kind) == (name, "widen"))
+    return found
+
+
+def test_a_turret_may_be_wider_elsewhere_than_about_its_middle() -> None:
+    """A search of all angles, in steps, finds nothing that is gentler."""
+    one = widened(FILLER, "wheel")
+    diagram = FILLER.diagram
+    about = cm.widest_move(diagram, "wheel", FILLER.rules).peak_acceleration
+    (move,) = diagram["wheel"].moves
+    peaks = []
+    for begin in range(110, 260, 6):
+        for end in range(begin + 90, 386, 6):
+            moved = replace(move, from_deg=begin, to_deg=end)
+            rest = replace(move, from_deg=end, to_deg=begin + 360, from_mm=0, to_mm=0, law=None)
+            there = diagram.with_motion(replace(diagram["wheel"], segments=(moved, rest)))
+            if not cm.find_violations(there, FILLER.rules):
+                peaks.append(there.peak_acceleration("wheel"))
+    assert one.after < 0.8 * about
+    assert 0.9 * min(peaks) < one.after < min(peaks)
+
+
+def test_what_stops_the_hardest_move_is_named_first() -> None:
+    """Of the tamper, the return is driven harder; what is named breaks if a move is wider."""
+    one = widened(FILLER, "tamper")
+    wheel, arm = "beyond 1 mm only while the wheel", "beyond 2 mm only while the arm"
+    assert 0 < one.said.index(wheel) < one.said.index(arm)
+    assert "still arc" not in one.said
+    rise, back = one.machine.diagram["tamper"].moves
+    for changed, rule in (
+        (replace(back, to_deg=back.to_deg + 0.2), wheel),
+        (replace(rise, from_deg=rise.from_deg - 0.2), arm),
+    ):
+        moves = [changed if move.kind == changed.kind else move for move in (rise, back)]
+        motion = replace(one.machine.diagram["tamper"], segments=tuple(with_dwells(moves)))
+        wider = one.machine.diagram.with_motion(motion)
+        assert any(rule in str(v.rule) for v in cm.find_violations(wider, FILLER.rules))
+
+
+def test_what_stops_a_move_that_shares_the_turn_is_named() -> None:
+    one = widened(EARLY, "die")
+    assert sum(move.angle_deg for move in one.machine.diagram["die"].moves) == pytest.approx(345)
+    assert one.said.endswith(
+        "of the die (then: the die may be beyond 19 mm only while the mill is within 0.65 mm)"
+    )
+
+
+def test_beside_a_distance_each_move_has_its_own_angle() -> None:
+    """The rule stops nothing: the pusher is never below 10 mm, the flap never above 5 mm."""
+    one = widened(folder(5), "pusher")
+    assert one.said == (
+        "widen the return from 80 to 190 deg and the rise from 120 to 130 deg of the pusher "
+        "(then: its still arc)"
+    )
+    assert one.after == pytest.approx(2 * math.pi * 0.05 / (130 / 360 * 6) ** 2, rel=1e-6)
+
+
+def test_a_distance_that_stops_a_move_is_named() -> None:
+    """The flap is so high before that the pusher may not come down early."""
+    one = widened(folder(40), "pusher")
+    assert one.said.endswith("; the pusher stays at least 5 mm above the flap)")
+    assert not one.machine.violations
 
 
 def test_what_is_no_machine_is_refused() -> None:

@@ -2,32 +2,24 @@
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import cache
 
+from cammotion.advice.widening import stops, wider
 from cammotion.laws.catalogue import LAWS, as_law
-from cammotion.laws.piece import bisect
 from cammotion.limits.frame import hands_over
-from cammotion.limits.widest import WidestMove, widest_move, with_angle
-from cammotion.machine.arcs import Arc, arcs, intersect
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment, arcs_of
+from cammotion.machine.segments import Segment
 from cammotion.own import Machine
-from cammotion.quantities import InputError, WrongAnswerError, in_decimals, plural, rate_as_text
-from cammotion.rules.checks import find_violations, smallest_clearance
+from cammotion.quantities import WrongAnswerError, in_decimals, plural, rate_as_text
+from cammotion.rules.checks import find_violations
 from cammotion.rules.rule import Rule, Violation
-from cammotion.whole.optimise import optimise
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
 _WORTH = 1e-3  # of a peak: less is no gain
 _SAME_DEG = 0.005
 _USED_MM, _USED = 1e-3, 1e-4  # of a rule that has no more room; and of the ways in it at most
-_SECONDS = 5.0  # for all moves of one mechanism
-_HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
-_ROUNDING = 1e-9  # deg
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,9 +125,11 @@ def _used_mm(diagram: TimingDiagram, rule: Rule) -> float:
 
 
 def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Improvement]:
-    changed, held = _asked_wider(machine, name, rules)
+    changed = wider(machine, name, rules)
     if changed is None:
         return
+    stopped = dict.fromkeys(stops(machine, changed, name, rules))
+    held = f" (then: {'; '.join(stopped)})" if stopped else ""
     if _dwells(machine.diagram[name]) and not _dwells(changed[name]):
         held = f"{held}, so that it stands nowhere"
     pairs = [*zip(machine.diagram[name].moves, changed[name].moves, strict=True)]
@@ -160,76 +154,8 @@ def _verb(pairs: Iterable[tuple[Segment, Segment]]) -> str:
     return "narrow" if max(more) <= _SAME_DEG else "change"
 
 
-def _asked_wider(
-    machine: Machine, name: str, rules: Sequence[Rule]
-) -> tuple[TimingDiagram | None, str]:
-    """Return the diagram with the widest moves of a motion, and in words what stops them."""
-    found, arcs = _widest(machine, name, rules), machine.still.get(name, ())
-    if not arcs or (found and _stands(found.diagram[name], arcs)):
-        held = f" (then: {found.tight.rule})" if found and found.tight else ""
-        return (found.diagram if found else None), held
-    changed = _between(machine, name, rules)
-    used = [str(rule) for rule in rules if changed and _is_used_up(changed, rule)]
-    return changed, f" (then: {'; '.join(['its still arc', *used])})"
-
-
-def _is_used_up(diagram: TimingDiagram, rule: Rule) -> bool:
-    return abs(smallest_clearance(diagram, rule).clearance_mm) < _used_mm(diagram, rule)
-
-
 def _dwells(motion: Motion) -> bool:
     return any(segment.is_dwell for segment in motion.segments)
-
-
-def _widest(machine: Machine, name: str, rules: Sequence[Rule]) -> WidestMove | None:
-    """Return the widest move of a motion, of the three hardest with an angle for each way.
-
-    Where that is no gain, it is the other way round; a distance rule, for one, allows one angle.
-    """
-    is_hard = name in [*machine.peaks][:_HARDEST]
-    found = None
-    for each_way in (None, False) if is_hard else (False, None):
-        with suppress(InputError):  # not of this build, or no move of it keeps the rules
-            wider = widest_move(machine.diagram, name, rules, each_way=each_way)
-            found = found or wider
-            if wider.peak_acceleration < machine.peaks[name]:
-                return wider
-    return found
-
-
-def _between(machine: Machine, name: str, rules: Sequence[Rule]) -> TimingDiagram | None:
-    """Return the diagram with the widest moves of a motion that stands over its still arcs."""
-    still = {name: machine.still[name]}
-    try:
-        return optimise(machine.diagram, rules, still=still, seconds=_SECONDS).design
-    except InputError:  # no moves of it keep the rules, or one of them is of another kind
-        changed = _beside(machine, name)
-    broken = {one.rule for one in machine.violations}
-    is_worse = changed and {one.rule for one in machine.with_diagram(changed).violations} - broken
-    return None if is_worse else changed
-
-
-def _beside(machine: Machine, name: str) -> TimingDiagram | None:
-    """Return the diagram with the widest move of a motion beside its still arcs, rules aside."""
-    motion, arcs = machine.diagram[name], machine.still[name]
-    narrow = min(move.angle_deg for move in motion.moves)
-    fits = partial(_fits, motion, arcs)
-    if not fits(narrow):
-        return None
-    angle = bisect(fits, narrow, float(DEG_PER_TURN)) - _ROUNDING
-    return machine.diagram.with_motion(with_angle(motion, angle))
-
-
-def _fits(motion: Motion, arcs: Sequence[Arc], angle_deg: float) -> bool:
-    try:
-        return _stands(with_angle(motion, angle_deg), arcs)
-    except InputError:  # the turn has no room for it
-        return False
-
-
-def _stands(motion: Motion, still: Iterable[Arc]) -> bool:
-    """Tell whether a motion stands over its still arcs."""
-    return not intersect(arcs_of(motion.moves), arcs(still))
 
 
 def _other_law(

@@ -97,14 +97,16 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
 
     Each mechanism is asked by itself, all others as they are: how wide can its moves be
     (`widest_move`), and does a gentler law of the catalogue, one with a finite jerk, keep the
-    rules? One with more than a rise and a return is asked where it has still arcs; between such
-    arcs each move gets an angle of its own (`optimise`). What mends a broken rule comes first, then
-    what makes the largest peak of the machine smaller, then what makes that of its own mechanism
-    smaller by most. (Rise and return of the three hardest may get two angles; of the others one,
-    unless only two are a gain.) With `seconds` the balance of all moves at once is sought for so
-    long (`optimise`; the parts with still arcs are free). Each change is checked before it is
-    returned: it breaks no rule that was kept and makes none worse that is broken, and its peak is
-    that of the changed diagram. A motion that hands a velocity from move to move keeps its laws.
+    rules? Where still arcs leave it more room than its dwells do, and with more than a rise and a
+    return, starts and angles are free between these arcs (`optimise`; with rules that this does
+    not know each end of a move is put out as far as it goes, which need not be the best). What
+    mends a broken rule comes first, then what makes the largest peak of the machine smaller, then
+    what makes that of its own mechanism smaller by most. (Rise and return of the three hardest may
+    get two angles; of the others one, unless only two are a gain.) With `seconds` the balance of
+    all moves at once is sought for so long (`optimise`; the parts with still arcs are free). Each
+    change is checked before it is returned: it breaks no rule that was kept and makes none worse
+    that is broken, and its peak is that of the changed diagram. A motion that hands a velocity from
+    move to move keeps its laws.
     Raises InputError for what is no Machine, and WrongAnswerError if a check fails.
 
     >>> import cammotion as cm

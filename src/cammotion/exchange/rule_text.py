@@ -19,7 +19,7 @@ DISTANCE = "the pusher stays at least 5 mm above the flap"
 ARC_EXAMPLE = "205 to 305"
 YES, NO = ("yes", "x", "true"), ("no", "false")
 _ONLY = re.compile(r"\s+only\s+(?:while|if|when)\s+", re.IGNORECASE)
-_LIMIT = r"(?P<limit>[-+−\d]\S*?)\s*"
+_LIMIT = r"(?P<limit>[-+−.,\d]\S*?)\s*"
 _HALF = re.compile(
     r"(?P<name>\S.*?)\s+(?:(?:may\s+be|is)\s+)?(?:(?P<side>beyond|within)\s+"
     rf"{_LIMIT}(?:mm)?|(?P<way>moving|standing))\.?",

@@ -250,8 +250,11 @@ def _sentences(found: Findings) -> Iterator[str]:
         "between turning points that are proved to be all, so that no violation slips through."
     )
     yield (
-        "What to change first: each mechanism by itself gets its widest moves beside the others, "
-        "or a gentler law with a finite jerk. Each change was checked again by the rules."
+        "What to change first: each mechanism by itself gets wider moves beside the others, or a "
+        "gentler law with a finite jerk. Its moves are the widest about what stays of it, or the "
+        "best of all that stand where the table says; where rules of a distance, or of what moves "
+        "or stands, forbid that search, each end is put out as far as it goes, and there may be "
+        "better ones. Each change was checked again by the rules."
     )
     if found.best:
         yield (

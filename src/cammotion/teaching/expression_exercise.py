@@ -25,6 +25,11 @@ _ENDS_ONLY = (
     "It is right at both ends and wrong between. The ends alone do not prove a formula: try the "
     "middle, or a quarter of the way."
 )
+_ROUNDED = (
+    "Everywhere this is within {} % of the right formula: a number in it was probably rounded. "
+    "Keep fractions, like 5/12, or all the digits."
+)
+_NEARLY = 0.005
 _ANOTHER = "This is another formula. Put in numbers for which you know the result, and see."
 
 
@@ -70,14 +75,19 @@ class ExpressionExercise(Exercise):
             and self._same(given, self._values(wrong, places))
         )
         return (
-            known or _constant_factor(given, right) or self._at_ends(answer, solution) or _ANOTHER
+            known
+            or _rounded(given, right)
+            or _constant_factor(given, right)
+            or self._at_ends(answer, solution)
+            or _ANOTHER
         )
 
     @property
     def faults(self) -> tuple[str, ...]:
         """All that `find_fault` may return, with … in the place of a number that it measures."""
         slips = (slip.reason for slip in self.slips)
-        return (*slips, *COMMON_RATIOS.values(), _FACTOR.format("…"), _ENDS_ONLY, _ANOTHER)
+        said = (each.format("…") for each in (_ROUNDED, _FACTOR))
+        return (*slips, *COMMON_RATIOS.values(), *said, _ENDS_ONLY, _ANOTHER)
 
     def _at_ends(self, answer: Any, solution: sympy.Expr) -> str:
         """Say so if a formula is right at both ends of the move."""
@@ -177,6 +187,12 @@ def _order(function: Callable[..., Any], variables: Sequence[str]) -> list[int]:
     except (TypeError, ValueError):  # a built-in function
         names = []
     return [variables.index(name) for name in (names if set(names) == {*variables} else variables)]
+
+
+def _rounded(given: Floats, right: Floats) -> str:
+    """Say so if a formula is nearly right, everywhere."""
+    off = float(np.abs(given / np.where(right, right, np.nan) - 1).max())
+    return _ROUNDED.format(f"{100 * off:.1g}") if off <= _NEARLY else ""
 
 
 def _constant_factor(given: Floats, right: Floats) -> str:

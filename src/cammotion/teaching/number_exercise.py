@@ -74,7 +74,8 @@ class NumberExercise(Exercise):
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
     see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`,
-    has neither a factor pi nor squares in it that could be lost.
+    has neither a factor pi nor squares in it that could be lost; of a whole number, `is_count`,
+    nothing is rounded on the way.
     """
 
     unit: str
@@ -86,6 +87,7 @@ class NumberExercise(Exercise):
     brought: tuple[Carried, ...] = ()
     shows: Shows | None = None
     is_sum: bool = False
+    is_count: bool = False
 
     @property
     def wanted(self) -> str:
@@ -228,9 +230,9 @@ class NumberExercise(Exercise):
     def _far(self, given: float, right: float) -> str:
         """Say what there is to say of a number with no known history."""
         off = abs(given - right) / abs(right)
-        if off <= NEAR:
+        if off <= NEAR and not self.is_count:
             return _CLOSE.format(f"{100 * off:.2g}")
-        if off <= NOT_FAR:
+        if off <= NOT_FAR and not self.is_count:
             return _OFF.format(f"{100 * off:.2g}")
         if given * right < 0:
             return _SIGN_AND_SIZE

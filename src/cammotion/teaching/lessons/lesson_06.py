@@ -25,6 +25,7 @@ MOTOR_INERTIA = 1e-4
 """Of the servo in 06.5, in kg m2."""
 
 _ACCELERATION = 0.6
+_LESSONS_RISE_MM = 31
 _r = sympy.Symbol("r")
 _HALF = sympy.Rational(1, 2)
 
@@ -204,6 +205,11 @@ EXERCISES = (
                 "This is the cycloid, which comes to rest at the end. The hammer need not.",
             ),
             Slip(
+                lambda m: LAWS["cycloidal"].Ca * _left(m) if m.laws.head_start else math.nan,
+                "This is the cycloid for the rest of the way. It comes to rest at the end; the "
+                "hammer need not.",
+            ),
+            Slip(
                 lambda m: LAWS["cycloidal"].Ca / 2,
                 "This is half of the cycloid. Half is a good thought, but of which law?",
             ),
@@ -288,6 +294,10 @@ EXERCISES = (
                 ),
                 "The way of the pause is missing: while nothing pushes, the law goes on with the "
                 "velocity that it has in the middle.",
+            ),
+            Slip(
+                lambda m: _in_the_middle(m) / (_HALF - _r) if _still(m) else sympy.nan,
+                "The push was taken to last half of the time. A part of that is the pause.",
             ),
             Slip(
                 lambda m: 1 / (_pushed(m) - _r) if _still(m) else sympy.nan,
@@ -444,6 +454,28 @@ EXERCISES = (
                 "This is without the quiet end of the mill: take the degrees of the question.",
             ),
             Slip(
+                lambda m: float(peak_acceleration(_rise_mm(m), m.overlapped_deg, m.rate_per_hour)),
+                "This is the cycloid, which cm.peak_acceleration takes unless it is told a law. "
+                "Here it is an even push, and then an even brake.",
+            ),
+            Slip(
+                lambda m: (
+                    _least(m) * _LESSONS_RISE_MM / _rise_mm(m)
+                    if _rise_mm(m) != _LESSONS_RISE_MM
+                    else math.nan
+                ),
+                "This is with the height of the lesson's die. Yours has another.",
+            ),
+            Slip(
+                lambda m: _least(m) * _seconds(m) ** 2 * MM_PER_M,
+                "This is in mm/deg². A degree takes a part of a second: divide by its square, and "
+                "make metres of the mm.",
+            ),
+            Slip(
+                lambda m: _least(m) * _seconds(m),
+                "The time of a degree has to be squared.",
+            ),
+            Slip(
                 lambda m: _rise_mm(m) / MM_PER_M / (m.overlapped_deg * _seconds(m)),
                 "This is the mean velocity up to there, in m/s. The acceleration is asked for.",
             ),
@@ -546,7 +578,21 @@ EXERCISES = (
             Slip(
                 lambda m: m.die_mass_kg * _ACCELERATION,
                 "This is for the die alone. For how many kg at the die does the motor's inertia "
-                "count? The kg m² cannot be added as they are.",
+                "count?",
+            ),
+            Slip(
+                lambda m: (m.die_mass_kg + MOTOR_INERTIA) * _ACCELERATION,
+                "The kg m² were added to the kg as they are. For how many kg at the die does the "
+                "inertia count?",
+            ),
+            Slip(
+                lambda m: (m.die_mass_kg + _added_mass() / MM_PER_M**2) * _ACCELERATION,
+                "The lead was taken in mm. So the motor counts for nearly nothing: take it in "
+                "metres, as J is in kg m².",
+            ),
+            Slip(
+                lambda m: (m.die_mass_kg + _added_mass() / (2 * math.pi)) * _ACCELERATION,
+                "Only the lead was squared. The whole ratio counts squared, 2 pi with it.",
             ),
             Slip(
                 lambda m: _added_mass() * _ACCELERATION,

@@ -15,6 +15,7 @@ from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import error_of_reading
 
 _UM_PER_M = 1e6
+_LESSONS_DT = 1 / 9
 
 
 def _dt(m: MillAndDie) -> float:
@@ -166,6 +167,15 @@ EXERCISES = (
                 "The step of the angle was taken for one degree.",
             ),
             Slip(
+                lambda m: _step(m) * (2 * math.pi / m.measured.points / _dt(m)) ** 2,
+                "The angle from point to point, in rad, was taken for the time. How long does the "
+                "cam need for it?",
+            ),
+            Slip(
+                lambda m: _step(m) * (_LESSONS_DT / _dt(m)) ** 2,
+                "This is with the time from point to point of the lesson's cam. Yours has another.",
+            ),
+            Slip(
                 lambda m: _step(m) * (2 * math.pi) ** 2,
                 "The angle was taken in rad, but not the speed: the time from point to point is "
                 "the turn's by the number of points.",
@@ -276,6 +286,7 @@ EXERCISES = (
         ),
         unit="",
         answer=_folded,
+        is_count=True,
         right="Nobody sees by the table that it is not there. Only more points tell.",
         slips=(
             Slip(
@@ -357,6 +368,10 @@ EXERCISES = (
                 "This is the share of the other harmonic.",
             ),
             Slip(
+                lambda m: m.measured.left[1] / _ratio(m),
+                "This is by simple proportion. What divides the harmonic is 1 + λk⁴.",
+            ),
+            Slip(
                 lambda m: 100 / (1 + (100 / (100 - m.measured.left[1]) - 1) * _ratio(m) ** 4),
                 "The percentage was read as what is taken away. It is what is left.",
             ),
@@ -405,6 +420,15 @@ EXERCISES = (
                 _cycloid,
                 "This is the cycloid of the lesson. Take the acceleration of this law, which jumps "
                 "from push to brake.",
+            ),
+            Slip(
+                lambda m: _wave(m) * math.pi / 2,
+                "This is with the peak of the cycloid, which cm.peak_acceleration takes unless it "
+                "is told a law. The height is that of the constant acceleration.",
+            ),
+            Slip(
+                lambda m: _wave(m) * math.pi**2,
+                "Half a turn takes the time pi/ω, which is squared: a pi² is lost.",
             ),
             Slip(
                 _height,

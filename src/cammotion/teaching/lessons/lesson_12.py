@@ -17,6 +17,7 @@ from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 
 _CYCLOID, _HARMONIC = 2 * math.pi, math.pi**2 / 2
+_LESSONS_LEAST = 4.0  # m/s2
 _ROOM, _LESS = 1.02, 0.9  # of the balance by the cycloid, that a design may have
 _SHARPER = 2.0  # times the jerk of the gentle laws, that the contest allows
 _GENTLE = ("modified trapezoid", "modified sine", "cycloidal")
@@ -70,8 +71,8 @@ def _task(m: MillAndDie) -> str:
         f"goes {m.pitch_mm:g} mm on in each turn, from 0 mm; the die goes from 0 to "
         f"{m.stroke_mm:g} mm and back. From {m.down_deg:g} to {m.down_deg + m.work_deg:g} degrees "
         f"both stand, the mill at {m.pitch_mm:g} and the die at {m.stroke_mm:g} mm, and always "
-        f"{rule} of a stop. (What cm.ask and cm.again return has them too: machine.diagram and "
-        "machine.rule.) Starts and angles are yours"
+        f"{rule} of a stop. (What cm.ask and cm.again return has them too: task = cm.ask(...), "
+        "then task.machine.diagram and task.machine.rule.) Starts and angles are yours"
     )
 
 
@@ -111,6 +112,13 @@ EXERCISES = (
             Slip(
                 lambda m: m.rate_per_hour * math.sqrt(_before(m) / (_die(m) + _mill(m))),
                 "The peaks were added. Each mechanism has to keep the limit for itself.",
+            ),
+            Slip(
+                lambda m: (
+                    m.rate_per_hour * math.sqrt((_before(m) + _mill(m)) / (_die(m) + _mill(m)))
+                ),
+                "The peaks of both were added, before and after. Each keeps the limit for itself: "
+                "the largest one counts.",
             ),
             Slip(
                 lambda m: m.rate_per_hour * max(_die(m), _mill(m)) / _before(m),
@@ -192,6 +200,20 @@ EXERCISES = (
                     / float(indexing_time(m.mill_angle_deg, m.rate_per_hour))
                 ),
                 "The time has to be squared.",
+            ),
+            Slip(
+                lambda m: (
+                    m.pitch_mm / MM_PER_M / float(indexing_time(m.mill_angle_deg, m.rate_per_hour))
+                ),
+                "This is the mean velocity, in m/s. The acceleration is asked for.",
+            ),
+            Slip(
+                lambda m: 4 * m.pitch_mm / MM_PER_M / m.mill_angle_deg**2,
+                "The degrees were put in for the time. How long does the cam need for them?",
+            ),
+            Slip(
+                lambda m: _LESSONS_LEAST,
+                "This is the bound for the sucker of the lesson. The carriage goes another way.",
             ),
         ),
         hints=(
