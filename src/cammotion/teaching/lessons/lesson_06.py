@@ -591,6 +591,10 @@ EXERCISES = (
                 "metres, as J is in kg m².",
             ),
             Slip(
+                lambda m: (m.die_mass_kg + _added_mass() / 100**2) * _ACCELERATION,
+                "The lead was taken in cm. Take it in metres, as J is in kg m².",
+            ),
+            Slip(
                 lambda m: (m.die_mass_kg + _added_mass() / (2 * math.pi)) * _ACCELERATION,
                 "Only the lead was squared. The whole ratio counts squared, 2 pi with it.",
             ),
