@@ -80,6 +80,15 @@ def test_what_is_missing_is_told(label: str) -> None:
             "indexing_time needs rate_per_hour. Write indexing_time(angle_deg, rate_per_hour).",
         ),
         (
+            lambda: cm.indexing_motion("mill", cm.rise(5, over_deg=180), cm.dwell(180)),  # type: ignore[call-arg]
+            "indexing_motion needs stops. Write indexing_motion(name, *parts, stops=..., "
+            "start_deg=..., start_mm=...).",
+        ),
+        (
+            lambda: cm.motion("a", cm.dwell(360), name="b"),  # type: ignore[misc]
+            "motion is given name twice. Write motion(name, *parts, start_deg=..., start_mm=...).",
+        ),
+        (
             lambda: cm.dwell(55, angle_deg=5),  # type: ignore[misc]
             "dwell is given angle_deg twice. Write dwell(angle_deg).",
         ),

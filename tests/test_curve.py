@@ -345,3 +345,98 @@ def test_the_rounding_of_a_table_is_no_turn(count: int) -> None:
         for law in (cm.law_from_points(places, ways), cm.law_from_points(places, ways).reversed()):
             assert law.is_monotone
             assert law(law.inverse(0.3)) == pytest.approx(0.3)
+
+
+HALF_WAVE = sympy.sin(sympy.pi / 2 * x)
+FLAT_ENDED = {
+    f"degree {2 * power + 1}": sympy.expand(
+        sympy.integrate(x**power * (1 - x) ** power, x)
+        / sympy.integrate(x**power * (1 - x) ** power, (x, 0, 1))
+    )
+    for power in (4, 5, 6)
+}
+STEEP = {
+    "the sixth power of a wave": HALF_WAVE**6,
+    "eleven waves": x
+    - sum(sympy.sin(2 * sympy.pi * n * x) / (2 * sympy.pi * n**3) for n in range(1, 12)),
+    **FLAT_ENDED,
+}
+
+
+@pytest.mark.parametrize("formula", STEEP.values(), ids=STEEP)
+def test_laws_that_are_flat_at_their_ends_have_all_factors(formula: sympy.Expr) -> None:
+    """Their factors were refused: waves of one frequency stood side by side, terms cancelled."""
+    law = MotionLaw("steep", formula)
+    v, a = (sympy.lambdify(x, sympy.diff(formula, x, order)) for order in (1, 2))
+    places = (
+        np.linspace(0, 0.5, 100_001)
+        if formula in FLAT_ENDED.values()
+        else np.linspace(0, 1, 200_001)
+    )
+    assert law.Cv == pytest.approx(np.abs(v(places)).max(), rel=1e-8)
+    assert law.Cq == pytest.approx(np.abs(v(places) * a(places)).max(), rel=1e-8)
+
+
+def test_the_tenth_power_of_a_wave_has_its_peak_velocity() -> None:
+    law = MotionLaw("tenth", HALF_WAVE**10)
+    assert law.Cv == pytest.approx(np.abs(law(np.linspace(0, 1, 100_001), 1)).max(), rel=1e-8)
+
+
+def test_a_law_that_comes_back_has_the_factors_of_its_curve() -> None:
+    """The double harmonic, up and down: it does not jump where it ends."""
+    wave = 2 * sympy.pi * x
+    law = MotionLaw("double", ((1 - sympy.cos(wave)) - (1 - sympy.cos(2 * wave)) / 4) / 2)
+    places = np.linspace(0, 1, 100_001)
+    for order, factor in ((1, law.Cv), (2, law.Ca), (3, law.Cj)):
+        assert factor == pytest.approx(np.abs(law(places, order)).max(), rel=1e-8)
+    assert law.jerk_impulses == ()
+    with pytest.raises(cm.InputError, match=r"to S\(1\) = .*cut it at its top"):
+        law.check_way()
+
+
+OVERFLOWS = [(sympy.exp(800 * x) - 1) / (sympy.exp(800) - 1), sympy.exp(800 * x) / sympy.exp(800)]
+
+
+@pytest.mark.parametrize("formula", OVERFLOWS)
+def test_what_a_computer_cannot_reckon_with_is_refused(formula: sympy.Expr) -> None:
+    """Exact intervals have no largest number, floats have: a peak was nan."""
+    with pytest.raises(cm.InputError, match="real and finite"):
+        MotionLaw("steep", formula)
+
+
+def test_what_overflows_in_a_product_is_refused() -> None:
+    law = MotionLaw("c", (sympy.cosh(400 * x) - 1) / (sympy.cosh(400) - 1))
+    with pytest.raises(cm.InputError, match="cannot be proved"):
+        law.Cq  # noqa: B018
+
+
+def test_waves_of_one_frequency_are_one() -> None:
+    one = Series((0.5,), tuple(Wave(0.3, n, 0.0) for n in range(1, 8)), 0.0, 1.0)
+    product = one.times(one.derivative)
+    assert product is not None
+    assert len(product.waves) <= 28  # and not 98 + 7
+    places = np.linspace(0, 1, 101)
+    assert product.over(places) == pytest.approx(one.over(places) * one.derivative.over(places))
+
+
+def test_the_other_symbol_x_is_told_apart() -> None:
+    with pytest.raises(cm.InputError, match=r"from cammotion import x"):
+        MotionLaw("square", sympy.Symbol("x", positive=True) ** 2)
+
+
+def test_an_expression_in_place_of_a_law_is_told_what_makes_one() -> None:
+    with pytest.raises(cm.InputError, match=r"an expression, .*MotionLaw\('mine', \.\.\.\)"):
+        cm.peak_velocity(50, 55, 2000, law=3 * x**2 - 2 * x**3)
+    with pytest.raises(cm.InputError, match="did you mean 'constant velocity'"):
+        cm.peak_velocity(50, 55, 2000, law="constant velocty")
+
+
+def test_a_bump_of_one_point_is_no_symmetry() -> None:
+    places = np.linspace(0, 1, 1001)
+    ways = places**2 * (3 - 2 * places)
+    assert cm.law_from_points(places, ways, fit="monotone", step=0).is_symmetric
+    ways[705] += 5e-4
+    law = cm.law_from_points(places, ways, fit="monotone", step=0)
+    assert not law.is_symmetric
+    with pytest.raises(cm.InputError, match="is not symmetric"):
+        law.with_constant_velocity(0.2)

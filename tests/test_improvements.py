@@ -400,6 +400,16 @@ def test_a_distance_that_stops_a_move_is_named() -> None:
     assert not one.machine.violations
 
 
+def test_moves_that_share_the_whole_turn_are_stopped_by_each_other() -> None:
+    """360.1 - 360 is not 0.1: by that rounding a move seemed to have all of the turn left."""
+    ends = (0.1, 120.3, 0, 50), (120.3, 360.1, 50, 0)
+    names = ("from_deg", "to_deg", "from_mm", "to_mm")
+    moves = [cm.Segment(**dict(zip(names, of, strict=True)), law="cubic") for of in ends]
+    full = cm.TimingDiagram([cm.Motion("die", moves), cm.EXAMPLE.mill], 2000)
+    machine = cm.Machine("full", full, [cm.EXAMPLE.rule], {})
+    assert not [*widening.stops(machine, full, "die", [])]
+
+
 def test_what_is_no_machine_is_refused() -> None:
     with pytest.raises(cm.InputError, match=r" is given machine=.*: give a Machine"):
         cm.improvements(PRESS.diagram)  # type: ignore[arg-type]

@@ -362,3 +362,13 @@ def test_an_index_backwards_begins_at_0_and_not_at_minus_0() -> None:
     places = np.asarray(back.position_mm(725 + 360 * np.arange(4)))
     assert places.tolist() == [0, -5.26, -10.52, 0]
     assert not np.signbit(places[[0, 3]]).any()
+
+
+@pytest.mark.parametrize("count", [6, 7, 9, 11, 12, 13])
+def test_equal_parts_of_a_stroke_come_to_all_of_it(count: int) -> None:
+    """Each was rounded to what the one before had come to, and so the errors added up."""
+    for stroke in (50, 25.4, 31.7):
+        rises = [cm.rise(stroke / count, over_deg=180 / count)] * count
+        assert cm.motion("m", *rises, cm.return_(stroke, over_deg=180)).range_mm == (0, stroke)
+        turret = cm.indexing_motion("t", *rises, cm.dwell(180), stops=8)
+        assert turret.pitch_mm == stroke

@@ -273,3 +273,25 @@ def test_no_ticks_stand_before_the_names_of_changes() -> None:
     ax = cm.plot_comparison(cm.compare(cm.EXAMPLE.diagram, cm.EXAMPLE.diagram.at_rate(3000)))
     (bars,) = ax.figure.axes[1:]
     assert {tick.tick1line.get_markersize() for tick in bars.yaxis.get_major_ticks()} == {0}
+
+
+def test_of_numbers_below_0_no_ratio_is_told() -> None:
+    """A rule that was broken is kept: its clearance grew from -2 to 19 mm, and not by -975 %."""
+    broken = BEFORE.with_motion(cm.with_angle(BEFORE["die"], 128))
+    worse = BEFORE.with_motion(cm.with_angle(BEFORE["die"], 130))
+    for before, after in ((broken, BEFORE), (BEFORE, broken), (broken, worse)):
+        found = cm.compare(before, after, RULE)
+        signed = [effect for effect in found.effects if effect.unit in {"mm", "deg"}]
+        assert len(signed) > 1
+        assert all(effect.times is None for effect in signed)
+    assert effect(cm.compare(BEFORE, AFTER), "die", "peak acceleration").times is not None
+
+
+def test_a_position_is_told_beside_that_before_a_like_move() -> None:
+    """In both the die returns from 50 mm; the 0 mm were before the rise."""
+    down = (cm.return_(50, over_deg=60), cm.dwell(100), cm.rise(50, over_deg=60), cm.dwell(140))
+    up = (cm.rise(20, over_deg=60), cm.rise(30, over_deg=60), cm.dwell(60))
+    before = cm.motion("die", *down, start_mm=50)
+    after = cm.motion("die", *up, cm.return_(50, over_deg=60), cm.dwell(120))
+    found = cm.compare(cm.TimingDiagram([before], 2000), cm.TimingDiagram([after], 2000))
+    assert not [change for change in found.changes if "position" in change.what]

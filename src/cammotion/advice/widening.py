@@ -173,11 +173,9 @@ def _push(move: Segment) -> float:
 def _room(motion: Motion, place: Place) -> float:
     """Return how far an end of a move can be put out, in deg, until the next one begins or ends."""
     (number, end), moves = place, motion.moves
-    if end:
-        after = moves[(number + 1) % len(moves)].from_deg - moves[number].to_deg
-    else:
-        after = moves[number].from_deg - moves[number - 1].to_deg
-    return after % DEG_PER_TURN
+    begins = [*(move.from_deg for move in moves), moves[0].from_deg + DEG_PER_TURN]
+    ends = [moves[-1].to_deg - DEG_PER_TURN, *(move.to_deg for move in moves)]
+    return max(begins[number + end] - ends[number + end], 0.0)  # rounding may make them overlap
 
 
 def _put_out(motion: Motion, place: Place, by_deg: float) -> Motion:

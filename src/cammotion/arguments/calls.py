@@ -125,7 +125,8 @@ def _wrong(
     placed = [each.name for each in own if each.kind in _PLACED]
     if unknown := [name for name in kwargs if name not in named]:
         return _unknown(title, unknown[0], [*named])
-    if len(given) > len(placed):
+    takes_any = any(each.kind is each.VAR_POSITIONAL for each in own)
+    if len(given) > len(placed) and not takes_any:
         few = plural(len(placed) or "no", "value")
         bare = " without a name" if len(named) > len(placed) else ""
         return f"{title} takes {few}{bare}, and is given {len(given)}."

@@ -147,9 +147,12 @@ def as_law(law: Any) -> MotionLaw:
     >>> as_law("cycloidal")
     MotionLaw('cycloidal')
     """
-    if isinstance(law, str) and law.casefold() == CONSTANT_VELOCITY.name:
-        return CONSTANT_VELOCITY
-    return law if isinstance(law, MotionLaw) else LAWS[law]
+    if isinstance(law, MotionLaw):
+        return law
+    if isinstance(law, sympy.Expr):
+        raise InputError(f"The law is an expression, {shorten(law)}: give MotionLaw('mine', ...).")
+    name = one_of("motion law", law, [*_KNOWN, CONSTANT_VELOCITY.name], _OTHERS)
+    return CONSTANT_VELOCITY if name == CONSTANT_VELOCITY.name else LAWS[name]
 
 
 def _boundary(given: Any, which: str) -> tuple[sympy.Rational, ...]:

@@ -39,6 +39,7 @@ def cut(name: str, law: Any) -> tuple[Zone, ...]:
     others = sorted(map(str, law.free_symbols - {x})) if is_expression else []
     if not is_expression or others:
         said = f"has the symbol {', '.join(others)}" if others else f"is {shorten(law)}"
+        said += ", but not that of cammotion (from cammotion import x)" if "x" in others else ""
         raise InputError(
             f"The expression of the law {shorten(name)} {said}; it has to be a SymPy expression in "
             "cammotion.x alone: give, for example, 3*x**2 - 2*x**3."

@@ -46,6 +46,11 @@ class Wave(NamedTuple):
         (np.cos if self.quarters % 2 else np.sin)(out, out=out)
         out *= -self.amplitude if self.quarters % 4 > 1 else self.amplitude
 
+    def upright(self) -> "Wave":
+        """Return it with a frequency above 0, and as a sine or a cosine."""
+        a, f, phase, n = self if self.frequency > 0 else (-self.amplitude, *(-v for v in self[1:]))
+        return Wave(-a if n % 4 > 1 else a, f, phase, int(n % 2))
+
     def crests(self, low: float, high: float) -> list[float]:
         """Return the places in ]low, high[ where a wave about `low` is highest or lowest."""
         half = math.pi / self.frequency
@@ -152,7 +157,7 @@ class Series(Proved):
                         waves.append(beat)
                     else:
                         powers[0] += beat._replace(frequency=0.0).at(0.0)
-        return Series(tuple(powers), tuple(waves), self.low, self.high)
+        return Series(tuple(powers), _merged(waves), self.low, self.high)
 
     def at(self, place: float) -> float:
         """Return the value at one place; what is left of terms that cancel each other is 0."""
@@ -272,3 +277,13 @@ def _polynomial_bounds(powers: tuple[float, ...], start: float, end: float) -> t
 def _passes(first: float, last: float, which: int) -> bool:
     """Return whether a number that leaves `which` when divided by 4 lies between two others."""
     return math.ceil((first - which) / 4) <= math.floor((last - which) / 4)
+
+
+def _merged(waves: Iterable[Wave]) -> tuple[Wave, ...]:
+    """Return the waves with those of one frequency and one phase added up."""
+    found: dict[tuple[Any, ...], Wave] = {}
+    for wave in map(Wave.upright, waves):
+        like = f"{wave.frequency:.13g}", *wave[2:]
+        before = found[like].amplitude if like in found else 0.0
+        found[like] = wave._replace(amplitude=before + wave.amplitude)
+    return tuple(wave for wave in found.values() if wave.amplitude)

@@ -27,6 +27,8 @@ from cammotion.shown import as_table
 
 TIME = Quantity("time", "s", example=0.9, low=-math.inf)
 
+At = ArrayLike | None  # where a curve is asked for, by an angle or by a time
+
 
 @checked
 @dataclass(frozen=True, repr=False)
@@ -117,11 +119,7 @@ first, with_motion(...), or give the name.
         return plain(TIME.array(time_s) * (DEG_PER_TURN / self.cycle_time_s))
 
     def position_mm(
-        self,
-        motion: str | Motion,
-        angle_deg: ArrayLike | None = None,
-        *,
-        time_s: ArrayLike | None = None,
+        self, motion: str | Motion, angle_deg: At = None, *, time_s: At = None
     ) -> Numbers:
         """Return the position in mm of a motion at a cam angle in deg or a time in s.
 
@@ -132,42 +130,22 @@ first, with_motion(...), or give the name.
         return self[motion].position_mm(self._angle(angle_deg, time_s))
 
     def offset_mm(
-        self,
-        motion: str | Motion,
-        angle_deg: ArrayLike | None = None,
-        *,
-        time_s: ArrayLike | None = None,
+        self, motion: str | Motion, angle_deg: At = None, *, time_s: At = None
     ) -> Numbers:
         """Return the position in mm at a cam angle or a time, of a turret how far from a stop."""
         return self[motion].offset_mm(self._angle(angle_deg, time_s))
 
-    def velocity(
-        self,
-        motion: str | Motion,
-        angle_deg: ArrayLike | None = None,
-        *,
-        time_s: ArrayLike | None = None,
-    ) -> Numbers:
+    def velocity(self, motion: str | Motion, angle_deg: At = None, *, time_s: At = None) -> Numbers:
         """Return the velocity in m/s at a cam angle or a time; at a joint, what begins there."""
         return self._derivative(1, motion, angle_deg, time_s)
 
     def acceleration(
-        self,
-        motion: str | Motion,
-        angle_deg: ArrayLike | None = None,
-        *,
-        time_s: ArrayLike | None = None,
+        self, motion: str | Motion, angle_deg: At = None, *, time_s: At = None
     ) -> Numbers:
         """Return the acceleration in m/s2 at a cam angle or a time; at a joint, what begins."""
         return self._derivative(2, motion, angle_deg, time_s)
 
-    def jerk(
-        self,
-        motion: str | Motion,
-        angle_deg: ArrayLike | None = None,
-        *,
-        time_s: ArrayLike | None = None,
-    ) -> Numbers:
+    def jerk(self, motion: str | Motion, angle_deg: At = None, *, time_s: At = None) -> Numbers:
         """Return the jerk in m/s3 at a cam angle or a time; at a joint, what begins there."""
         return self._derivative(3, motion, angle_deg, time_s)
 
@@ -203,7 +181,7 @@ first, with_motion(...), or give the name.
             arcs(arc for these, those in combinations(moving, 2) for arc in intersect(these, those))
         )
 
-    def _angle(self, angle_deg: ArrayLike | None, time_s: ArrayLike | None) -> Numbers:
+    def _angle(self, angle_deg: At, time_s: At) -> Numbers:
         if angle_deg is not None and time_s is None:
             return CAM_ANGLE.array(angle_deg)
         if angle_deg is None and time_s is not None:
@@ -216,13 +194,7 @@ first, with_motion(...), or give the name.
     def _peak(self, order: int, motion: str | Motion) -> float:
         return float(over_time(order, self[motion].peak(order), self.cycle_time_s))
 
-    def _derivative(
-        self,
-        order: int,
-        motion: str | Motion,
-        angle_deg: ArrayLike | None,
-        time_s: ArrayLike | None,
-    ) -> Numbers:
+    def _derivative(self, order: int, motion: str | Motion, angle_deg: At, time_s: At) -> Numbers:
         angle = self._angle(angle_deg, time_s)
         return self[motion].derivative(order, angle, self.rate_per_hour)
 

@@ -113,11 +113,13 @@ def _place(name: str, parts: Sequence[Any], start_deg: float, start_mm: float) -
             )
     longest = max((abs(part.change_mm) for part in parts), default=0.0)
     decimals = decimals_of(longest, _DECIMALS) if longest > 0.1**_DECIMALS else _DECIMALS
-    angle, height = CAM_ANGLE.number(start_deg), round(POSITION.number(start_mm), decimals)
+    ways = [POSITION.number(start_mm)]
+    angle, height = CAM_ANGLE.number(start_deg), round(ways[0], decimals)
     placed: list[dict[str, Any]] = []
     for part in parts:
         ends = angle + part.angle_deg
-        to_mm = round(height + part.change_mm, decimals)  # 0.1 + 0.2 - 0.3 is 0 on any machine
+        ways.append(part.change_mm)
+        to_mm = round(math.fsum(ways), decimals)  # 0.1 + 0.2 - 0.3 is 0 on any machine
         placed.append(
             {"from_deg": angle, "to_deg": ends, "from_mm": height, "to_mm": to_mm, "law": part.law}
         )

@@ -52,7 +52,9 @@ def _of_motion(old: Motion, new: Motion) -> Iterator[Change]:
         stops = (NONE if motion.stops is None else str(motion.stops) for motion in (old, new))
         yield Change(old.name, "stops", *stops)
     before, after = old.moves, _turned(old.moves, new.moves)
-    start, other_start = (before or old.segments)[0], (after or new.segments)[0]
+    start = (before or old.segments)[0]
+    alike = [each for each in (after or new.segments) if each.kind == start.kind]
+    other_start = (alike or after or new.segments)[0]
     if not _is_same(start.from_mm, other_start.from_mm, abs(old.pitch_mm)):
         what = f"position before the {start.kind}" if before else "position"
         places = (f"{each.from_mm:.12g} mm" for each in (start, other_start))

@@ -36,8 +36,10 @@ class Effect:
 
     @property
     def times(self) -> float | None:
-        """How many times what it was it is; None for no number, for 0 and for infinity."""
-        if self.before is None or self.after is None or abs(self.before) <= self.rounding:
+        """How many times what it was it is; None for no number, for infinity, for 0 and below."""
+        if self.before is None or self.after is None or self.before <= self.rounding:
+            return None
+        if self.after < 0:
             return None
         times = self.after / self.before
         return times if math.isfinite(times) and math.isfinite(self.before) else None
