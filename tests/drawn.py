@@ -283,9 +283,10 @@ def file_of(name: str) -> Path:
 def write() -> None:
     """Write all accounts anew."""
     KEPT.mkdir(exist_ok=True)
+    drawn = accounts()  # all of them, before one that is kept is lost
     for old in KEPT.glob("*.txt"):
         old.unlink()
-    for name, lines in accounts().items():
+    for name, lines in drawn.items():
         file_of(name).write_text("\n".join(lines) + "\n", "utf-8", newline="")
 
 
