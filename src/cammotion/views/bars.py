@@ -42,7 +42,7 @@ def draw_bars(ax: Axes, motions: Sequence[Motion], names: Sequence[str]) -> None
             if room >= _SMALL / _NORMAL:
                 size = _NORMAL if room >= 1 else _SMALL
                 at = (start + end) / 2, number
-                text = ax.text(*at, label, fontsize=size, ha="center", va="center")
+                text = ax.text(*at, label, fontsize=size, ha="center", va="center", color="black")
                 text.set_in_layout(False)  # it is within its bar: nobody has to measure it
                 share = size / _NORMAL / 2
                 across = min((share * wide + 1) / points, (end - start) / 2)

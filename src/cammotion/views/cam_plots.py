@@ -12,8 +12,8 @@ from cammotion.hardware.drawing import strokes
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.roller_cam import RollerCam
 from cammotion.quantities import as_text
-from cammotion.views.pictures import blank_axes
-from cammotion.views.plots import COLOURS, write
+from cammotion.views.pictures import on_paper
+from cammotion.views.plots import COLOURS, styled, write
 
 _TOLERANCE_MM = 0.01
 _THIN: dict[str, Any] = {"edgecolor": "#555555", "linewidth": 1.0}
@@ -32,6 +32,7 @@ _STEM = 0.75  # of the follower over the roller, as a share of the travel
 
 
 @checked
+@on_paper
 def plot_cam(
     cam: RollerCam | FlatFacedCam, *, bore_mm: float | None = None, ax: Axes | None = None
 ) -> Axes:
@@ -48,8 +49,8 @@ def plot_cam(
     'x in mm'
     """
     drawn = [*strokes(cam, _TOLERANCE_MM, bore_mm=bore_mm)]
-    if ax is None:
-        ax = blank_axes(_SIZE_IN, _SIZE_IN, layout="constrained")
+    ax = styled(ax, "x in mm", "y in mm", (_SIZE_IN, _SIZE_IN), layout="constrained")
+    ax.grid(visible=False)
     for stroke in drawn:
         style = {"facecolor": "none", "label": _NAMES.get(stroke.layer)} | _STYLES[stroke.layer]
         ax.add_patch(PathPatch(Path(stroke.filled()), **style))
@@ -58,8 +59,6 @@ def plot_cam(
     ax.set_aspect("equal")
     ax.margins(0.06)
     ax.autoscale_view()
-    ax.set(xlabel="x in mm", ylabel="y in mm")
-    ax.spines[["top", "right"]].set_visible(False)
     return ax
 
 

@@ -22,7 +22,7 @@ from cammotion.views.lanes import (
 )
 from cammotion.views.named import readable
 from cammotion.views.names import add_legend, labels
-from cammotion.views.pictures import blank_axes
+from cammotion.views.pictures import blank_axes, on_paper
 from cammotion.views.plots import style_axes, write
 from cammotion.views.timing_plots import LEFT_INCHES, WIDTH_INCHES
 
@@ -34,6 +34,7 @@ _EDGE_DEG = 60  # so near to an end of the turn a text over the peak would leave
 
 
 @checked
+@on_paper
 def plot_camshaft(shaft: Camshaft) -> Axes:
     """Draw what a camshaft has to give over the turn, and return the Axes of the torque.
 

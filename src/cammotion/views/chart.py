@@ -34,6 +34,7 @@ from cammotion.views.chart_lanes import (
 from cammotion.views.chart_rules import BLOCK_MM, FIRST_MM, INDENT_MM, Block, lay_out
 from cammotion.views.named import readable
 from cammotion.views.names import TITLE, by_name, cut, printable
+from cammotion.views.pictures import on_paper
 
 PAPERS = {"A4": 297.0, "A3": 420.0}  # their widths in mm, lying
 _WIDTH, _HEIGHT = 297.0, 210.0
@@ -91,10 +92,11 @@ def write_chart(  # noqa: PLR0913 - what a page may have is given by name
         page = draw_chart(diagram, width / _WIDTH, (title, day), given, radii)
         content = io.BytesIO()
         metadata: Any = None if suffix == ".png" else _metadata(suffix, printable(title))
-        page.savefig(content, format=_KINDS[suffix], dpi=_DPI, metadata=metadata)
+        page.savefig(content, format=_KINDS[suffix], dpi=_DPI, metadata=metadata, facecolor="white")
     return write_new(path, content.getvalue(), overwrite=overwrite)
 
 
+@on_paper
 def draw_chart(
     diagram: TimingDiagram,
     scale: float,

@@ -18,12 +18,14 @@ from cammotion.views.broken import BROKEN
 from cammotion.views.displacement import within_short_moves
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, by_name, name_line
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, styled, write
 
 Pair = tuple[float, float]
 
 
 @checked
+@on_paper
 def plot_detour(  # noqa: PLR0913 - each is a part of the picture
     designs: Mapping[str, TimingDiagram],
     motion: str | Motion,
@@ -88,6 +90,7 @@ def plot_detour(  # noqa: PLR0913 - each is a part of the picture
 
 
 @checked
+@on_paper
 def plot_weight(
     weight: sp.Expr, span: tuple[sp.Symbol, float, float], *, ax: Axes | None = None
 ) -> Axes:

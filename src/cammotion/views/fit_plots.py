@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.hardware.fits import Fit, Limits
 from cammotion.quantities import InputError
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, styled
 
 HOLE, SHAFT = COLOURS[:2]
@@ -18,6 +19,7 @@ _SIZE, _LINE = 11, 28  # of a text in points, and how many letters a line has
 
 
 @checked
+@on_paper
 def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
     """Draw the tolerance zones of a fit, or of several side by side; return the Axes.
 
@@ -81,7 +83,7 @@ def _draw_arrow(ax: Axes, at: float, low: float, high: float) -> None:
         ax.plot([at - 0.25, at + 0.25], [level, level], color=colour, linewidth=2)
     if high != low:
         arrow = {"arrowstyle": "<->", "color": _INK, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", (at, high), (at, low), arrowprops=arrow)
+        ax.annotate("", (at, high), (at, low), arrowprops=arrow, fontsize=10)
     _write(ax, f"{high - low:g}", (at, max(low, high)))
 
 

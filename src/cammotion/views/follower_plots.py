@@ -26,6 +26,7 @@ from cammotion.views.displacement import within_short_moves
 from cammotion.views.ends import label_ends
 from cammotion.views.law_plots import as_laws
 from cammotion.views.names import add_legend_below, as_label, labels
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {
@@ -42,6 +43,7 @@ _BEYOND, _FINE = 4.0, 0.01  # how far above tm/Tn is looked for what is worst, a
 
 
 @checked
+@on_paper
 def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
     laws: str | MotionLaw | Iterable[str | MotionLaw] | None = None,
     *,
@@ -105,6 +107,7 @@ def _values(
 
 
 @checked
+@on_paper
 def plot_response(
     response: Response,
     *,

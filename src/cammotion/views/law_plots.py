@@ -12,6 +12,7 @@ from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import Floats, InputError, as_text, one_of, shorten
 from cammotion.views.names import add_legend_below, labels, name_line
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, style_line, styled
 
 CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
@@ -21,6 +22,7 @@ _REST = 0.06  # of the time, drawn before the move and after it
 
 
 @checked
+@on_paper
 def plot_laws(
     laws: str | MotionLaw | Iterable[str | MotionLaw], *, curve: str = "A", ax: Axes | None = None
 ) -> Axes:
@@ -48,6 +50,7 @@ def plot_laws(
 
 
 @checked
+@on_paper
 def plot_ranking(
     peaks: Mapping[str, float],
     *,
@@ -74,7 +77,8 @@ def plot_ranking(
     for bar, name in zip(bars, names, strict=True):
         if math.isinf(as_law(name).Cj):
             bar.set(facecolor="white", edgecolor=COLOURS[1], hatch="//")
-    ax.bar_label(bars, [as_text(peaks[name], "#.4g") for name in names], padding=4)
+    values = [as_text(peaks[name], "#.4g") for name in names]
+    ax.bar_label(bars, values, padding=4, fontsize=10, color="black")
     ax.margins(x=0.12)
     ax.grid(visible=False, axis="y")
     return ax

@@ -17,6 +17,7 @@ from cammotion.limits.least import LeastAcceleration
 from cammotion.quantities import Floats, InputError, Quantity, in_decimals
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, by_name, name_line, plain
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, styled
 from cammotion.whole.least_peak import LeastPeak
 
@@ -34,6 +35,7 @@ Pair = tuple[float, float]
 
 
 @checked
+@on_paper
 def plot_jerk_price(
     found: Iterable[LeastAcceleration],
     named: Mapping[str, Pair] | None = None,
@@ -88,6 +90,7 @@ def plot_jerk_price(
 
 
 @checked
+@on_paper
 def plot_front(
     found: Iterable[LeastPeak],
     curves: Mapping[str, Iterable[Pair]] | None = None,
@@ -178,7 +181,8 @@ _OFFSET: dict[str, Any] = {"textcoords": "offset points", "color": "#333333", "f
 def _shade(ax: Axes, x: Floats, bound: Floats) -> None:
     """Shade what is below a falling bound, known at some x: up to each, the bound at it."""
     ax.fill_between(x, bound, 0, step="pre", color=OUT_OF_REACH, linewidth=0)
-    ax.annotate("proved: no motion here", (0.12, 0.03), xycoords="axes fraction", color=_DARK)
+    place: dict[str, Any] = {"xycoords": "axes fraction", "color": _DARK, "fontsize": 10}
+    ax.annotate("proved: no motion here", (0.12, 0.03), **place)
 
 
 def _corner(found: LeastPeak) -> list[float]:

@@ -25,6 +25,7 @@ from cammotion.views.names import (
     name_line,
     text_px,
 )
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import colour, style_line, styled
 
 METRES = {"m": 1.0, "in": MM_PER_INCH / MM_PER_M}
@@ -43,6 +44,7 @@ _HEADROOM = 0.2  # over the highest bar, of it
 
 
 @checked
+@on_paper
 def plot_measured(
     tables: Mapping[str, CamTable | SmoothedTable],
     rate_per_hour: float,
@@ -97,6 +99,7 @@ _AMPLITUDE = Quantity("amplitude", "m/s2", example=3, low_included=True)
 
 
 @checked
+@on_paper
 def plot_harmonics(
     amplitudes: Mapping[str, ArrayLike],
     *,
@@ -163,6 +166,7 @@ _ABOVE: dict[str, Any] = {
     "ha": "center",
     "va": "bottom",
     "fontsize": 9,
+    "color": "black",
     "rotation": 90,
 }
 

@@ -1,11 +1,13 @@
 """What a notebook shows of a picture of Matplotlib: itself, and words for who does not see it."""
 
 import base64
+import functools
 import io
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from html import escape
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
+import matplotlib as mpl
 import numpy as np
 from IPython.display import display
 from matplotlib import pyplot as plt
@@ -25,6 +27,9 @@ _EDGE_INCHES = 0.1
 _QUICK = {"compress_level": 3}  # a cell that runs waits for it
 _CURVE = 10  # points that a line has at least that is more than a mark
 
+P = ParamSpec("P")
+R = TypeVar("R")
+
 
 class PictureFigure(Figure):
     """A figure of Matplotlib that a notebook shows with words and in the colours of its theme."""
@@ -35,7 +40,8 @@ class PictureFigure(Figure):
 
     def savefig(self, *args: Any, **kwargs: Any) -> None:
         """Save it cut to what is drawn, as a notebook shows it, unless told otherwise."""
-        super().savefig(*args, **{"bbox_inches": "tight"} | kwargs)
+        usual = {"bbox_inches": "tight", "facecolor": "auto"}
+        super().savefig(*args, **usual | kwargs)
 
     def png(self) -> bytes:
         """Return the picture as a PNG, cut to what is drawn."""
@@ -48,12 +54,30 @@ class PictureFigure(Figure):
         return picture.getvalue()
 
 
-def blank_axes(width: float, height: float, *, layout: Any = None) -> Axes:
+def blank_axes(width: float, height: float, *, layout: Any = "none") -> Axes:
     """Return the axes of a new picture, its size in inches."""
     _, ax = plt.subplots(
         figsize=(width, height), facecolor="white", layout=layout, FigureClass=PictureFigure
     )
     return ax
+
+
+def on_paper(draw: Callable[P, R]) -> Callable[P, R]:
+    """Let a function draw for white paper, whatever colours somebody has set for Matplotlib.
+
+    In axes of a figure that is not ours its words have the colours of that one.
+    """
+
+    @functools.wraps(draw)
+    def drawn(*args: P.args, **kwargs: P.kwargs) -> R:
+        ax = kwargs.get("ax")
+        if isinstance(ax, Axes) and not isinstance(ax.get_figure(root=True), PictureFigure):
+            return draw(*args, **kwargs)
+        colours = {n: usual for n, usual in mpl.rcParamsDefault.items() if n.endswith("color")}
+        with mpl.rc_context(colours):
+            return draw(*args, **kwargs)
+
+    return drawn
 
 
 def taken(ax: Axes) -> tuple[bytes, str]:

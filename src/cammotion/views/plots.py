@@ -23,7 +23,7 @@ from cammotion.quantities import Floats, InputError, as_text, one_of
 from cammotion.views.ends import LINE_INCHES, inches, label_ends, overfull, would_meet
 from cammotion.views.names import labels as short_labels
 from cammotion.views.names import name_line, plain
-from cammotion.views.pictures import blank_axes
+from cammotion.views.pictures import blank_axes, on_paper
 
 # six of Okabe and Ito's, which Matplotlib knows as "okabe_ito" only from 3.11 on
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#000000")
@@ -64,6 +64,7 @@ def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
 
 
 @checked
+@on_paper
 def plot_curves(
     moves: Move | Iterable[Move],
     *,
@@ -108,6 +109,7 @@ def plot_curves(
 
 
 @checked
+@on_paper
 def plot_peaks(
     moves: Iterable[Move], *, labels: Sequence[str] | None = None, ax: Axes | None = None
 ) -> Axes:
@@ -143,13 +145,14 @@ def plot_peaks(
         ax.invert_yaxis()
     for bar, peak in zip(bars, peaks, strict=True):
         bar.set(hatch="" if math.isfinite(peak) else "//", edgecolor="white", linewidth=0)
-    ax.bar_label(bars, values, padding=3, fontsize=11)
+    ax.bar_label(bars, values, padding=3, fontsize=11, color="black")
     ax.margins(x=0.12 if is_flat else None, y=None if is_flat else 0.12)
     ax.grid(visible=False, axis="y" if is_flat else "x")
     return ax
 
 
 @checked
+@on_paper
 def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axes:
     """Draw peak acceleration against indexing angle on logarithmic scales; return the Axes.
 
@@ -193,7 +196,7 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
 
 
 def styled(
-    ax: Axes | None, xlabel: str, ylabel: str, size: tuple[float, float], *, layout: Any = None
+    ax: Axes | None, xlabel: str, ylabel: str, size: tuple[float, float], *, layout: Any = "none"
 ) -> Axes:
     """Return the axes with the workbook's look; without any those of a new picture, in inches."""
     ax = blank_axes(*size, layout=layout) if ax is None else ax

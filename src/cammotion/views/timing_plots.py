@@ -36,7 +36,7 @@ from cammotion.views.lanes import (
 )
 from cammotion.views.named import labels_of, readable
 from cammotion.views.names import TITLE, add_legend, by_name, labels, name_line
-from cammotion.views.pictures import blank_axes
+from cammotion.views.pictures import blank_axes, on_paper
 from cammotion.views.plots import CURVES, colour, style_axes, style_line, styled, write
 
 BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4
@@ -56,6 +56,7 @@ _SPAN = Quantity("span of the axis", "mm", example=5)
 
 
 @checked
+@on_paper
 def plot_timing(
     diagram: TimingDiagram,
     *,
@@ -107,6 +108,7 @@ def plot_timing(
 
 
 @checked
+@on_paper
 def plot_clearance(
     designs: TimingDiagram | Mapping[str, TimingDiagram],
     rule: ClearanceRule,
@@ -241,7 +243,9 @@ def _shade(ax: Axes, bars: Axes, diagram: TimingDiagram, rules: tuple[Rule, ...]
         key.append(Patch(**style, label="overlap"))
     if draw_broken(ax, bars, diagram, find_violations(diagram, rules)):
         key.append(Patch(**BROKEN, label="rule broken"))
-    ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(key), frameon=False)
+    add_legend(
+        ax, handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(key), frameon=False
+    )
 
 
 def _share_angle(*axes: Axes) -> None:

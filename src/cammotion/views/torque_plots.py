@@ -9,6 +9,7 @@ from cammotion.hardware.indexer import Indexer
 from cammotion.quantities import InputError, one_of
 from cammotion.views.law_plots import PLACES, from_rest_to_rest
 from cammotion.views.names import TITLE, add_legend_below, by_name, columns_below, name_line
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
@@ -16,6 +17,7 @@ _COLUMNS, _FEW_ROWS, _ROW_INCHES = 2, 3, 0.2  # of the legend
 
 
 @checked
+@on_paper
 def plot_torque(
     indexers: Mapping[str, Indexer], *, quantity: str = "torque", ax: Axes | None = None
 ) -> Axes:

@@ -25,8 +25,8 @@ from cammotion.views.lanes import (
     show_turn,
 )
 from cammotion.views.named import readable
-from cammotion.views.names import as_label, by_name, plain, printable
-from cammotion.views.pictures import blank_axes
+from cammotion.views.names import add_legend, as_label, by_name, plain, printable
+from cammotion.views.pictures import blank_axes, on_paper
 from cammotion.views.plots import colour, mixed, style_axes
 from cammotion.views.scales import from_to
 from cammotion.views.timing_plots import WIDTH_INCHES
@@ -41,6 +41,7 @@ _SAID = 9  # the size of what is said beside lanes and bars
 
 
 @checked
+@on_paper
 def plot_comparison(comparison: Comparison) -> Axes:
     """Draw two versions of a machine, and return the Axes of the displacements.
 
@@ -81,7 +82,7 @@ def plot_comparison(comparison: Comparison) -> Axes:
         Line2D([], [], **_BEFORE, label="before"),
         Line2D([], [], color="#000000", linewidth=2, label="after"),
     ]
-    ax.legend(handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=2, frameon=False)
+    add_legend(ax, handles=key, loc="lower right", bbox_to_anchor=(1, 1), ncols=2, frameon=False)
     return ax
 
 

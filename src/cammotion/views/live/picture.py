@@ -19,6 +19,7 @@ from matplotlib.ticker import MaxNLocator
 from cammotion.quantities import Floats
 from cammotion.views.broken import BROKEN
 from cammotion.views.names import add_legend, as_label, plain
+from cammotion.views.pictures import on_paper
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
 from cammotion.views.scales import short_number
 
@@ -40,6 +41,7 @@ _HALO = withStroke(linewidth=3, foreground="white")  # words over lines stay rea
 _SPIKE = 20  # so many times as wide as nine tenths of the values is what belongs to a pole
 
 
+@on_paper
 def draw(description: dict[str, Any], now: Functions, then: Functions, clock: float) -> bytes:
     """Return a PNG of a described figure: `now` its formulas as set, `then` as pinned.
 
