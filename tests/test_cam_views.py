@@ -63,6 +63,25 @@ def test_the_explorer_draws_the_cam_of_the_package(
     assert ("UNDERCUT" in figure.text) == bool(cam.undercuts)
 
 
+@pytest.mark.parametrize(
+    ("prime", "offset", "roller"),
+    [(15, 30, 3), (15, -30, 3), (15, 0, 30), (20, 20, 3), (20, 0, 20)],
+)
+def test_a_cam_that_cannot_be_is_neither_drawn_nor_praised(
+    figure: LiveFigure, motion: cm.Motion, prime: float, offset: float, roller: float
+) -> None:
+    figure.values = {PRIME: prime, OFFSET: offset, ROLLER: roller}
+    with pytest.raises(cm.InputError, match="more than"):
+        cm.RollerCam(motion, cm.TranslatingRoller(roller, offset), prime)
+    assert figure.text.startswith(f"NO CAM: the prime circle has a radius of {prime} mm, and has")
+    assert len(figure.text.splitlines()) == 1
+    for panel in (panel for column in figure.description["columns"] for panel in column):
+        for line in panel["lines"]:
+            if line["role"] in {"own", "alarm"} and line["name"] != "roller":
+                assert np.all(figure._now[line["where"]](AT, 0.0) <= 0)
+    assert figure.picture()
+
+
 def test_the_cam_is_drawn_all_around(figure: LiveFigure) -> None:
     low, high = (float(figure._now[end](0.0, 0.0)) for end in figure.description["range"])
     assert (low, high) == (0, 360)

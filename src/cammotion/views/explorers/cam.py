@@ -30,6 +30,7 @@ _TURN = (ALPHA, 0, DEG_PER_TURN)
 _RAD = sp.pi / 180
 _PRIMES_MM = 15, 30  # and ten times as many, for which the spans of the other controls are made
 _COARSEST = 4  # times the smallest prime circle is the largest to be tried
+_ROOM = PRIME - sp.Max(sp.Abs(OFFSET), ROLLER, evaluate=False)  # there is a cam where it is above 0
 
 
 class _Curves(NamedTuple):
@@ -50,7 +51,8 @@ def explore_cam(
 
     The controls are the radius of the prime circle, the offset of the slide and the radius of the
     roller, all in mm. Left the cam turns under its follower; right are the pressure angle, and the
-    roller's radius over that of the pitch curve, which is an undercut where it is above 1. Raises
+    roller's radius over that of the pitch curve, which is an undercut where it is above 1. Where
+    the prime circle is not larger than offset and roller there is no cam, which is said. Raises
     InputError for a motion that no disc cam can give.
 
     >>> import cammotion as cm
@@ -128,9 +130,14 @@ def _cam(curves: _Curves, motion: Motion) -> Panel:
                 name="prime circle",
                 role=REFERENCE,
             ),
-            _seen(pitch, name="pitch curve", role=FRAME),
-            _seen(profile, name="cam", colour=0),
-            _seen(profile, name="undercut", role=ALARM, only_where=curves.sharpness - 1),
+            _seen(pitch, name="pitch curve", role=FRAME, only_where=_ROOM),
+            _seen(profile, name="cam", colour=0, only_where=_ROOM),
+            _seen(
+                profile,
+                name="undercut",
+                role=ALARM,
+                only_where=_undercut(curves),
+            ),
             Line(
                 x=centre[0] + ROLLER * round_about[0],
                 y=centre[1] + ROLLER * round_about[1],
@@ -150,6 +157,11 @@ def _cam(curves: _Curves, motion: Motion) -> Panel:
     )
 
 
+def _undercut(curves: _Curves) -> sp.Expr:
+    """Return what is above 0 where a cam that can be is undercut."""
+    return sp.Min(curves.sharpness - 1, _ROOM, evaluate=False)
+
+
 def _seen(place: Sequence[sp.Expr], **how: Any) -> Line:
     """Return a curve of the cam as it stands in the machine when the clock has turned it."""
     turn = _RAD * (ALPHA - NOW)
@@ -166,7 +178,7 @@ def _judged(curves: _Curves) -> list[Panel]:
     limits = [Line(y=side * _RULE_DEG, role=REFERENCE) for side in (1, -1)]
     return [
         Panel(
-            lines=[Line(y=pressure, colour=0), *limits],
+            lines=[Line(y=pressure, colour=0, only_where=_ROOM), *limits],
             points=[Point(x=NOW, y=pressure.xreplace({ALPHA: NOW}))],
             y="pressure angle in deg",
             y_limits=(-75, 75),
@@ -175,8 +187,8 @@ def _judged(curves: _Curves) -> list[Panel]:
         ),
         Panel(
             lines=[
-                Line(y=sharpness, colour=0),
-                Line(y=sharpness, role=ALARM, only_where=sharpness - 1),
+                Line(y=sharpness, colour=0, only_where=_ROOM),
+                Line(y=sharpness, role=ALARM, only_where=_undercut(curves)),
                 Line(y=1, role=REFERENCE),
             ],
             y="roller over radius",
@@ -192,18 +204,22 @@ def _sentences(curves: _Curves, motion: Motion, mm: str) -> Iterator[Say]:
     steepest = _largest(sp.Abs(curves.pressure_deg, evaluate=False), motion)
     numbers = {"radius": ROLLER / most, "roller": ROLLER, "times": 1 / most}
     yield Say(
-        "pressure angle: up to {angle:.3g} deg",
-        {"angle": steepest},
+        f"NO CAM: the prime circle has a radius of {{prime:{mm}}} mm, and has to be larger than "
+        f"the offset, {{offset:{mm}}} mm, and the roller, {{roller:{mm}}} mm",
+        {"prime": PRIME, "offset": OFFSET, "roller": ROLLER},
+        _ROOM <= 0,
+        Say("pressure angle: up to {angle:.3g} deg", {"angle": steepest}),
     )
     yield Say(
         f"UNDERCUT: at its sharpest the pitch curve has a radius of {{radius:{mm}}} mm, and the "
         f"roller one of {{roller:{mm}}} mm",
         numbers,
-        most > 1,
+        (_ROOM > 0) & (most > 1),
         Say(
             f"at its sharpest the pitch curve has a radius of {{radius:{mm}}} mm, "
             "{times:.3g} times the roller's",
             numbers,
+            _ROOM > 0,
         ),
     )
 
