@@ -187,3 +187,29 @@ def test_the_cursor_marks_no_line_of_reference() -> None:
 def test_a_number_without_a_unit_ends_its_sentence() -> None:
     figure = cm.explore(b * t, SPAN, {k: (1, 3)}, values={b: 2 * k})
     assert figure.text.splitlines()[0] == "b = 4"
+
+
+LONG = "Werkzeugschlitten in front: distance from a stop in mm"
+
+
+def test_a_label_under_a_narrow_panel_is_whole_and_in_lines() -> None:
+    panel = cm.Panel(lines=[cm.Line(y=t)], x=LONG)
+    drawn = figure_of(cm.explore([[panel], [panel], [panel]], SPAN))
+    drawn.draw_without_rendering()
+    for ax in drawn.axes:
+        label = ax.xaxis.label.get_window_extent()
+        assert ax.get_xlabel().replace("\n", " ") == LONG
+        assert label.y0 > 0
+        assert label.x0 > ax.bbox.x0 - 14
+        assert label.x1 < ax.bbox.x1 + 14
+
+
+def test_a_label_that_has_room_stays_on_its_line() -> None:
+    drawn = figure_of(cm.explore(cm.Panel(lines=[cm.Line(y=t)], x=LONG), SPAN))
+    assert drawn.axes[0].get_xlabel() == LONG
+
+
+def test_the_unit_of_a_label_is_what_stands_behind_the_last_in() -> None:
+    panel = cm.Panel(lines=[cm.Line(y=1e-3 * t)], y="arm in front: position in mm")
+    (ax,) = figure_of(cm.explore(panel, SPAN)).axes
+    assert ax.get_ylabel() == "arm in front: position\nin 10⁻³ mm"

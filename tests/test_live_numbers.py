@@ -190,6 +190,7 @@ POWERS: dict[str, dict[tuple[float, ...], tuple[int, str]]] = {
         (0, 1e-06, 2e-06): (-6, "way in 10⁻⁶ mm"),
         (): (0, "way in mm"),
     },
+    "arm in front: way in mm": {(0, 0.0002): (-4, "arm in front: way in 10⁻⁴ mm")},
     "roller over radius": {(0, 0.0002): (0, "roller over radius")},
     "difference in 0.001 in": {(0, 0.0002): (0, "difference in 0.001 in")},
 }

@@ -122,7 +122,7 @@ export function powerOf(numbers, label) {
 /** A label with a power of ten before its unit: "way in 10⁻³ mm". */
 export function withPower(label, power) {
   const high = String(power).replace(/./g, (sign) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign] ?? "⁻");
-  return power ? label.replace(/\bin (?=[^\s\d])/, `in 10${high} `) : label;
+  return power ? label.replace(/\bin (?=[^\s\d])(?!.*\bin [^\s\d])/, `in 10${high} `) : label;
 }
 
 /** The numbers that a typed text may be, none for what is no number. A decimal comma is a point;

@@ -256,7 +256,7 @@ class Panel {
         text({ x: left - 7, y: Y(value) + 4, "text-anchor": "end" }, plain(value / units[1])),
       ]),
       ...yLabel
-        .split(/ (?=in )/)
+        .split(/ (?=in (?!.* in ))/)
         .map((words, i) =>
           text({ x: -(top + bottom) / 2, y: 14 + 15 * i, transform: "rotate(-90)" }, words),
         ),

@@ -18,7 +18,8 @@ from matplotlib.ticker import MaxNLocator
 
 from cammotion.quantities import Floats
 from cammotion.views.broken import BROKEN
-from cammotion.views.names import add_legend, as_label, plain
+from cammotion.views.ends import POINTS_PER_INCH
+from cammotion.views.names import add_legend, as_label, plain, wrap
 from cammotion.views.pictures import on_paper
 from cammotion.views.plots import REFERENCE_STYLE, colour, style_axes, style_line, write
 from cammotion.views.scales import short_number
@@ -30,7 +31,8 @@ _WIDTH_IN, _HEIGHT_IN = 8.2, 0.0145  # of a picture, and of a pixel of a panel's
 _LABEL_IN, _NUMBERS_IN, _ROOM_IN = 0.95, 0.6, 0.14  # left of, under and between panels
 _EDGE_IN = 0.05  # between the edge of the picture and a label that takes more than that
 _PLAIN = range(-2, 5)  # powers of ten of the numbers that have room at an axis
-_IN_UNIT = re.compile(r"\bin (?=[^\s\d])")
+_IN_UNIT = re.compile(r"\bin (?=[^\s\d])(?!.*\bin [^\s\d])", re.DOTALL)  # the last of a label
+_LABEL = 11  # the size of a label, in points
 _HIGH = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _STYLES = {
     "alarm": {"color": BROKEN["edgecolor"], "linewidth": 5, "alpha": 0.8},
@@ -64,6 +66,10 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
     canvas = FigureCanvasAgg(figure)
     if (needed := max(map(_left_of, figure.axes))) > _LABEL_IN:
         _make_room(figure, grid, needed + _EDGE_IN)
+    is_wrapped = [_wrap_label(ax) for ax in figure.axes]
+    if any(is_wrapped):
+        needed = _EDGE_IN + max(map(_below, figure.axes))
+        figure.subplots_adjust(bottom=max(needed, _NUMBERS_IN) / height)
     picture = io.BytesIO()
     quick = {"compress_level": 3}  # a cell that runs waits for it
     canvas.print_png(picture, pil_kwargs=quick)  # type: ignore[no-untyped-call]
@@ -89,6 +95,21 @@ def _left_of(ax: Axes) -> float:
     return 0.0 if taken is None else (ax.bbox.x0 - taken.x0) / ax.figure.dpi
 
 
+def _wrap_label(ax: Axes) -> bool:
+    """Break the label under a panel that is wider than it; return whether it is in lines now."""
+    label, room = ax.xaxis.label, ax.bbox.width / ax.figure.dpi
+    if label.get_window_extent().width / ax.figure.dpi <= room + 2 * _ROOM_IN:
+        return False
+    label.set_text("\n".join(wrap(label.get_text(), room * POINTS_PER_INCH, _LABEL)))
+    return True
+
+
+def _below(ax: Axes) -> float:
+    """Return what an axis takes under its panel, with its numbers and its label, in inches."""
+    taken = ax.xaxis.get_tightbbox()
+    return 0.0 if taken is None else (ax.bbox.y0 - taken.y0) / ax.figure.dpi
+
+
 def _add_legends(axes: Sequence[Axes]) -> None:
     """Name the lines where several have names, unless a panel above has said the same."""
     said: list[list[str]] = []
@@ -109,7 +130,8 @@ class _Drawn:
         """Draw all that is in it, and numbers under it unless the panel below has the same."""
         ax, panel = self.ax, self.panel
         has_numbers = is_last or not panel["shares_x"]
-        label = panel["y_label"].replace(" in ", "\nin ")
+        what, within, unit = panel["y_label"].rpartition(" in ")
+        label = f"{what}\nin {unit}" if within else unit
         style_axes(ax, panel["x_label"] if has_numbers else "", label)
         ax.tick_params(labelbottom=has_numbers)
         ax.margins(x=0.02)
