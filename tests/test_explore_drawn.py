@@ -213,3 +213,19 @@ def test_the_unit_of_a_label_is_what_stands_behind_the_last_in() -> None:
     panel = cm.Panel(lines=[cm.Line(y=1e-3 * t)], y="arm in front: position in mm")
     (ax,) = figure_of(cm.explore(panel, SPAN)).axes
     assert ax.get_ylabel() == "arm in front: position\nin 10⁻³ mm"
+
+
+def test_given_steps_are_those_of_the_picture_too() -> None:
+    limits: dict[str, Any] = {"x_limits": (0, 3), "y_limits": (-75, 75)}
+    panel = cm.Panel(lines=[cm.Line(y=t)], x_ticks=0.75, y_ticks=30, height=150, **limits)
+    (ax,) = figure_of(cm.explore(panel, SPAN)).axes
+    x, y = (axis.get_majorticklocs() for axis in (ax.xaxis, ax.yaxis))
+    assert [at for at in x if 0 <= at <= 3] == [0, 0.75, 1.5, 2.25, 3]
+    assert [at for at in y if abs(at) <= 75] == [-60, -30, 0, 30, 60]
+
+
+def test_steps_that_are_too_small_are_thinned() -> None:
+    panel = cm.Panel(lines=[cm.Line(y=t)], x_ticks=1e-6, y_ticks=1e-6)
+    (ax,) = figure_of(cm.explore(panel, SPAN)).axes
+    for axis in (ax.xaxis, ax.yaxis):
+        assert 2 <= len(axis.get_majorticklocs()) <= 20

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.gridspec import GridSpec
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from cammotion.quantities import Floats
 from cammotion.views.broken import BROKEN
@@ -33,6 +33,7 @@ _EDGE_IN = 0.05  # between the edge of the picture and a label that takes more t
 _PLAIN = range(-2, 5)  # powers of ten of the numbers that have room at an axis
 _IN_UNIT = re.compile(r"\bin (?=[^\s\d])(?!.*\bin [^\s\d])", re.DOTALL)  # the last of a label
 _LABEL = 11  # the size of a label, in points
+_NUMBER_PX = 40, 16  # so wide, and so high, is a number at an axis
 _HIGH = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _STYLES = {
     "alarm": {"color": BROKEN["edgecolor"], "linewidth": 5, "alpha": 0.8},
@@ -139,6 +140,7 @@ class _Drawn:
         ax.yaxis.set_major_locator(MaxNLocator(5))
         self._draw_lines(then)
         self._set_limits()
+        self._set_ticks()
         self._break_at_poles()
         for box in panel["boxes"]:
             self._draw_box(box)
@@ -214,6 +216,17 @@ class _Drawn:
             if 0 < _SPIKE * (most - few) < np.ptp(values):
                 low, high = 2 * few - most, 2 * most - few
                 self.ax.set_ylim(max(values.min(), low), min(values.max(), high))
+
+    def _set_ticks(self) -> None:
+        """Take the steps that are given, or every second or third where they have no room."""
+        sizes = self.ax.bbox.size
+        for axis, wide, size, name in zip(
+            (self.ax.xaxis, self.ax.yaxis), _NUMBER_PX, sizes, ("x_ticks", "y_ticks"), strict=True
+        ):
+            if step := self.panel[name]:
+                low, high = axis.get_view_interval()
+                every = math.ceil((high - low) / step * wide / size)
+                axis.set_major_locator(MultipleLocator(step * max(every, 1)))
 
     def _break_at_poles(self) -> None:
         """Let no line go from above the picture to below it: there is a pole between."""
