@@ -23,6 +23,7 @@ from cammotion.quantities import Floats
 from cammotion.views.animation.keyframes import trace_acceleration
 from cammotion.views.animation.picture import Animation, animate
 from cammotion.views.animation.player import speeds_for
+from cammotion.views.animation.svg import dark
 from cammotion.views.ends import apart
 from cammotion.views.names import text_px, wrap
 
@@ -508,3 +509,24 @@ def test_a_rule_that_is_broken_up_to_the_end_of_the_turn_says_so_and_is_drawn_so
 
 def alarms(animation: Animation, angle_deg: float) -> int:
     return animation.still(angle_deg).svg.count('visibility="visible"')
+
+
+@pytest.mark.parametrize(
+    "name", ["sealing jaw, left side {}", "WERKZEUGSCHLITTEN LINKS {}", "Schweissbacke an Welle {}"]
+)
+@pytest.mark.parametrize("has_turret", [False, True])
+def test_mechanisms_with_long_names_are_called_apart_wherever_they_are_named(
+    name: str, has_turret: bool
+) -> None:
+    names = [name.format(letter) for letter in "xy"]
+    moves = cm.rise(50, over_deg=55), cm.dwell(100), cm.return_(50, over_deg=55), cm.dwell(150)
+    dies = [cm.motion(name, *moves, start_deg=150 + 9 * n) for n, name in enumerate(names)]
+    turret = cm.indexing_motion("mill", cm.rise(60, over_deg=150), cm.dwell(210), stops=12)
+    rules = [cm.ClearanceRule(cm.beyond(name, 5), cm.within("mill", 1)) for name in names]
+    motions = [turret, *dies] if has_turret else dies
+    svg = animate(cm.TimingDiagram(motions, 2000), rules=rules if has_turret else ()).svg
+    for number, motion in enumerate(motions):
+        if motion.name != "mill":
+            own = re.findall(rf'<text[^>]*fill="{dark(number)}"[^>]*>([^<]*)', svg)
+            ends = [text for text in own if text.endswith(motion.name[-1])]
+            assert len(ends) == 3, own  # at the machine, and at its curve in both charts

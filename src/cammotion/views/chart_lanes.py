@@ -25,6 +25,7 @@ from cammotion.views.names import (
     as_label,
     cut,
     labels,
+    names_that_fit,
     plain,
     printable,
     text_px,
@@ -43,7 +44,6 @@ _LEFT_MM, _RIGHT_MM = 37.0, 30.0  # of room for texts beside the lanes
 _BESIDE = 0.88  # of a lane is filled by them, if it is not too high
 _CLOSE = 0.97  # of the size of letters: lines that are nearer would touch
 _MORE = 2  # digits of a stroke than of a number at a scale: a workshop sets it by them
-_LEAST_NAME = 8  # columns of a name, which always have room
 
 
 class _Box(NamedTuple):
@@ -195,14 +195,14 @@ def lane_names(paper: Paper, names: Sequence[str]) -> list[list[str]]:
 
     A long one is shortened once, to what has room, so that what tells it apart is not cut off.
     """
-    size = _NAME * paper.share
-    called: list[list[str]] = []
-    for most in range(TITLE, _LEAST_NAME - 1, -1):
-        short = labels(names, most)
-        called = [wrap(name, _LEFT_MM / MM_PER_POINT, size, bold=True) for name in short]
-        if max(map(len, called)) <= paper.name_lines:
-            break
-    return called
+
+    def lines(name: str) -> list[str]:
+        return wrap(name, _LEFT_MM / MM_PER_POINT, _NAME * paper.share, bold=True)
+
+    def fits(called: Sequence[str]) -> bool:
+        return all(len(lines(name)) <= paper.name_lines for name in called)
+
+    return [lines(name) for name in names_that_fit(names, fits, most=TITLE, called=labels)]
 
 
 def draw_lane(paper: Paper, number: int, motion: Motion, name: Sequence[str], said: Beside) -> None:

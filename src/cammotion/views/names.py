@@ -7,7 +7,7 @@ then what a short one costs. In full it stands in the words of a picture.
 import re
 import unicodedata
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from typing import Any
 
@@ -20,6 +20,8 @@ from matplotlib.text import Text
 MOST = 24  # columns of a name in a picture; an ideograph takes two
 TITLE = 48  # of a design, of which a legend holds fewer
 ELLIPSIS, MISSING = "…", "□"
+_EDGES = f"{ELLIPSIS} "  # of what is left of a name: none stands beside an ellipsis
+_LEAST = 8  # columns of a name, which always have room
 _OF_A_NUMBER = "0123456789.,-"
 _LEGEND, _BELOW_POINTS = 10, 600  # the size of its names, and what they fill below a picture
 _FEW = 6  # so many names have room in a legend among curves
@@ -59,7 +61,7 @@ def short(name: str, most: int = MOST) -> str:
         return "".join(head)
     end = _fitting(tail[::-1], (most - 1) * 2 // 5)[::-1]
     start = _fitting(head, most - 1 - sum(map(_columns, end)))
-    return f"{''.join(start).rstrip()}{ELLIPSIS}{''.join(end).lstrip()}"
+    return f"{''.join(start).rstrip(_EDGES)}{ELLIPSIS}{''.join(end).lstrip(_EDGES)}"
 
 
 def short_names(names: Sequence[str], most: int = MOST) -> list[str]:
@@ -81,6 +83,28 @@ def labels(names: Sequence[str], most: int = MOST) -> list[str]:
     drawn = [_drawable(short(str(name), most)) for name in names]
     readable = [each if each.strip(f"{MISSING}{ELLIPSIS} ") else "" for each in drawn]
     return _distinct(readable, most)
+
+
+def names_that_fit(
+    names: Sequence[str],
+    fits: Callable[[Sequence[str]], bool],
+    *,
+    most: int = MOST,
+    called: Callable[[Sequence[str], int], list[str]] = short_names,
+) -> list[str]:
+    """Return short names that fit where they stand, at most so many columns long, no two alike.
+
+    They are shortened at once and by as much as it takes: cut there, they could look alike again.
+
+    >>> jaws = ["sealing jaw, left side 1", "sealing jaw, left side 2"]
+    >>> names_that_fit(jaws, lambda names: all(len(name) < 15 for name in names))
+    ['sealing…side 1', 'sealing…side 2']
+    """
+    found = called(names, most)
+    while most > _LEAST and not fits(found):
+        most -= 1
+        found = called(names, most)
+    return found
 
 
 def by_name(names: Iterable[str], most: int = MOST) -> dict[str, str]:
@@ -232,7 +256,7 @@ def _numbered(name: str, number: int, most: int) -> str:
     room = most - len(behind)
     letters = _letters(name)
     if sum(map(_columns, letters)) > room:
-        return f"{''.join(_fitting(letters, room - 1)).rstrip(f'{ELLIPSIS} ')}{ELLIPSIS}{behind}"
+        return f"{''.join(_fitting(letters, room - 1)).rstrip(_EDGES)}{ELLIPSIS}{behind}"
     return name + behind
 
 

@@ -24,6 +24,7 @@ FLAT = 25  # so many times smaller than another, a curve is flat beside it
 HEADING_PX, TICKS_PX = 18, 18
 _TICK_DEG, _LABELLED_DEG = 30, 60
 LABEL_PX = 14  # from one name at the ends of curves to the next
+_LINES = 2  # of a long one
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,11 @@ class LabelledCurve:
     number: int
     label: str
     trace: Trace
+
+
+def fits_at_end(label: str) -> bool:
+    """Whether a label has room at the end of its curve, in two lines of small letters."""
+    return len(wrap(label, WIDEST_LABEL_PX, svg.SMALL, bold=True)) <= _LINES
 
 
 @dataclass(frozen=True)
@@ -136,7 +142,7 @@ class Chart:
         is_long = any(
             text_px(curve.label, svg.NORMAL, bold=True) > WIDEST_LABEL_PX for curve in lane.curves
         )
-        size, most = (svg.SMALL, 2) if is_long or lane.is_bare else (svg.NORMAL, 1)
+        size, most = (svg.SMALL, _LINES) if is_long or lane.is_bare else (svg.NORMAL, 1)
         pitch = LABEL_PX * most
         edge = 4 + (pitch - LABEL_PX) / 2
         places = apart(ends, pitch, lane.top + edge, lane.top + lane.height - edge)

@@ -1,6 +1,6 @@
 """The columns of the animation: what is said and drawn of each design, from top to bottom."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -22,6 +22,7 @@ from cammotion.views.animation.charts import (
     LabelledCurve,
     acceleration_lane,
     draw_cursor,
+    fits_at_end,
     name_angle,
     timing_lanes,
 )
@@ -29,7 +30,7 @@ from cammotion.views.animation.dial import draw_dial
 from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
-from cammotion.views.names import printable, text_px, wrap
+from cammotion.views.names import names_that_fit, printable, text_px, wrap
 from cammotion.views.scales import drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
@@ -80,7 +81,12 @@ class Design:
         if text_px(self.peaks, svg.NORMAL) <= room:
             return self.peaks
         largest = as_text(self.diagram.peak_acceleration(self._hardest), ".3g")
-        return f"largest peak: {largest} m/s², {self._hardest}"
+        said, names = f"largest peak: {largest} m/s², ", self.diagram.names
+        left = room - text_px(said, svg.NORMAL)
+        called = names_that_fit(
+            names, lambda these: all(text_px(name, svg.NORMAL) <= left for name in these)
+        )
+        return said + called[names.index(self._hardest)]
 
     @property
     def verdict(self) -> str:
@@ -209,20 +215,28 @@ class Layout:
         return alarm
 
     def _displacements(self, design: Design) -> list[LabelledCurve]:
+        called = names_that_fit(design.diagram.names, lambda names: all(map(fits_at_end, names)))
         return [
-            LabelledCurve(number, motion.name, trace_position(motion))
+            LabelledCurve(number, called[number], trace_position(motion))
             for number, motion in enumerate(design.diagram.motions)
         ]
 
     def _accelerations(self, design: Design) -> list[LabelledCurve]:
         diagram, names = design.diagram, design.accelerated
+        peaks = [as_text(diagram.peak_acceleration(name), ".3g") for name in names]
+
+        def said(called: Sequence[str]) -> list[str]:
+            return [f"{peak} {name}" for peak, name in zip(peaks, called, strict=True)]
+
+        called = names_that_fit(names, lambda these: all(map(fits_at_end, said(these))))
+        told = said(called) if len(names) > 1 else [f"max {peaks[0]}"]
         return [
             LabelledCurve(
                 diagram.names.index(name),
-                _peak_label(diagram.peak_acceleration(name), "" if len(names) == 1 else name),
+                label,
                 trace_acceleration(diagram[name], diagram.rate_per_hour),
             )
-            for name in names
+            for name, label in zip(names, told, strict=True)
         ]
 
     def _timing(self, design: Design) -> Chart:
@@ -236,11 +250,6 @@ class Layout:
         if text_px(heading, svg.SMALL) > INNER_PX - LEFT_PX:  # the unit is not what is cut
             heading = f"acceleration in m/s² of the {of}"
         return Chart(heading, [lane], self.chart)
-
-
-def _peak_label(peak: float, name: str) -> str:
-    said = as_text(peak, ".3g")
-    return f"{said} {name}" if name else f"max {said}"
 
 
 def _drawn_peak(diagram: TimingDiagram, name: str) -> float:
