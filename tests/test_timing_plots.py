@@ -354,3 +354,16 @@ def test_broken_rules_without_a_name_are_counted_beside_those_with_one() -> None
     ax = cm.plot_timing(TOO_WIDE, rules=[named, bare])
     said = [text.get_text() for text in ax.texts]
     assert "broken: die clear (and 1 rule without a name)" in said
+
+
+@pytest.mark.parametrize("row", ["velocity", "acceleration", "jerk"])
+def test_the_range_beside_a_lane_is_that_of_the_peaks(row: str) -> None:
+    up, down = (make(50, over_deg=16.6, law="4-5-6-7 polynomial") for make in (cm.rise, cm.return_))
+    moves = up, cm.dwell(100), down, cm.dwell(226.8)
+    motions = [cm.motion(f"m{n}", *moves, start_deg=10.13 + 40 * n) for n in range(5)]
+    diagram = cm.TimingDiagram(motions, 2000)
+    ax = cm.plot_timing(diagram, rows=[row])
+    peak = getattr(diagram, f"peak_{row}")("m0")
+    for line in ax.figure.axes[-1].lines[::2]:
+        drawn = np.abs(np.asarray(line.get_ydata(), dtype=float))
+        assert drawn.max() == pytest.approx(peak, rel=1e-9)

@@ -49,15 +49,27 @@ class Curve:
 
 
 def curves_of(
-    motions: Sequence[Motion], values: Values, angles: Floats | None = None
+    motions: Sequence[Motion],
+    values: Values,
+    angles: Floats | None = None,
+    *,
+    turns_of: int = 0,
 ) -> list[Curve]:
-    """Return the curve of each motion, at its own angles or at these, with a short name."""
+    """Return the curve of each motion, at its own angles or at these, with a short name.
+
+    Its own angles are also those at which its derivative of the order `turns_of` turns.
+    """
     named = zip(motions, labels([motion.name for motion in motions]), strict=True)
     found = []
     for number, (motion, label) in enumerate(named):
-        at = curve_angles(motion) if angles is None else angles
+        at = _angles(motion, turns_of) if angles is None else angles
         found.append(Curve(number, motion, label, at, np.asarray(values(motion, at))))
     return found
+
+
+def _angles(motion: Motion, order: int) -> Floats:
+    turns = [branch.low for branch in motion.curve.derived(order).branches] if order else []
+    return np.union1d(curve_angles(motion), np.mod(turns, DEG_PER_TURN))
 
 
 def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None) -> None:

@@ -215,9 +215,11 @@ def _page(names: Sequence[str], height: float) -> Axes:
 def _draw_curves(ax: Axes, diagram: TimingDiagram, row: str | None = None) -> None:
     """Draw the displacements, or a row below them: on one scale, or each in its lane."""
     values = displacement if row is None else _derivative(diagram, row)
-    curves = curves_of(diagram.motions, values)
+    order = 0 if row is None else 1 + [*ROWS].index(row)
+    in_lanes = len(diagram.names) > SHARED_AXIS
+    curves = curves_of(diagram.motions, values, turns_of=order if in_lanes else 0)
     peaks = None if row is None else [getattr(diagram, f"peak_{row}")(n) for n in diagram.names]
-    if len(curves) > SHARED_AXIS:
+    if in_lanes:
         draw_lanes(ax, curves, peaks)
         return
     draw_shared(ax, curves, is_named=row is None)
