@@ -132,7 +132,7 @@ def test_what_is_said_beside_the_lanes_and_in_the_block() -> None:
         assert words in said
     assert any(line.startswith("kept, 19 mm left: the die may be beyond") for line in said)
     still = cm.TimingDiagram([cm.motion("gate", cm.dwell(360), start_mm=3)], 60)
-    assert {"stands", "3 to 3 mm", "no rules given"} <= {*texts(page(still))}
+    assert {"stands", "3 mm", "no rules given"} <= {*texts(page(still))}
 
 
 def test_a_broken_rule_is_hatched_in_its_two_lanes() -> None:
@@ -289,3 +289,17 @@ def test_a_title_ends_within_its_frame() -> None:
         figure = draw_chart(make_diagram(), 1.0, ("M" + "a" * count, DAY), [RULE], {})
         (title,) = (box for said, box in boxes(figure) if said.startswith("Ma"))
         assert title.x1 < figure.bbox.width * (1 - _MARGIN / 297)
+
+
+def test_what_stands_is_at_one_place_and_a_fast_shaft_is_counted_in_whole() -> None:
+    still = cm.motion("stop", cm.dwell(360), start_mm=5.26)
+    assert beside(still, 0, None).stroke == "5.26 mm"
+    said = texts(page(cm.TimingDiagram([still], 1e6)))
+    assert any(text.startswith("16667 rpm, ") for text in said)
+
+
+def test_a_rule_without_a_distance_is_kept_without_one() -> None:
+    still = cm.TimingDiagram([make_mill(), cm.motion("stop", cm.dwell(360))], 2000)
+    rule = cm.ClearanceRule(cm.moving("stop"), only_while=cm.standing("mill"))
+    (said,) = [text for text in texts(page(still, rule)) if text.startswith("kept")]
+    assert said.startswith("kept: ")

@@ -215,3 +215,11 @@ def test_a_weight_is_drawn_and_its_area_shaded() -> None:
     assert ax.get_xlabel() == "u in deg"
     constant = cm.plot_weight(sp.Integer(3), (u, 0, 130))
     assert {*points_of(constant)[1]} == {3}
+
+
+def test_the_price_of_a_jerk_is_that_of_one_mechanism() -> None:
+    other = cm.least_acceleration(
+        EXAMPLE.diagram, "mill", EXAMPLE.rule, still=WORK, jerk_m_per_s3=12, cells=60
+    )
+    with pytest.raises(cm.InputError, match="of one mechanism, and these results are for 2"):
+        cm.plot_jerk_price([die_with(8), other])

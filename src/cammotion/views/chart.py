@@ -35,6 +35,7 @@ from cammotion.views.chart_rules import BLOCK_MM, FIRST_MM, INDENT_MM, Block, la
 from cammotion.views.named import readable
 from cammotion.views.names import TITLE, by_name, cut, printable
 from cammotion.views.pictures import on_paper
+from cammotion.views.scales import short_number
 
 PAPERS = {"A4": 297.0, "A3": 420.0}  # their widths in mm, lying
 _WIDTH, _HEIGHT = 297.0, 210.0
@@ -173,7 +174,7 @@ def _write_title(
     _write(paper, (start + 4, top - 8), title, end - start - 8, 15, bold=True)
     cells = {
         "rate": f"{diagram.rate_per_hour:.6g} pieces/h",
-        "camshaft, time of a turn": f"{diagram.rpm:.4g} rpm, {diagram.cycle_time_s:.4g} s",
+        "camshaft, time of a turn": f"{short_number(diagram.rpm, 1)} rpm, {diagram.cycle_time_s:.4g} s",
         "date": date,
     }
     _line(paper, (start, top - 15), (end, top - 15))

@@ -1,5 +1,6 @@
 """What a timing chart says of its rules: whole ones, wrapped into the lines that a block has."""
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
@@ -69,11 +70,8 @@ def lay_out(
 
 def _words(found: Clearance, called: Mapping[str, str], is_broken: bool) -> str:
     mm = round(found.clearance_mm, 9) + 0.0
-    left = (
-        f"BROKEN by {as_text(-mm, '.3g')} mm"
-        if is_broken
-        else f"kept, {as_text(mm, '.3g')} mm left"
-    )
+    kept = f"kept, {as_text(mm, '.3g')} mm left" if math.isfinite(mm) else "kept"
+    left = f"BROKEN by {as_text(-mm, '.3g')} mm" if is_broken else kept
     return printable(f"{left}: {_rule(found.rule, called)}")
 
 

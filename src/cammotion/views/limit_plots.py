@@ -50,7 +50,7 @@ def plot_jerk_price(
     bound at the larger one. The blue line joins the peaks that were reached. `named` are the peak
     jerk in m/s3 and the peak acceleration in m/s2 of designs, by name, in orange; those with more
     jerk than the largest limit are left out. `unlimited_m_per_s2` is drawn as the level without a
-    limit. Raises InputError for fewer than two limits.
+    limit. Raises InputError for fewer than two limits, and for results of several mechanisms.
 
     >>> import cammotion as cm
     >>> found = [
@@ -67,6 +67,11 @@ def plot_jerk_price(
         raise InputError(
             "The price of a jerk is a curve over the limits to it: give results of "
             "least_acceleration with at least two different jerk limits, for example 8 and 12 m/s³."
+        )
+    if len(names := {each.motion.name for each in best}) > 1:
+        raise InputError(
+            f"The price of a jerk is that of one mechanism, and these results are for {len(names)}: "
+            "give results of least_acceleration for the same one."
         )
     unlimited = None if unlimited_m_per_s2 is None else _PEAK.number(unlimited_m_per_s2)
     name = labels_of(best[0].design)[best[0].motion.name]

@@ -73,6 +73,10 @@ def from_to(low: float, high: float, more: int = 0) -> str:
 
     >>> from_to(-50, 50), from_to(12345, 12350)
     ('−50 to 50', '12345 to 12350')
+    >>> from_to(5.26, 5.26)
+    '5.26'
     """
+    if low == high:
+        return short_number(low, more)
     more = max(more, more_digits(low, high))
     return f"{short_number(low, more)} to {short_number(high, more)}"
