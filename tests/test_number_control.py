@@ -1,5 +1,10 @@
 """The slider and the number field of one value."""
 
+import math
+from typing import Any
+
+import pytest
+
 import cammotion as cm
 
 
@@ -29,8 +34,14 @@ def test_the_rounding_of_a_slider_does_not_reach_the_field() -> None:
 def test_a_change_is_told_once() -> None:
     control = cm.NumberControl("angle Bm, deg", 55, 20, 220, 1)
     told: list[float] = []
-    control.on_change(lambda: told.append(control.value))
+    control.field.observe(lambda _: told.append(control.value), "value")
     control.slider.value = 70.00000000000001
     control.value = 80.5
     assert told == [70, 80.5]
     assert control._repr_mimebundle_()["text/plain"] == "angle Bm, deg: 80.5"
+
+
+@pytest.mark.parametrize("numbers", [(5, 0, 10, 0), (math.nan, 0, 1, 0.1), ("5 mm", 0, 10, 1)])
+def test_what_is_no_control_is_refused_in_words(numbers: Any) -> None:
+    with pytest.raises(cm.InputError, match="of a control "):
+        cm.NumberControl("x", *numbers)

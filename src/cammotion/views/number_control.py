@@ -1,21 +1,29 @@
 """A slider and a number field for one value, which the setup of notebook 00 shows."""
 
-from collections.abc import Callable
+import math
 from typing import Any
 
 import ipywidgets
 import numpy as np
+
+from cammotion.quantities import Quantity
 
 
 class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
     """A slider and a number field for one `value`.
 
     The field holds the value: any of the range, also between the slider's steps. The slider stands
-    at the nearest step. The field also gives the pair the name that a screen reader reads.
+    at the nearest step. The field also gives the pair the name that a screen reader reads. Raises
+    InputError for what is no number, and for a step that is not above 0.
     """
 
     def __init__(self, name: str, value: float, low: float, high: float, step: float) -> None:
-        self.default = value
+        ends = {"value": value, "low end": low, "high end": high}
+        value, low, high = (
+            Quantity(f"{what} of a control", "", example=5, low=-math.inf).number(given)
+            for what, given in ends.items()
+        )
+        step = Quantity("step of a control", "", example=1).number(step)
         span = {"value": value, "min": min(low, value), "max": max(high, value)}
         self.field = ipywidgets.BoundedFloatText(
             **span,
@@ -40,10 +48,6 @@ class NumberControl(ipywidgets.HBox):  # type: ignore[misc]
     @value.setter
     def value(self, value: float) -> None:
         self.field.value = value
-
-    def on_change(self, callback: Callable[[], None]) -> None:
-        """Call `callback` whenever the value has changed."""
-        self.field.observe(lambda _: callback(), "value")
 
     def _nearest_step(self) -> float:
         """Return where the slider stands for the field's value."""
