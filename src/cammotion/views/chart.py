@@ -172,9 +172,10 @@ def _write_title(
     top, third = _MARGIN + BLOCK_MM, (end - start) / 3
     _frame(paper, (start, _MARGIN), (end, top))
     _write(paper, (start + 4, top - 8), title, end - start - 8, 15, bold=True)
+    rpm = short_number(diagram.rpm, 1)
     cells = {
         "rate": f"{diagram.rate_per_hour:.6g} pieces/h",
-        "camshaft, time of a turn": f"{short_number(diagram.rpm, 1)} rpm, {diagram.cycle_time_s:.4g} s",
+        "camshaft, time of a turn": f"{rpm} rpm, {diagram.cycle_time_s:.4g} s",
         "date": date,
     }
     _line(paper, (start, top - 15), (end, top - 15))

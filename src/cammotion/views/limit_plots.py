@@ -70,8 +70,8 @@ def plot_jerk_price(
         )
     if len(names := {each.motion.name for each in best}) > 1:
         raise InputError(
-            f"The price of a jerk is that of one mechanism, and these results are for {len(names)}: "
-            "give results of least_acceleration for the same one."
+            f"The price of a jerk is that of one mechanism, and these results are for {len(names)}"
+            ": give results of least_acceleration for the same one."
         )
     unlimited = None if unlimited_m_per_s2 is None else _PEAK.number(unlimited_m_per_s2)
     name = labels_of(best[0].design)[best[0].motion.name]
