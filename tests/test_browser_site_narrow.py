@@ -2,7 +2,7 @@
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from site_pages import LESSONS, written
+from site_pages import LESSONS, files, written
 from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
 
 READABLE_PX = 9
@@ -156,3 +156,23 @@ def test_a_drawing_without_its_player_is_dark_in_the_dark(browser: Browser) -> N
     drawing = page.locator("[data-module=player] > svg").first
     expect(drawing).to_have_css("filter", "invert(0.933) hue-rotate(180deg)")
     context.close()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_browser_that_does_not_know_both_themes_shows_the_light_one(
+    browser: Browser, scheme: str
+) -> None:
+    """One that takes light-dark() for no colour, as Chrome 122 does."""
+    old = reader_in(browser, DESK, scheme, "reduce")
+    style = files()["shared/page.css"].decode().replace("light-dark(", "of-both(")
+    old.page.route("**/page.css", lambda asked: asked.fulfill(body=style, content_type="text/css"))
+    page = old.open("04_machine_in_motion")
+    assert page.evaluate(LIVES) == 0
+    curve, field = page.locator(".cm-column path.cm-own"), page.locator(".cm-settings input")
+    expect(curve.first).to_have_css("stroke", "rgb(0, 114, 178)")
+    expect(field.first).to_have_css("border-top-color", "rgb(85, 85, 85)")
+    expect(field.first).to_have_css("color-scheme", "light")
+    expect(page.locator("body")).to_have_css("color", "rgb(31, 30, 27)")
+    expect(page.locator("html")).to_have_css("background-color", "rgb(253, 252, 249)")
+    expect(page.locator(".cm-paper").first).to_have_css("filter", "none")
+    page.context.close()

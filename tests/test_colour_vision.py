@@ -38,8 +38,9 @@ def living(theme: int) -> dict[str, Colour]:
     """Return the colours of live figures, in the light (0) or in the dark (1)."""
     found = {}
     for name in ("1", "2", "3", "4", "5", "ink", "grey", ALARM):
-        (value,) = re.findall(rf"--cm-{name}:(light-dark\([^)]*\)|#\w+)", STYLE)
+        value, *light = re.findall(rf"--cm-{name}:(light-dark\([^)]*\)|#\w+)", STYLE)
         codes = re.findall(r"#\w+", value)
+        assert light == codes[:-1]  # in a browser that does not know light-dark()
         found[name] = rgb(codes[theme % len(codes)])
     return found
 

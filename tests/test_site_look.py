@@ -6,7 +6,7 @@ import pytest
 from site_pages import LESSONS, files, page
 
 ENOUGH = 4.5
-PAIR = re.compile(r"light-dark\((#[0-9a-f]{3,6}), ?(#[0-9a-f]{3,6})\)")
+PAIR = re.compile(r"light-dark\((#[0-9a-fA-F]{3,6}), ?(#[0-9a-fA-F]{3,6})\)")
 STYLE_NAME = "shared/page.css"
 INKS = ("ink", "soft", "link", "right", "wrong")
 THEMES = ("light", "dark")
@@ -73,3 +73,11 @@ def test_no_prompt_and_no_lab_is_left() -> None:
         assert not re.search(r"\b(In|Out)\s*\[", plain)
         assert "Write your answer in place of" not in plain
         assert "cm.check_setup" not in plain
+
+
+def test_each_colour_of_a_theme_has_its_light_one_for_an_old_browser() -> None:
+    themed = re.findall(rf"([\w-]+): ?{PAIR.pattern}", style())
+    light = re.findall(r"@supports not \(color:light-dark\(red,red\)\)\{(.+?)\{(.+?)\}\}", style())
+    plain = [tuple(one.split(":")) for _, rule in light for one in rule.split(";")]
+    assert [one for one in plain if one[0] != "color-scheme"] == [(n, day) for n, day, _ in themed]
+    assert plain.count(("color-scheme", "light")) == len(light) == 7

@@ -5,6 +5,7 @@ from importlib.resources import files
 
 from cammotion.views import paper
 from cammotion.views.animation import player
+from cammotion.views.light import KNOWS, with_light
 from cammotion.views.live import page as live
 from cammotion.views.live.page import as_json
 
@@ -45,10 +46,11 @@ def _style() -> str:
         f".code :is({names}){{color:light-dark({light},{dark})}}\n"
         for names, (light, dark) in _CODE.items()
     )
-    dark = "@media screen and (prefers-color-scheme:dark)"
     on_paper = ".cm-paper,[data-module]>svg"  # this before, or without, its player
-    turned = f"{dark}{{{on_paper}{{{paper.TURNED}}}.cm-paper .cm-paper{{filter:none}}}}\n"
-    return "".join([_read("page.css"), code, turned, live.style(), player.LOOK])
+    dark = f"{on_paper}{{{paper.TURNED};mix-blend-mode:lighten}}.cm-paper .cm-paper{{filter:none}}"
+    turned = f"{KNOWS}{{@media screen and (prefers-color-scheme:dark){{{dark}}}}}\n"
+    own = with_light(_read("page.css") + code)
+    return "".join([own, turned, live.style(), player.LOOK])
 
 
 def _script() -> str:

@@ -9,6 +9,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from cammotion.views.light import with_light
+
 _FOLDER = Path(__file__).parent
 _COMMENT = re.compile(r"^ *(/\*\*.*?\*/|//[^\n]*)\n", re.MULTILINE | re.DOTALL)
 """Of whole lines: who reads the source has them, a page is smaller without."""
@@ -64,7 +66,7 @@ def model() -> str:
 @cache
 def style() -> str:
     """Return the figure's style sheet."""
-    return _read("figure.css")
+    return with_light(_read("figure.css"))
 
 
 def write_page(data: dict[str, Any], text: str) -> str:
