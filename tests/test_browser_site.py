@@ -246,6 +246,28 @@ def test_a_prediction_opens_its_answer(reader: Reader) -> None:
     assert far == "100 % too much"
 
 
+def test_what_is_filled_in_before_the_script_has_come_stays_and_is_answered(
+    browser: Browser,
+) -> None:
+    slow = reader_in(browser, DESK, "light", "reduce")
+    page, held = slow.page, list[Route]()
+    page.route("**/page.js", lambda asked: held.append(asked))
+    page.goto((written() / "03_overlap.html").as_uri(), wait_until="commit")
+    choice, number, other = (page.locator(f"#exercise-03\\.{n}") for n in (6, 4, 1))
+    one = find_exercise("03.6")
+    assert isinstance(one, ChoiceExercise)
+    choice.locator(f"input[value={one.answer}]").check()
+    for form, typed in ((number, "12 deg"), (other, "1")):
+        form.get_by_role("textbox").fill(typed)
+        form.get_by_role("textbox").press("Enter")
+    held[0].continue_()
+    expect(choice.locator(".said")).to_have_text(f"Right. {one.right}")
+    expect(number.locator(".said")).to_contain_text("is no number")
+    expect(other.get_by_role("textbox")).to_have_value("1")  # which is still being typed
+    expect(other.locator(".said")).to_be_empty()
+    page.context.close()
+
+
 def test_without_scripts_it_is_still_a_page(browser: Browser) -> None:
     context = browser.new_context(java_script_enabled=False)
     page = context.new_page()
@@ -254,6 +276,11 @@ def test_without_scripts_it_is_still_a_page(browser: Browser) -> None:
     expect(page.locator("[data-module=figure] > img").first).to_be_visible()
     page.locator("[data-reveals] summary").first.click()
     expect(page.locator("[data-reveals] details p").first).to_be_visible()
+    for form in (page.locator("[data-predicts]").first, page.locator("#exercise-04\\.1")):
+        form.get_by_role("textbox").fill("55")
+        form.get_by_role("textbox").press("Enter")
+    expect(page.locator("form input[type=text]").first).to_have_value("55")
+    assert page.url.endswith(".html")
     context.close()
 
 

@@ -10,6 +10,8 @@ from cammotion.teaching.exercise import ChoiceExercise, Exercise
 from cammotion.teaching.number_exercise import NumberExercise
 
 Render = Callable[[str], str]
+# Where no script has come yet, Enter loads nothing, and what was typed stays
+_FORM = 'method="dialog" autocomplete="off"'
 _SAID = '<p class="said" role="status"></p>'
 _ELSEWHERE = (
     "What is asked for is {}. Such an answer needs Python: write it in the workbook, which checks "
@@ -25,7 +27,7 @@ def exercise_form(exercise: Exercise, machine: MillAndDie, render: Render) -> st
     question = render(f"**Exercise {name}.** {exercise.question(machine)}")
     fields = _fields(exercise, machine, render)
     return (
-        f'<form class="exercise" id="exercise-{name}" data-exercise="{name}" autocomplete="off" '
+        f'<form class="exercise" id="exercise-{name}" data-exercise="{name}" {_FORM} '
         f'aria-label="Exercise {name}">{question}{fields}{_SAID}{_hints(exercise, render)}</form>'
     )
 
@@ -67,7 +69,7 @@ def prediction_form(key: str, asked: str, *, is_number: bool) -> str:
     keys = _NUMBERS if is_number else _LETTERS
     field = _text_field(f"prediction-{name}", f"I predict, {asked}", "Predict", keys)
     return (
-        f'<form class="prediction" data-predicts="{name}" autocomplete="off" '
+        f'<form class="prediction" data-predicts="{name}" {_FORM} '
         f'aria-label="Prediction {name}">'
         f"{field}{_SAID}</form>"
     )

@@ -79,7 +79,15 @@ async function fillIn(load) {
     answerIn(form, answers[form.dataset.exercise], tools);
   for (const form of document.querySelectorAll("[data-predicts]"))
     predictIn(form, answers[form.dataset.predicts], tools);
+  document.querySelectorAll("form input").forEach(catchUp);
   document.documentElement.dataset.ready = "";
+}
+
+/** Answer what was filled in before anything could answer, unless it is still being typed. */
+function catchUp(input) {
+  if (input.checked) input.dispatchEvent(new Event("change", { bubbles: true }));
+  else if (input.type === "text" && input.value && input !== document.activeElement)
+    input.form.requestSubmit();
 }
 
 async function unpack(text) {
