@@ -31,6 +31,10 @@ MIDDLES = """() => [...document.querySelectorAll("fieldset label")].map((label) 
   return [top + height / 2,
     words.getBoundingClientRect().top + parseFloat(getComputedStyle(words).lineHeight) / 2];
 })"""
+PRINTED = """() => [...document.querySelectorAll(".printed")]
+  .map((pre) => [pre.textContent, pre.scrollWidth > pre.clientWidth + 1])"""
+LAID_OUT = """() => [...document.querySelectorAll(".printed")]
+  .filter((pre) => pre.textContent.includes("  ")).map((pre) => getComputedStyle(pre).whiteSpace)"""
 LOADED = """async () => {
   for (const image of document.images) {
     image.loading = "eager";
@@ -98,6 +102,16 @@ def test_a_machine_that_has_room_on_a_telephone_is_seen_whole(phone: Reader) -> 
     assert {drawn for drawn, _ in widths} == {430, 860}
     for drawn, shown in widths:
         assert (shown <= PHONE[0]) == (drawn < 500)
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_what_is_printed_in_sentences_is_seen_whole_and_a_table_keeps_its_columns(
+    reader: Reader, phone: Reader, name: str
+) -> None:
+    is_cut = dict(reader.open(name).evaluate(PRINTED))
+    assert not [text for text, cut in is_cut.items() if cut and "  " not in text]
+    laid_out = phone.open(name).evaluate(LAID_OUT)
+    assert {*laid_out} <= {"pre"}
 
 
 def test_a_slider_reaches_both_ends_of_its_line(reader: Reader) -> None:

@@ -26,6 +26,7 @@ from cammotion.views.live.figure import MIME
 _TEMPLATES = Path(__file__).parent / "templates"
 _PYTHON = {"language_info": {"name": "python", "pygments_lexer": "python"}}
 _LONG = 12  # lines: code that is longer is folded
+_ROOM = 81  # letters: so many has a printed line beside which nothing is hidden on a laptop
 _ORDER = [MIME, "text/html", "text/markdown", "text/latex", "image/png", "text/plain"]
 
 
@@ -85,6 +86,7 @@ class _Exporter(HTMLExporter):
                 "is_long": lambda source: source.count("\n") >= _LONG,
                 "is_setup": lambda source: source.startswith(("import ", "from ")),
                 "lines": lambda source: source.count("\n") + 1,
+                "kind": _kind_of_print,
                 "formula": shown_formula,
                 "html_output": self._html_output,
                 "figure": self._figure,
@@ -109,6 +111,12 @@ class _Exporter(HTMLExporter):
         words = output.metadata.get("image/png", {}).get("alt") or output.data["text/plain"]
         png = base64.b64decode(output.data["image/png"])
         return self._pictures.png(name, png, str(words))
+
+
+def _kind_of_print(text: str) -> str:
+    """Return the class of what is printed: sentences are wrapped, what is laid out stays so."""
+    is_long = any(len(line) > _ROOM for line in text.splitlines())
+    return "printed sentences" if is_long and "  " not in text else "printed"
 
 
 def _finished(html: str) -> str:
