@@ -28,7 +28,7 @@ from live_page import (
     built,
     started,
 )
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Locator, Page
 
 import cammotion as cm
 from cammotion.views.live import page
@@ -220,7 +220,71 @@ def test_the_pad_follows_the_mouse(chromium: Browser, tmp_path: Path) -> None:
     opened.mouse.move(10, 10)
     moved = [float(value.replace("−", "-")) for value in reader.evaluate(FIELDS)]
     assert moved == pytest.approx([0, 0], abs=1e-6)  # the corner of the simple harmonic law
+    opened.mouse.move(there[0] - 47, there[1] - 11)
+    opened.mouse.down()
+    opened.mouse.up()
+    assert all(re.fullmatch(r"0\.\d{1,3}", value) for value in reader.evaluate(FIELDS))
     opened.close()
+
+
+@pytest.fixture
+def phone(chromium: Browser) -> Iterator[Page]:
+    context = chromium.new_context(
+        viewport={"width": PHONE_PX, "height": 640}, has_touch=True, is_mobile=True, offline=True
+    )
+    yield context.new_page()
+    context.close()
+
+
+def swipe(page: Page, place: Locator, across: float, down: float, beside: float = 0) -> float:
+    """Touch the middle of a place, or beside it, swipe, and return how far the page has moved."""
+    place.evaluate("(each) => each.scrollIntoView({ block: 'center' })")
+    box, before = place.bounding_box(), page.evaluate("() => scrollY")
+    assert box
+    x, y = box["x"] + box["width"] / 2 + beside, box["y"] + box["height"] / 2
+    finger = page.context.new_cdp_session(page)
+
+    def tell(kind: str, *points: dict[str, float]) -> None:
+        finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [*points]})
+
+    tell("touchStart", {"x": x, "y": y})
+    for part in range(1, 9):
+        tell("touchMove", {"x": x + across * part / 8, "y": y + down * part / 8})
+        page.wait_for_timeout(20)
+    tell("touchEnd")
+    page.wait_for_timeout(300)
+    return abs(float(page.evaluate("() => scrollY")) - float(before))
+
+
+def test_a_swipe_over_a_slider_scrolls_the_page_and_changes_nothing(
+    phone: Page, tmp_path: Path
+) -> None:
+    figure = built("move")
+    reader = Reader(phone.goto, phone.evaluate, phone.keyboard.press, tmp_path, figure)
+    reader.open("move")
+    phone.add_style_tag(content="body { padding-block: 900px !important }")
+    phone.evaluate("() => document.addEventListener('pointercancel', () => (window.left = true))")
+    slider = phone.get_by_role("slider").first
+    assert swipe(phone, slider, across=0, down=-200, beside=60) > 50
+    assert phone.evaluate("() => left")
+    assert reader.evaluate(FIELDS) == ["2000", "55", "50"]
+    assert slider.input_value() == "2000"
+    assert reader.said() == figure.text
+    assert swipe(phone, slider, across=60, down=0) == 0
+    assert reader.evaluate(FIELDS)[0] != "2000"
+
+
+def test_a_finger_moves_the_point_and_beside_it_the_page(phone: Page, tmp_path: Path) -> None:
+    reader = Reader(phone.goto, phone.evaluate, phone.keyboard.press, tmp_path, built("scca"))
+    reader.open("scca")
+    phone.add_style_tag(content="body { padding-block: 900px !important }")
+    started_at, point = reader.evaluate(FIELDS), phone.get_by_role("application")
+    assert swipe(phone, point, across=0, down=-200, beside=70) > 50
+    assert reader.evaluate(FIELDS) == started_at
+    assert swipe(phone, point, across=10, down=-60, beside=18) == 0
+    moved = reader.evaluate(FIELDS)
+    assert moved != started_at
+    assert all(re.fullmatch(r"0\.\d{1,3}", value) for value in moved)
 
 
 @pytest.mark.parametrize("name", FIGURES)

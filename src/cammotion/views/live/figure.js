@@ -1,7 +1,8 @@
 // A live figure where its reader is: in a notebook the model is the widget's, in a page the
 // page's own. It is the last of four files, which are one module.
 
-const PAUSE_MS = 600;
+const PAUSE_MS = 600,
+  OF_STEP = 0.1; // so finely a point is dragged
 
 /** The figure: controls, sentences, legend and panels, in line with the model's settings. */
 class Figure {
@@ -74,6 +75,7 @@ class Figure {
       ),
     );
     for (const panel of this.panels.flat()) panel.letDrag((move) => this.drag(move));
+    this.forgetSwipes();
     // Notebook 7 takes the arrow keys of whatever is focused and does not say so itself
     for (const focusable of this.root.querySelectorAll("input, select, button, [tabindex]")) {
       put(focusable, { "data-lm-suppress-shortcuts": true });
@@ -94,7 +96,7 @@ class Figure {
     const { buttons, controls, pin, clock } = this.description,
       made = clock && clock.control !== null ? [this.play] : [];
     for (const { text: words, sets } of buttons)
-      made.push(button(words, () => this.setAll(sets, this.place)));
+      made.push(button(words, () => this.setAll(sets, [this.place])));
     if (pin) {
       made.push(
         button(pin, () => {
@@ -128,11 +130,14 @@ class Figure {
     if (isKept) this.model.save_changes();
   }
 
-  /** Set controls to what their formulas are at a place, unless one of them is no number. */
-  setAll(sets, ...place) {
-    const changes = Object.fromEntries(
-      sets.map(([i, f]) => [i, Number(this.now[f](...place).toPrecision(12))]),
-    );
+  /** Set controls to what their formulas are at a place, unless one of them is no number; to that
+   * part of a step. */
+  setAll(sets, place, by = 0) {
+    const near = (i, value) => {
+      const step = by * this.description.controls[i].step;
+      return Number((step ? Math.round(value / step) * step : value).toPrecision(12));
+    };
+    const changes = Object.fromEntries(sets.map(([i, f]) => [i, near(i, this.now[f](...place))]));
     if (Object.values(changes).every(Number.isFinite)) this.set(changes);
   }
 
@@ -142,7 +147,18 @@ class Figure {
       this.now[point.x](this.place) + by[0],
       this.now[point.y](this.place) + by[1],
     ];
-    this.setAll(point.drags, x, y);
+    this.setAll(point.drags, [x, y], at ? OF_STEP : 0);
+  }
+
+  /** A swipe that begins on a slider and scrolls the page leaves everything as it was. */
+  forgetSwipes() {
+    let before;
+    this.root.addEventListener("pointerdown", () => (before = [this.settings, this.part]));
+    this.root.addEventListener("pointercancel", ({ target }) => {
+      if (target.type !== "range") return;
+      this.part = before[1];
+      this.set({ ...before[0] });
+    });
   }
 
   start() {

@@ -3,6 +3,7 @@
 
 const BEYOND_PX = 9999,
   TALLEST_PX = 440,
+  HOLD_PX = 24, // so near a finger takes hold of a point
   KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** A scale from [low, high] to pixels, and back. */
@@ -91,10 +92,11 @@ class Panel {
     put(root, { class: "cm-pad", role: "group" });
     root.addEventListener("pointerdown", (event) => {
       if (event.button) return;
-      event.preventDefault();
       const [x, y] = place(event),
         away = ({ dot }) => Math.hypot(dot.getAttribute("cx") - x, dot.getAttribute("cy") - y);
       held = pads.reduce((best, pad) => (away(pad) < away(best) ? pad : best));
+      if (event.pointerType === "touch" && away(held) > HOLD_PX) return; // who scrolls the page
+      event.preventDefault();
       root.setPointerCapture(event.pointerId);
       held.dot.focus();
       follow(event);
@@ -102,7 +104,12 @@ class Panel {
     root.addEventListener("pointermove", (event) => {
       if (root.hasPointerCapture(event.pointerId)) follow(event);
     });
-    for (const { point, dot } of pads) {
+    for (const pad of pads) {
+      const { point, dot } = pad,
+        hold = (pad.hold = svg("circle", { class: "cm-hold", r: HOLD_PX }));
+      dot.before(hold);
+      for (const each of [hold, dot])
+        each.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
       put(dot, { tabindex: 0, role: "application", "aria-label": point.label });
       dot.addEventListener("keydown", (event) => {
         if (!(event.key in KEYS)) return;
@@ -142,13 +149,13 @@ class Panel {
       put(word, { x: (x[0] + x[1]) / 2, y: (y[0] + y[1]) / 2 });
       word.style.display = x[0] < x[1] && y[0] < y[1] ? "" : "none"; // there is nothing to name
     }
-    for (const { point, dot, word } of this.points) {
+    for (const { point, dot, word, hold } of this.points) {
       const x = X(now[point.x](clock, clock)),
         y = Y(now[point.y](clock, clock)),
         isThere = Number.isFinite(x + y);
       dot.style.display = word.style.display = isThere ? "" : "none";
       if (isThere) {
-        put(dot, { cx: x, cy: y });
+        for (const each of hold ? [hold, dot] : [dot]) put(each, { cx: x, cy: y });
         put(word, { x: x + 11, y: y - 9 });
       }
     }
