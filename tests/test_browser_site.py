@@ -210,8 +210,12 @@ def test_numbers_are_answered_with_their_reasons(reader: Reader) -> None:
         f"{float(slip.answer(NAMELESS)):.4f}": f"Not yet. {slip.reason}",
         f"{1.031 * one.solution(NAMELESS):.6f}": "off by 3.1 %",
         "1": "hints are below.",
-        "12 deg": "is no number",
-        "1,234": "may be 1.234 or 1234",
+        "12 deg": "is no number: write it alone, without its unit.",
+        "12 %": "“12 %” is no number: write it alone, without its unit.",
+        "about 12": "is no number: write one number, like 4.42.",
+        "1.2.3": "“1.2.3” is no number: write one number, like 4.42.",
+        "1,234": "may be 1.234 or 1234: write it with a point, or with no mark.",
+        "2 791": "hints are below.",
     }.items():
         field.fill(typed)
         field.press("Enter")

@@ -6,6 +6,7 @@ const WIDE = "(min-width: 84rem)"; // as in the style: the list of sections has 
 const idle = globalThis.requestIdleCallback
   ? (then) => requestIdleCallback(then, { timeout: 200 })
   : (then) => setTimeout(then, 50);
+const UNIT = /\d\s*[\p{L}%°]/u;
 const HEAD = /^(Right\.|Not yet\.)(.*)$/s;
 
 export function start(load) {
@@ -107,11 +108,13 @@ function answerIn(form, table, { format, readings }) {
   };
   const judge = () => {
     const typed = form.querySelector("input").value;
-    const found = readings(typed);
+    const found = readings(typed.replace(BLANK, "$1$2"));
     if (!typed.trim()) say("");
     else if (found.length === 1) say(verdict(table, found[0], format));
-    else if (found.length) say(`“${typed}” may be ${found.join(" or ")}: write it with a point.`);
-    else say(`“${typed}” is no number: write it alone, without its unit.`);
+    else if (found.length)
+      say(`“${typed}” may be ${found.join(" or ")}: write it with a point, or with no mark.`);
+    else if (UNIT.test(typed)) say(`“${typed}” is no number: write it alone, without its unit.`);
+    else say(`“${typed}” is no number: write one number, like 4.42.`);
   };
   form.addEventListener("submit", (event) => {
     event.preventDefault();
