@@ -3,7 +3,9 @@
 import re
 
 import pytest
-from site_pages import LESSONS, files, page
+from site_pages import LESSONS, NOTEBOOKS, PAGES, files, page
+
+from cammotion.site.wording import OTHERWISE
 
 ENOUGH = 4.5
 PAIR = re.compile(r"light-dark\((#[0-9a-fA-F]{3,6}), ?(#[0-9a-fA-F]{3,6})\)")
@@ -73,6 +75,22 @@ def test_no_prompt_and_no_lab_is_left() -> None:
         assert not re.search(r"\b(In|Out)\s*\[", plain)
         assert "Write your answer in place of" not in plain
         assert "cm.check_setup" not in plain
+
+
+def test_what_is_said_of_the_lab_is_said_otherwise_on_a_page() -> None:
+    texts = [(NOTEBOOKS / f"{lesson}.ipynb").read_text("utf-8") for lesson in LESSONS]
+    plain = [page(lesson).get_text() for lesson in LESSONS]
+    for in_lab, here in OTHERWISE.items():
+        assert sum(text.count(in_lab) for text in texts) == 1, in_lab
+        assert not any(in_lab in text for text in plain)
+        assert any(here in text for text in plain)
+    assert not any("JupyterLab they are" in text for text in plain)
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_says_before_its_text_that_its_code_has_been_run(name: str) -> None:
+    before, _ = files()[f"{name}.html"].decode().split("<h1", 1)
+    assert before.count(" has been run") == 1
 
 
 def test_each_colour_of_a_theme_has_its_light_one_for_an_old_browser() -> None:

@@ -10,6 +10,7 @@ from nbformat.v4 import new_output
 
 from cammotion.quantities import InputError, plural
 from cammotion.site import forms
+from cammotion.site.wording import as_on_a_page
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Exercise
 from cammotion.teaching.lessons import PREDICTIONS, find_exercise
@@ -20,14 +21,6 @@ LAB_ONLY = "lab-only"  # the tag of a cell that makes no sense without a kernel
 _QUESTION = re.compile(r'^cm\.(?:ask|choose)\("([^"]+)"\)$')
 _ANSWER = re.compile(r"^answer_\d+ = None|^cm\.check\(")
 _VARIANT = re.compile(r"\bcm\.variant\(")
-_HOW_IN_LAB = re.compile(
-    r"^Write your answer in place of `None`.*? you get your(?:s| own)\.", re.MULTILINE
-)
-_HOW_HERE = (
-    "Type your answer and press Enter. If it is wrong, you are told what probably went wrong; "
-    "below each question are three hints, which end before the answer. Numbers of your own, fresh "
-    "ones to practise with, and the worked answers come with the workbook."
-)
 
 
 @dataclass(frozen=True)
@@ -56,7 +49,7 @@ class Arranger:
 
     def _of(self, cell: NotebookNode) -> Iterator[NotebookNode]:
         if cell.cell_type == "markdown":
-            cell.source = _HOW_IN_LAB.sub(_HOW_HERE, cell.source)
+            cell.source = as_on_a_page(cell.source)
         elif cell.cell_type == "code":
             if _ANSWER.search(cell.source):
                 return
