@@ -107,6 +107,9 @@ def make_parser() -> argparse.ArgumentParser:
     added["site"].add_argument(
         "--folder", default="site", metavar="FOLDER", help="the folder that is written (site)"
     )
+    added["site"].add_argument(
+        "--home", metavar="URL", help="where the workbook is: each page links to it"
+    )
     added["lock"].add_argument("--upgrade", action="store_true", help="take the newest versions")
     return parser
 
@@ -209,7 +212,8 @@ def write_site(options: argparse.Namespace) -> int:
     """Write the stored notebooks as a folder of pages; its path is from here."""
     environment.ensure()
     folder_of_pages = Path(options.folder).absolute()
-    return maintain.run_module("cammotion.site", str(NOTEBOOKS), str(folder_of_pages))
+    home = [f"--home={options.home}"] if options.home else []
+    return maintain.run_module("cammotion.site", str(NOTEBOOKS), str(folder_of_pages), *home)
 
 
 def lock(options: argparse.Namespace) -> int:

@@ -143,6 +143,23 @@ def test_the_command_writes_pages(
     assert re.search(r'<span class="together"><math>.*</math>\.</span>', made)
 
 
+def test_the_pages_say_where_the_workbook_is(
+    books: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    home, target = "https://example.org/cams?a=1&b=2", tmp_path / "site"
+    assert command.main([str(books), str(target), "--home", home]) == 0
+    for name in ("index.html", "01_one.html"):
+        made = (target / name).read_text("utf-8")
+        assert '<a href="https://example.org/cams?a=1&amp;b=2">the workbook itself</a>' in made
+        assert "python3 workbook.py" not in made
+    assert command.main([str(books), str(target)]) == 0
+    for name in ("index.html", "01_one.html"):
+        assert "<code>python3 workbook.py</code> opens it" in (target / name).read_text("utf-8")
+    for odd in ("javascript:alert(1)", "example.org", "https://", "https://a b"):
+        assert command.main([str(books), str(target), "--home", odd]) == 1
+        assert "is no address of a web page: give one that" in capsys.readouterr().err
+
+
 def notebook() -> dict[str, object]:
     def cell(number: int, kind: str, source: str, *outputs: object, tag: str = "") -> object:
         more = {"outputs": [*outputs], "execution_count": 1} if kind == "code" else {}
@@ -236,4 +253,5 @@ def test_the_workflow_publishes_what_the_command_writes() -> None:
     options = commands.parse(called.split())
     assert options.command == "site"
     assert f"path: {options.folder}\n" in text
+    assert options.home == '"$GITHUB_SERVER_URL/$GITHUB_REPOSITORY"'
     assert "could not be tried" in text

@@ -181,10 +181,11 @@ def test_the_pages_are_made_by_the_environment_from_where_the_user_is(
 ) -> None:
     ran = modules_run(monkeypatch, tmp_path, 3)
     assert commands.run(["site"]) == 3
-    assert commands.run(["site", "--folder", "x/pages"]) == 3
+    assert commands.run(["site", "--folder", "x/pages", "--home", "https://example.org"]) == 3
+    made = ("cammotion.site", str(root / "notebooks"))
     assert ran == [
         ("ensure",),
-        ("cammotion.site", str(root / "notebooks"), str(tmp_path / "site")),
+        (*made, str(tmp_path / "site")),
         ("ensure",),
-        ("cammotion.site", str(root / "notebooks"), str(tmp_path / "x" / "pages")),
+        (*made, str(tmp_path / "x" / "pages"), "--home=https://example.org"),
     ]

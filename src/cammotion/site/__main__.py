@@ -19,19 +19,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="workbook.py site")
     parser.add_argument("notebooks", type=Path, metavar="NOTEBOOKS")
     parser.add_argument("folder", type=Path, metavar="FOLDER")
+    parser.add_argument("--home", default="", metavar="URL")
     options = parser.parse_args(arguments)
     suit_any_terminal()
     try:
-        return _write(options.notebooks, options.folder)
+        return _write(options.notebooks, options.folder, options.home)
     except InputError as wrong:
         print(wrong, file=sys.stderr)
     return 1
 
 
-def _write(notebooks: Path, target: Path) -> int:
+def _write(notebooks: Path, target: Path, home: str) -> int:
     folder.check_free(target)  # before the work is done
     started = time.monotonic()
-    files = build(notebooks)
+    files = build(notebooks, home)
     folder.write(target, files)
     pages = sum(name.endswith(".html") for name in files)
     size = sum(map(len, files.values())) / _MB

@@ -38,8 +38,11 @@ class Rendered:
     pictures: Pictures
 
 
-def render(lesson: Lesson, lessons: Collection[Lesson], drawings: Path) -> Rendered:
-    """Return the page of a notebook; `lessons` are all of them, `drawings` their pictures."""
+def render(lesson: Lesson, lessons: Collection[Lesson], drawings: Path, home: str = "") -> Rendered:
+    """Return the page of a notebook; `lessons` are all of them, `drawings` their pictures.
+
+    `home` is the address of the workbook, if it has one.
+    """
     order = [*lessons]
     place = order.index(lesson)
     page = {
@@ -48,6 +51,7 @@ def render(lesson: Lesson, lessons: Collection[Lesson], drawings: Path) -> Rende
         "description": lesson.question.replace("*", ""),
         "before": order[place - 1] if place else None,
         "after": order[place + 1] if place + 1 < len(order) else None,
+        "home": home,
     }
     pictures = Pictures(lesson.number, drawings)
     prose = Prose({one.name for one in lessons}, pictures)
@@ -55,11 +59,13 @@ def render(lesson: Lesson, lessons: Collection[Lesson], drawings: Path) -> Rende
     return Rendered(_exported(arranged, prose, pictures, page), pictures)
 
 
-def render_text(markdown: str, title: str, description: str, drawings: Path) -> Rendered:
+def render_text(
+    markdown: str, title: str, description: str, drawings: Path, home: str = ""
+) -> Rendered:
     """Return a page of Markdown alone, such as the contents."""
     pictures = Pictures("contents", drawings)
     cell = new_markdown_cell(markdown, id="contents")  # type: ignore[no-untyped-call]
-    page = {"title": title, "description": description, "is_contents": True}
+    page = {"title": title, "description": description, "is_contents": True, "home": home}
     prose = Prose((), pictures)
     return Rendered(_exported(Arranged([cell]), prose, pictures, page), pictures)
 
