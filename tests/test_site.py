@@ -188,6 +188,15 @@ def test_every_exercise_is_there_and_can_be_answered(lesson: str) -> None:
         assert {n for n in numbers if not isinstance(find_exercise(n), NEED_PYTHON)} <= {*answered}
 
 
+def test_a_machine_is_told_where_exercises_ask_about_it() -> None:
+    told = {lesson[:2] for lesson in LESSONS if repr(NAMELESS) in page(lesson).get_text()}
+    own = {"08", "09", "10", "11"}  # a table, a cam, followers and fits, with numbers of their own
+    assert told == {number[:2] for number in EXERCISES} - own
+    for one in map(find_exercise, EXERCISES):
+        names = re.findall(r"\b(?:mill|die)\b", one.question(NAMELESS))
+        assert not (names and one.number[:2] in own)
+
+
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_no_answer_and_no_reason_stands_in_plain_text(lesson: str) -> None:
     text = files()[f"{lesson}.html"].decode()

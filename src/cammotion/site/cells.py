@@ -21,6 +21,7 @@ LAB_ONLY = "lab-only"  # the tag of a cell that makes no sense without a kernel
 _QUESTION = re.compile(r'^cm\.(?:ask|choose)\("([^"]+)"\)$')
 _ANSWER = re.compile(r"^answer_\d+ = None|^cm\.check\(")
 _VARIANT = re.compile(r"\bcm\.variant\(")
+_MACHINE = re.compile(r"\b(?:mill|die)\b")  # what is asked about, where it is the machine
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,8 @@ class Arranger:
         for cell in cells:
             if LAB_ONLY not in cell.metadata.get("tags", ()):
                 self._made.cells.extend(self._of(cell))
+        if not any(_MACHINE.search(one.question(self._machine)) for one in self._made.exercises):
+            self._made.cells[:] = [cell for cell in self._made.cells if not _tells_machine(cell)]
         return self._made
 
     def _of(self, cell: NotebookNode) -> Iterator[NotebookNode]:
@@ -78,7 +81,7 @@ class Arranger:
             _show(cell, forms.prediction_form(key, words, is_number=is_number), alone=True)
         elif called := _call(source, "reveal"):
             self._reveal(cell, called[0])
-        elif _VARIANT.search(source):
+        elif _tells_machine(cell):
             cell.metadata["alone"] = True
 
     def _reveal(self, cell: NotebookNode, variable: str) -> None:
@@ -94,6 +97,10 @@ class Arranger:
         others = [o for o in cell.outputs if "text/html" not in o.get("data", {})]
         _show(cell, forms.reveal(stored[0], self._keys[variable]))
         cell.outputs = [*others, *cell.outputs]
+
+
+def _tells_machine(cell: NotebookNode) -> bool:
+    return cell.cell_type == "code" and bool(_VARIANT.search(cell.source))
 
 
 def _show(cell: NotebookNode, html: str, *, alone: bool = False) -> None:
