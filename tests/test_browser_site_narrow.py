@@ -155,6 +155,13 @@ def test_a_prediction_that_may_be_two_numbers_is_asked_about(reader: Reader) -> 
         assert details.evaluate("(each) => each.open") is is_open
 
 
+def test_a_long_formula_does_not_widen_a_page_of_large_letters(phone: Reader) -> None:
+    for name in ("07_from_diagram_to_cam", "09_a_measured_cam", "10_the_followers_vibration"):
+        page = phone.open(name)
+        page.add_style_tag(content="html { font-size: 24px !important }")
+        assert page.evaluate("() => document.documentElement.scrollWidth") == PHONE[0]
+
+
 def test_each_lesson_of_the_contents_is_told_without_a_gap(phone: Reader) -> None:
     for item in phone.open("index").locator(".lessons li:has(.minutes)").all():
         above, below = (item.locator(f".{name}").bounding_box() for name in ("minutes", "question"))

@@ -13,7 +13,7 @@ export function start(load) {
   const sections = document.querySelector(".sections details");
   if (sections) sections.open = matchMedia(WIDE).matches;
   document.querySelectorAll(".moving").forEach(letStop);
-  document.querySelectorAll("pre, .formula, .table, figure").forEach(letScroll);
+  document.querySelectorAll("pre, .formula, .together, .table, figure").forEach(letScroll);
   fillIn(load);
   liveAll([...document.querySelectorAll("[data-module]")], load);
 }
