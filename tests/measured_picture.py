@@ -87,7 +87,8 @@ the cam angle, from point to point: it jumps up and down between −17 and 13 in
 <animateTransform attributeName="transform" type="translate" values="{follower()}" {turn}/>
 <path d="M {CENTRE[0]} {top:.1f} l -8 -16 v -60 h 16 v 60 z" fill="#f4cfae" stroke="#1b1b1b" \
 stroke-width="2"/></g>
-<text x="{CENTRE[0]}" y="{HEIGHT - 8}" text-anchor="middle" font-size="13">real speed: a turn in 4 s</text>
+<text x="{CENTRE[0]}" y="{HEIGHT - 8}" text-anchor="middle" font-size="13">\
+real speed: a turn in 4 s</text>
 <text x="{LEFT}" y="22" font-size="14">acceleration in in/s²</text>
 <line x1="{LEFT}" x2="{RIGHT}" y1="{middle}" y2="{middle}" stroke="#1b1b1b"/>
 <line x1="{LEFT}" x2="{LEFT}" y1="{TOP}" y2="{BOTTOM}" stroke="#1b1b1b"/>
