@@ -60,10 +60,8 @@ class Session:
             if right:
                 changes["right"] = sorted(right)
             if score is not None:
-                best = before.get("best") if is_same_who else None
+                best = before.get("best")
                 changes["best"] = min(score, best) if isinstance(best, float) else score
-            elif "best" in before and not is_same_who:
-                changes["best"] = None
             if given is not None or not is_same_who:
                 changes["given"] = given
             if choice:
