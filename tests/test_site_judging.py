@@ -55,6 +55,11 @@ TYPED = [
         "3 g's",
         "3 gears",
     ),
+    *("16 % less", "16 percent less", "less than 16", "at least 6", "least 6", "minimum 5"),
+    *("-.5", "1/.5", "1 .5", "..5", "0.03 m", "0.03m", "30 um", "30 µm", "30 μm", "30 microns"),
+    *("5 in", "5 in.", "5 inches", "5 in each", "1 m/s²", "1 m / s", "1 in/s²", "1 inch/sec²"),
+    *("0.8/s", "0.8 per s", "0.8 a second", "3k", "3K", "3 thousand", "64 rpm", "5 MM", "30°"),
+    *("6.3 mm radius", "5 per minute", "MIN 4", "0.2 metres", "5 d", "4 ms", "°5", "3 deg/s"),
 ]
 
 

@@ -2,13 +2,32 @@
 // decides it by the same steps: `verdicts.py` and `teaching/prediction.py`.
 
 const NUMBER =
-  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?))?(?![.,]?\d|\s*\/\s*\d)(?:\s*%)?/giu;
+  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?(?:\d+(?:[.,]\d+)?|\.\d+)(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?|\.\d+))?(?![.,]?\d|\s*\/\s*\d)(?:\s*%)?/giu;
 const UNSURE =
-  /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥]|\b(?:sqrt|root|less|more|below|above|least|most|than)\b/iu;
+  /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥]|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum)\b/giu;
 const BLANK = /(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)/g; // 4 500
-const SECONDS_OR_G = /\d\s*[sg](?![\p{L}\p{N}_])/u;
-const OTHER = ["mm", "cm", "µm", "rad", "min", "sec"],
-  SHARES = ["percent", "fraction"];
+const LETTER = String.raw`[a-zµμ\u00c0-\u024f]`;
+const UNITS = {
+  m: /m|met(?:er|re)s?/,
+  cm: /cm/,
+  mm: /mm/,
+  um: /[µμu]m|microns?/,
+  inch: /inch(?:es)?|in(?!\s+[a-zµμ\u00c0-\u024f])/, // 92 in each direction
+  rad: /rad(?:ians?)?/,
+  deg: /deg(?:rees?)?|°/,
+  min: /min(?:utes?|s)?|rpm/,
+  s: /s|sec(?:onds?|s)?/,
+  g: /g/,
+  k: /k|thousand/,
+};
+// A short one only at a number, at a stroke or after "per".
+const UNIT = new RegExp(
+  String.raw`(?:\d\s*|\/\s*|\bper\s+|(?<!${LETTER})(?=${LETTER}+\s*\/|(?!in\b)${LETTER}{2}))(?:` +
+    Object.entries(UNITS).map(([name, { source }]) => `(?<${name}>${source})`).join("|") +
+    `)(?!${LETTER})`,
+  "giu",
+);
+const SHARES = ["percent", "fraction"];
 const LARGEST = 1e12,
   CLOSE = 0.02,
   IN_TIMES = 2;
@@ -27,9 +46,8 @@ export function numbersIn({ asked, low, high }, typed, readings) {
   const isShare = saysShare(text);
   const isOne =
     !(isShare && !SHARES.some((share) => asked.includes(share))) &&
-    !UNSURE.test(text) &&
-    !SECONDS_OR_G.test(text) &&
-    !OTHER.some((unit) => asked && text.includes(unit) && !asked.includes(unit));
+    !isUnsure(text, asked) &&
+    !(asked && unitsOf(text).some((unit) => !unitsOf(asked).includes(unit)));
   if (found.length !== 1 || !isOne) return [];
   const [{ value, over }] = found;
   const inPercent = asked.includes("percent");
@@ -39,6 +57,16 @@ export function numbersIn({ asked, low, high }, typed, readings) {
     .filter((number) => number === 0 || isBelieved(Math.abs(number)));
   const sensible = numbers.filter((number) => low <= Math.abs(number) && Math.abs(number) <= high);
   return sensible.length ? sensible : numbers;
+}
+
+/** Whether a text has a sign or a word that makes its number none, but for those asked. */
+function isUnsure(text, asked) {
+  return [...text.matchAll(UNSURE)].some(([found]) => !asked.includes(found.toLowerCase()));
+}
+
+function unitsOf(text) {
+  const found = [...text.matchAll(UNIT)].map(({ groups }) => Object.entries(groups));
+  return found.map((named) => named.find(([, words]) => words)[0]);
 }
 
 function isBelieved(size) {

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from cammotion.quantities import shorten
 from cammotion.typed import readings
 
-_DIGITS = r"\d+(?:[.,]\d+)?"
+_DIGITS = r"(?:\d+(?:[.,]\d+)?|\.\d+)"
 _NUMBER = re.compile(
     rf"(?<![\w.,^/*])(?P<value>[-+−]?{_DIGITS}(?:e[-+]?\d+)?)"
     rf"(?:\s*/\s*(?P<over>{_DIGITS}))?(?![.,]?\d|\s*/\s*\d)(?:\s*%)?",
@@ -14,12 +14,29 @@ _NUMBER = re.compile(
 )
 _UNSURE = re.compile(  # but for the square of a second
     r"(?<!/s)\^|(?<!/s)(?<!/s\*)\*|[√×·=<>≤≥]"
-    r"|\b(?:sqrt|root|less|more|below|above|least|most|than)\b",
+    r"|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum)\b",
     re.IGNORECASE,
 )
 _BLANK = re.compile(r"(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)")  # 4 500
-_SECONDS_OR_G = re.compile(r"\d\s*[sg]\b")  # nothing is asked for in these
-_OTHER = ("mm", "cm", "µm", "rad", "min", "sec")  # units, unless they are asked for
+_LETTER = r"[a-zµμ\u00c0-\u024f]"
+_UNITS = {
+    "m": r"m|met(?:er|re)s?",
+    "cm": r"cm",
+    "mm": r"mm",
+    "um": r"[µμu]m|microns?",
+    "inch": rf"inch(?:es)?|in(?!\s+{_LETTER})",  # 92 in each direction
+    "rad": r"rad(?:ians?)?",
+    "deg": r"deg(?:rees?)?|°",
+    "min": r"min(?:utes?|s)?|rpm",
+    "s": r"s|sec(?:onds?|s)?",
+    "g": r"g",
+    "k": r"k|thousand",
+}
+_UNIT = re.compile(  # a short one only at a number, at a stroke or after "per"
+    rf"(?:\d\s*|/\s*|\bper\s+|(?<!{_LETTER})(?={_LETTER}+\s*/|(?!in\b){_LETTER}{{2}}))"
+    rf"(?:{'|'.join(f'(?P<{name}>{words})' for name, words in _UNITS.items())})(?!{_LETTER})",
+    re.IGNORECASE,
+)
 _SHARES = ("percent", "fraction")
 _LARGEST = 1e12  # beyond that, or below its inverse, it is a joke and no prediction
 _SENSIBLE = 999.0
@@ -124,6 +141,8 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     ((4.154, 4154.0), (0.806,), (4.154,))
     >>> numbers_in("4 500", "pieces per hour"), numbers_in("0.1 g", "m/s²")
     ((4500.0,), ())
+    >>> numbers_in("16 % less", "percent less"), numbers_in(".5", "mm"), numbers_in("5 in", "mm")
+    ((16.0,), (0.5,), ())
     """
     text = _BLANK.sub(r"\1\2", text)
     found = [*_NUMBER.finditer(text)]
@@ -143,8 +162,16 @@ def _is_one_number(text: str, asked: str) -> bool:
     """Tell whether all that is typed is a number in the unit that is asked for."""
     if _is_share(text) and not any(share in asked for share in _SHARES):
         return False
-    others = [unit for unit in _OTHER if asked and unit in text and unit not in asked]
-    return not (others or _SECONDS_OR_G.search(text) or _UNSURE.search(text))
+    return not (_is_unsure(text, asked) or (asked and _units(text) - _units(asked)))
+
+
+def _is_unsure(text: str, asked: str) -> bool:
+    """Tell whether a text has a sign or a word that makes its number none, but for those asked."""
+    return any(found[0].lower() not in asked for found in _UNSURE.finditer(text))
+
+
+def _units(text: str) -> set[str | None]:
+    return {found.lastgroup for found in _UNIT.finditer(text)}
 
 
 def _is_share(text: str) -> bool:
