@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import date
 from itertools import islice
 from pathlib import Path
@@ -13,7 +14,7 @@ from fresh import check_questions
 
 import cammotion as cm
 from cammotion.teaching import again as fresh_numbers
-from cammotion.teaching import session
+from cammotion.teaching import example, session
 from cammotion.teaching.classroom.collect import read_class
 from cammotion.teaching.classroom.page import write
 from cammotion.teaching.example import MillAndDie
@@ -332,3 +333,25 @@ def test_an_answer_at_the_end_of_its_range_is_not_asked_for(
 ) -> None:
     monkeypatch.setitem(fresh_numbers._RANGES, "deg", ends)
     assert "70 is not between" in fresh_numbers.why_not(EXERCISES["01.1"], machine_for())
+
+
+def test_the_widest_angle_is_sought_once_for_all_rates_and_masses(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Else each round takes longer than the last: thirty of them took 42 s in a new kernel."""
+    sought = []
+
+    def seek(*args: Any) -> Any:
+        sought.append(args)
+        return cm.widest_move(*args)
+
+    monkeypatch.setattr(example, "widest_move", seek)
+    own = replace(machine_for("Anna"), pocket_mm=33.25, rate_per_hour=1111)
+    alike = [replace(own, who="Ben"), replace(own, rate_per_hour=2222), replace(own, die_mass_kg=1)]
+    assert len({own.widest_deg, *(machine.widest_deg for machine in alike)}) == 1
+    assert len(sought) == 1
+    for name in example._GEOMETRY:
+        other = replace(own, **{name: getattr(own, name) + 2})
+        fresh = cm.widest_move(other.diagram, "die", other.rule).angle_deg
+        assert other.widest_deg == pytest.approx(fresh, abs=1e-9)
+    assert len(sought) == 1 + len(example._GEOMETRY)

@@ -1,7 +1,8 @@
 """The running example: a die that presses into an indexing mill, and its numbers."""
 
 from dataclasses import dataclass, field, fields
-from functools import cached_property
+from functools import cached_property, lru_cache
+from typing import Any
 
 from cammotion.limits.widest import widest_move
 from cammotion.machine.diagram import TimingDiagram
@@ -18,6 +19,17 @@ from cammotion.teaching.table_numbers import TableNumbers
 
 QUIET_SHARE = 0.1
 """The share of the mill's time, at either end of its move, in which it does the die no harm."""
+
+_GEOMETRY = (
+    "pitch_mm",
+    "stops",
+    "mill_angle_deg",
+    "work_deg",
+    "wait_mm",
+    "pocket_mm",
+    "gap_mm",
+    "margin_mm",
+)
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -105,7 +117,7 @@ class MillAndDie:
     @cached_property
     def widest_deg(self) -> float:
         """The widest indexing angle of the die that keeps the rule."""
-        return widest_move(self.diagram, "die", self.rule).angle_deg
+        return _widest_deg(*(getattr(self, name) for name in _GEOMETRY))
 
     @cached_property
     def mill(self) -> Motion:
@@ -139,6 +151,14 @@ class MillAndDie:
         """The clearance rule: deep only while the mill is as near a stop as in its quiet ends."""
         near = float(self.mill.offset_mm(self.mill_angle_deg - self.quiet_deg))
         return ClearanceRule(beyond("die", self.limit_mm), only_while=within("mill", near))
+
+
+@lru_cache(maxsize=2**10)
+def _widest_deg(*geometry: float) -> float:
+    """Return the widest angle by all that it depends on: many machines ask about the same one."""
+    given: dict[str, Any] = dict(zip(_GEOMETRY, geometry, strict=True))
+    machine = MillAndDie(**given)
+    return widest_move(machine.diagram, "die", machine.rule).angle_deg
 
 
 EXAMPLE = MillAndDie()
