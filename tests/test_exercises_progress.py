@@ -376,6 +376,18 @@ def test_so_it_is_where_an_earlier_version_kept_only_whose_answer_was_the_last(w
     assert line_of("01.1").startswith("right")
 
 
+@pytest.mark.parametrize("tries", [None, "three", -1])
+def test_what_is_right_is_no_open_exercise_where_its_tries_cannot_be_read(
+    tries: object, work: Path
+) -> None:
+    record = {"state": "right", "tries": tries}
+    (work / FILE).write_text(json.dumps({"exercises": {"01.1": record}}))
+    restart()
+    assert cm.progress().right == 1
+    assert line_of("01.1") == "right"
+    assert line_of("01.2") == "open"
+
+
 def test_what_another_version_has_written_beside_it_stays(work: Path) -> None:
     others = {"version": 3, "notes": ["a"], "later": {"01.1": None}}
     cm.check("01.1", 70)

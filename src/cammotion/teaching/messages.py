@@ -158,11 +158,11 @@ class Outcome:
     def said(self) -> str:
         """What has become of it, in words."""
         row = f", {in_a_row(self.row)}" if self.row > 1 else ""
-        if not self.tries:
+        if self.state == "open":
             return f"open{row}"
-        tries = f"{self.tries} {'try' if self.tries == 1 else 'tries'}"
+        tries = f", {self.tries} {'try' if self.tries == 1 else 'tries'}" if self.tries else ""
         hints = f", {plural(self.hints, 'hint')}" if self.hints else ""
-        return f"{'right' if self.state == 'right' else 'not yet'}, {tries}{hints}{row}"
+        return f"{'right' if self.state == 'right' else 'not yet'}{tries}{hints}{row}"
 
 
 @dataclass(frozen=True, repr=False)
