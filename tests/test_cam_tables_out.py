@@ -93,6 +93,33 @@ def test_a_turret_that_closes_within_the_turn_goes_on(tmp_path: Path) -> None:
     assert positions == pytest.approx(own, abs=2e-6)
 
 
+@pytest.mark.parametrize("form", ["plain", "codesys"])
+@pytest.mark.parametrize(
+    ("typed", "first_mm"),
+    [
+        *[((8, 340, 0, 157.08), -146.793585), ((8, 200, 30, -30), 30), ((8, 0, 30, -30), 30)],
+        *[((8, 200, 100, 30), 100), ((1, 200, 30, -30), 30), ((1, 270, 0, 30), 0)],
+        *[((8, 270, 0, 30), 0), ((12, 560, 0, 30), -30), ((3, -160, 0, -30), -30)],
+    ],
+)
+def test_a_turret_stands_where_it_was_typed_and_no_whole_turn_further(
+    typed: tuple[int, float, float, float], first_mm: float, form: str, tmp_path: Path
+) -> None:
+    stops, start_deg, from_mm, pitch_mm = typed
+    move = cm.rise(pitch_mm, over_deg=90) if pitch_mm > 0 else cm.return_(-pitch_mm, over_deg=90)
+    dial = cm.indexing_motion(
+        "dial", move, cm.dwell(270), stops=stops, start_deg=start_deg, start_mm=from_mm
+    )
+    paths = write_cam_tables(cm.TimingDiagram([dial], 600), tmp_path, form=form)
+    separator = ";" if form == "plain" else "\t"
+    angles, positions = numbers(paths["dial"], separator).T
+    assert positions[0] == pytest.approx(first_mm, abs=1e-6)
+    assert positions[-1] == pytest.approx(first_mm + pitch_mm, abs=1e-6)
+    turns = (start_deg % 360 - start_deg) / 360
+    at_start = positions[angles == start_deg % 360]
+    assert at_start == pytest.approx(from_mm + pitch_mm * turns, abs=1e-6)
+
+
 def test_angles_are_written_as_one_writes_them(tmp_path: Path) -> None:
     path = write_cam_tables(DIAGRAM, tmp_path, step_deg=0.1)["die"]
     cells = [line.split(";")[0] for line in path.read_text().splitlines()]

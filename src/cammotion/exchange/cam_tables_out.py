@@ -19,6 +19,7 @@ PLACES = Quantity("number of decimals", "", example=6, high=12, low_included=Tru
 FORMS = ("plain", "codesys")
 
 _WHOLE = 1e-9  # by such a share a step may miss a whole part of the turn
+_NEAR = 0.49  # of the pitch: the middle, and of two alike the stop at which the motion starts
 _DIGITS = 14  # behind the first one, which a float has for sure
 _FINER = 6  # decimals more, in which a half is known as a half
 _INT = 32_767  # points that CODESYS counts in an INT
@@ -48,7 +49,8 @@ def write_cam_tables(  # noqa: PLR0913 - what a controller may ask for
     mm/deg3, with "s" in mm/s, mm/s2 and mm/s3 at the machine rate, the largest value of each with
     as many digits behind its first one, at least; where two segments meet, as the later one has it.
 
-    The last position is the first; that of an indexing motion is a pitch further. The "plain"
+    The last position is the first; that of an indexing motion is a pitch further, and whole turns
+    of the turret are left out so that the first is near the stops that were given. The "plain"
     `form` is a .csv file with a heading, semicolons if nothing is said; `read_cam_table` reads it.
     "codesys" is what CODESYS SoftMotion reads as a cam from an ASCII table: a .txt file of X and Y,
     rising, without a heading, tabs if nothing is said, at most 32,767 points. SoftMotion lays
@@ -124,10 +126,18 @@ def _angles(step_deg: float | None, points: int | None, most: int | None) -> Flo
 
 
 def positions_over_turn(motion: Motion, angles: Floats) -> Floats:
-    """Return the positions in mm over a turn that begins at 0 deg; it closes, or is a pitch on."""
+    """Return the positions in mm over a turn that begins at 0 deg; it closes, or is a pitch on.
+
+    A turret is alike after its whole turns: of these the first position is as near as can be to
+    the stops between which the motion was typed.
+    """
     turns, phase = _phase(motion, angles)
     positions: Floats = motion.curve(phase) + motion.pitch_mm * turns
     positions += motion.position_mm(0) - positions[0]
+    if motion.stops:
+        turret_mm = motion.stops * abs(motion.pitch_mm)
+        near_mm = motion.start_mm + _NEAR * motion.pitch_mm
+        positions -= turret_mm * np.round((positions[0] - near_mm) / turret_mm)
     positions[-1] = positions[0] + motion.pitch_mm
     return positions
 
