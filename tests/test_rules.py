@@ -179,7 +179,7 @@ def test_an_acceleration_knows_who_stands_but_not_whether_its_own_part_does() ->
 
 def test_pictures_and_explorers_take_or_refuse_every_kind() -> None:
     assert cm.animate(make_diagram(), rules=[DEEP, RULE]).description
-    with pytest.raises(cm.InputError, match="not covered here: give ClearanceRules of beyond and"):
+    with pytest.raises(cm.InputError, match="not covered here: say it by beyond and within"):
         cm.plot_clearance(make_diagram(), DEEP)
     with pytest.raises(cm.InputError, match="not covered here"):
         cm.explore_overlap(make_diagram(), DEEP, contact_mm=20)

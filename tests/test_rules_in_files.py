@@ -171,3 +171,5 @@ def test_what_knows_no_such_rules_says_so(gate: cm.Machine, tmp_path: Path) -> N
     page = cm.write_report(gate, tmp_path).page.read_text("utf-8")
     assert "There is no balance of all moves. The rule" in page
     assert "There is no bound. The rule" in page
+    assert "say it by beyond and within if you can, like" in page
+    assert "ClearanceRule" not in page

@@ -89,8 +89,9 @@ def as_rules(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Clea
     for rule in every_rule(diagram, rules):
         if not isinstance(rule, ClearanceRule) or not in_mm(rule):
             raise InputError(
-                f"The rule '{rule}' is one of those that are not covered here: give ClearanceRules "
-                "of beyond and within, and look for violations of the others."
+                f"The rule '{rule}' is one of those that are not covered here: say it by beyond "
+                "and within if you can, like 'the die may be beyond 19 mm only while the mill is "
+                "within 0.65 mm'. Whether it is broken is told all the same."
             )
         found.append(rule)
     return tuple(found)
