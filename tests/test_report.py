@@ -60,6 +60,32 @@ def test_a_machine_without_rules_says_so(tmp_path: Path) -> None:
     assert "The table has no rules." in found.page.read_text("utf-8")
 
 
+@pytest.mark.parametrize(
+    ("moves", "side", "is_said"),
+    [
+        (["turret; 12; 0; 60; 0; -30", "; ; 180; 240; -30; -60"], "within 0,3", True),
+        (["turret; 12; 150; 210; 0; -30", "; ; 330; 390; -30; -60"], "beyond 0,3", True),
+        (["turret; 12; 0; 60; 0; -30", "; ; 60; 240; -30; -60"], "within 0,3", False),
+        (["turret; 12; 0; 60; 0; -30"], "within 0,3", False),
+        (["turret; 12; 0; 60; 0; -30", "; ; 180; 240; -30; -60"], "standing", False),
+    ],
+)
+def test_a_turret_that_stands_between_two_moves_of_a_turn_is_at_no_stop_there(
+    moves: list[str], side: str, *, is_said: bool, tmp_path: Path
+) -> None:
+    machine = cm.machine_from_text(
+        "motion; stops; from in deg; to in deg; from in mm; to in mm; law; "
+        "machine rate in pieces/h; rule\n"
+        f"arm; ; 60; 100; 0; 20; cycloidal; 2000; arm beyond 5 only while turret {side}\n"
+        "; ; 140; 180; 20; 0; cycloidal\n" + "\n".join(f"{move}; cycloidal" for move in moves),
+        "twice",
+    )
+    page = cm.write_report(machine, tmp_path).page.read_text("utf-8")
+    start = f"{machine.diagram['turret'].start_deg:g}"
+    said = f"A stop of the turret is where a turn of its moves begins, at {start} deg: where it "
+    assert (said in page) == is_said
+
+
 def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
     hard = cm.indexing_motion("mill", cm.rise(100, over_deg=40), cm.dwell(320), stops=24)
     still = {"die": [(205, 305)]}
@@ -74,6 +100,7 @@ def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
     )[0]
     assert float(low) < float(reached) < 2
     assert int(above) == math.ceil(100 * (float(reached) / float(low) - 1))
+    assert "The mill stays as it is: the table does not say where it has to stand." in text
 
 
 def test_a_part_that_could_stand_all_the_turn_has_no_bound(tmp_path: Path) -> None:
@@ -102,6 +129,11 @@ def test_the_tables_can_be_read_as_machines(pads: cm.Report) -> None:
     table = cm.read_cam_table(pads.folder / "cam tables" / "die.csv")
     assert len(table.angle_deg) == 360
     assert (pads.folder / "codesys" / "mill.txt").is_file()
+
+
+def test_no_part_is_told_to_stay_where_all_have_still_arcs(tmp_path: Path) -> None:
+    page = cm.write_report(PRESS, tmp_path, seconds=1).page.read_text("utf-8")
+    assert "stays as it is" not in page
 
 
 def test_the_page_needs_nothing_else(pads: cm.Report, page: BeautifulSoup) -> None:

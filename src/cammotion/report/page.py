@@ -63,6 +63,12 @@ def _summary(found: Findings) -> str:
         )
     if found.least:
         said.append(paragraph(_bound(found)))
+    if (found.best or found.least) and (left_out := _left_out(machine)):
+        said.append(
+            paragraph(
+                f"The {left_out} stays as it is: the table does not say where it has to stand."
+            )
+        )
     said += [paragraph(note) for note in found.notes]
     return "".join(said)
 
@@ -72,6 +78,12 @@ def _free(machine: Machine, all_of_them: str) -> str:
     moving = (motion.name for motion in machine.diagram.motions if motion.moves)
     names = " and the ".join(machine.free)
     return all_of_them if {*moving} == {*machine.free} else f"the {names}"
+
+
+def _left_out(machine: Machine) -> str:
+    """Return the part with the largest peak of those that move and have no still arcs, or ""."""
+    moving = (name for name in machine.peaks if machine.diagram[name].moves)
+    return next((name for name in moving if name not in machine.free), "")
 
 
 def _bound(found: Findings) -> str:
@@ -116,6 +128,12 @@ def _rules(found: Findings) -> str:
             f"Nothing can break this rule, however the machine is timed, since {why}: {rule}. See "
             "whether its limit is what was meant."
         )
+    for name in _pausing(machine):
+        start = f"{machine.diagram[name].start_deg % DEG_PER_TURN:g}"
+        broken += paragraph(
+            f"A stop of the {name} is where a turn of its moves begins, at {start} deg: where it "
+            "stands between two moves of one turn is none."
+        )
     heading += ["of the design, mm"] if found.best else []
     used = sum(
         one.clearance_mm < _nothing_mm(found.improved, one.rule)
@@ -127,6 +145,18 @@ def _rules(found: Findings) -> str:
             "wear and backlash. Tighten these rules by what the machine needs, and ask again."
         )
     return broken + table("What each rule leaves; below 0 it is broken", heading, rows)
+
+
+def _pausing(machine: Machine) -> Iterator[str]:
+    """Yield the turrets that stand between two moves of a turn, if a limit is one from a stop."""
+    ruled = [rule for rule in machine.rules if isinstance(rule, ClearanceRule)]
+    halves = [half for rule in ruled for half in (rule.when, rule.only_while)]
+    measured = {half.motion for half in halves if not isinstance(half, Moving)}
+    for motion in machine.diagram.motions:
+        at = [n for n, segment in enumerate(motion.segments) if not segment.is_dwell]
+        pauses = len(at) > 1 and at[-1] - at[0] >= len(at)
+        if motion.is_indexing and motion.name in measured and pauses:
+            yield motion.name
 
 
 def _clearance(machine: Machine, rule: Rule, one: Clearance) -> Opened | str:
