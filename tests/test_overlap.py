@@ -1,7 +1,7 @@
 """Overlap: the figures of the source, and every verdict against plain NumPy formulas."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
@@ -675,7 +675,14 @@ def test_every_question_refuses_what_it_cannot_answer(question: Callable[..., ob
 
 
 def test_no_rule_is_broken_by_nothing_and_leaves_the_widest_move() -> None:
-    assert (*cm.find_violations(make_diagram(), []), *cm.find_clearances(make_diagram(), [])) == ()
+    nothing: list[Any] = []
+    empty: Iterable[Any]
+    for empty in (nothing, (), set(), {}.values(), iter(nothing), (rule for rule in nothing)):
+        assert cm.find_violations(make_diagram(), empty) == ()
+    assert cm.find_clearances(make_diagram(), set()) == ()
+    for none in ("", b"", 0, None):
+        with pytest.raises(cm.InputError, match="give one or a list"):
+            cm.find_violations(make_diagram(), none)  # type: ignore[arg-type]
     with pytest.raises(cm.InputError, match="There is no rule, and so no clearance"):
         cm.smallest_clearance(make_diagram(), [])
     free = cm.widest_move(make_diagram(), "die", [])

@@ -64,7 +64,7 @@ def every_rule(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Ru
     as_diagram(diagram)
     anything: Any = [rules] if isinstance(rules, Rule) else rules
     given = listed(anything)
-    is_none = isinstance(rules, list | tuple) and not rules
+    is_none = isinstance(rules, Iterable) and not isinstance(rules, str | bytes) and not given
     if not (given or is_none) or not all(isinstance(rule, Rule) for rule in given):
         raise InputError(
             f"The clearance rules are {shorten(rules)}: give one or a list, for example "
