@@ -19,6 +19,7 @@ from cammotion.machine.diagram import TimingDiagram, as_diagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, as_text, keep_numbers
+from cammotion.rules.conditions import after
 from cammotion.rules.rule import Room, Rule
 
 _DISTANCE = Quantity("least distance", "mm", example=5, low=-math.inf)
@@ -76,7 +77,7 @@ class DistanceRule(Rule):
     @property
     def motions(self) -> tuple[str, str]:
         """The names of the two motions that it is about."""
-        return name_of(self.part), name_of(self.above)
+        return str(self.part), str(self.above)
 
     def check(self, diagram: TimingDiagram) -> None:
         """Raise InputError for an unknown name, and for an indexing motion."""
@@ -140,7 +141,7 @@ class DistanceRule(Rule):
 
     def _stretch(self, diagram: TimingDiagram, start: float, end: float) -> _Stretch:
         places = {
-            start + (place - start) % DEG_PER_TURN
+            after(place, start)
             for name in self.motions
             for place in self.cuts_of(self._motion(diagram, name))
         }
