@@ -35,7 +35,10 @@ _APART = [
     )
 ]
 _THE = re.compile(r"^the\s+", re.IGNORECASE)
-_ARC = re.compile(r"(?:from\s+)?(?P<start>\S+)\s+to\s+(?P<end>\S+?)\s*(?:deg|°)?\.?", re.IGNORECASE)
+_DEG = r"\s*(?:deg|°)?"
+_ARC = re.compile(
+    rf"(?:from\s+)?(?P<start>\S+?){_DEG}\s+to\s+(?P<end>\S+?){_DEG}\.?", re.IGNORECASE
+)
 _AND = re.compile(r"\s+and\s+|\s*;\s*", re.IGNORECASE)
 
 
