@@ -496,3 +496,6 @@ def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
         read_segments(tmp_path / "m.csv")
     with pytest.raises(cm.InputError, match=r"cannot be read \(.*[Dd]irectory"):
         read_segments(tmp_path)
+    for path in (".", Path("/")):
+        with pytest.raises(cm.InputError, match=rf"^The file {path} cannot be read \("):
+            read_segments(path)

@@ -171,7 +171,7 @@ def as_path(path: Any) -> Path:
 
 
 def _name(path: Path) -> str:
-    return shorten(path.name, of=str)
+    return shorten(path.name or str(path), of=str)
 
 
 def stems(names: Iterable[str]) -> Iterator[str]:
