@@ -238,6 +238,9 @@ def test_a_number_may_be_of_any_kind(value: Any) -> None:
 def test_a_number_that_no_float_can_hold_and_a_masked_one_are_refused() -> None:
     with pytest.raises(cm.InputError, match="The machine rate is inf pieces/h"):
         cm.cycle_time(10**400)
+    for nan in (Decimal("nan"), Decimal("sNaN"), Decimal("-sNaN12")):
+        with pytest.raises(cm.InputError, match="The indexing angle is nan deg"):
+            cm.indexing_time(nan, 2000)  # type: ignore[arg-type]
     with pytest.raises(cm.InputError, match=r"The machine rate has masked values.*compressed"):
         cm.cycle_time(np.ma.masked_array([1.0, 2.0], [False, True]))
 

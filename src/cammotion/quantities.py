@@ -380,6 +380,8 @@ def _as_float(item: Any) -> float:
         return float(item)
     except OverflowError:  # 10**400, which no float can hold
         return math.inf if item > 0 else -math.inf
+    except ValueError:  # the signalling nan of Decimal
+        return math.nan
 
 
 def is_masked(value: object) -> bool:
