@@ -37,7 +37,7 @@ def show_answer(exercise: Exercise, answer: Any, machine: MillAndDie) -> Shown |
         if is_rounded(given, right, FEWEST):  # right, but for the digits that are missing
             return None
         shown = exercise.shows(machine, given)
-        known = [given, *numbers_in(exercise.question(machine))]
+        known = [given, *plain_numbers(exercise.question(machine))]
         return None if shown is None or tells(shown, right, known) else shown
     except Exception:  # a picture may be missing, the sentence never
         return None
@@ -45,14 +45,14 @@ def show_answer(exercise: Exercise, answer: Any, machine: MillAndDie) -> Shown |
 
 def tells(shown: Shown, right: float, known: list[float]) -> bool:
     """Tell whether the right number stands in line or picture, though it is not known already."""
-    written = numbers_in(" ".join([shown.line, *_TEXT.findall(shown.svg)]))
+    written = plain_numbers(" ".join([shown.line, *_TEXT.findall(shown.svg)]))
     return any(
         _is_near(number, right) and not any(_is_near(number, other) for other in known)
         for number in written
     )
 
 
-def numbers_in(text: str) -> Iterator[float]:
+def plain_numbers(text: str) -> Iterator[float]:
     """Yield the numbers that stand in a text, without their signs."""
     return map(float, _NUMBER.findall(text))
 
