@@ -137,6 +137,12 @@ def test_every_public_name_is_there_and_is_documented() -> None:
             assert thing.__doc__, name
 
 
+def test_the_package_introduces_each_value_that_is_public() -> None:
+    values = {name for name in cammotion.__all__ if not callable(getattr(cammotion, name))}
+    said = (cammotion.__doc__ or "").partition("names are values: ")[2]
+    assert values == {*re.findall(r"`(\w+)`", said)}
+
+
 def test_the_notation_table_names_what_exists() -> None:
     """Every code name in notebook 00's table is public, or a name of a move, a diagram or a law."""
     cells = json.loads((ROOT / "notebooks" / "00_start_here.ipynb").read_text("utf-8"))["cells"]

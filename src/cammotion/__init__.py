@@ -4,9 +4,10 @@ Every public name is listed once, in ``__init__.pyi``, and its module is loaded 
 first used. So ``import cammotion`` costs next to nothing, and a lesson pays for SymPy, Matplotlib
 or ipywidgets only when it draws or derives something.
 
-Five names are values: `LAWS`, the motion laws by their names; `x`, the symbol in which a law is
-written; `EXAMPLE`, the machine of the lessons; `SUSPECTS`, the six laws of the bug hunt; and
-`PRINTED_LIMITS`, a table of limits with errors in it.
+Nine names are values: `LAWS`, the motion laws by their names; `x`, the symbol in which a law is
+written; `MATCHED`, the law of a move that goes on as its neighbours do; `EXAMPLE`, the machine of
+the lessons; `SUSPECTS`, the six laws of the bug hunt; `PRINTED_LIMITS`, a table of limits with
+errors in it; and `MM_PER_INCH`, `KG_PER_LB` and `N_PER_LBF`, the inch, the pound and its weight.
 """
 
 from typing import Any
