@@ -57,8 +57,13 @@ def update(reason: str, whole: bool) -> None:
     before = inspection.read_stamp()
     whole = whole or bool(before and before.whole)
     check_disk(MB_FOR_UPDATE)
+    lacks_pip = not (installer.find_uv() or installer.has_pip())
+    if lacks_pip:  # uv made it, and is gone
+        check_modules()
     inspection.STAMP.unlink()
     try:
+        if lacks_pip:
+            installer.add_pip()
         installer.install_packages("[1/2]", whole)
         record("[2/2]", whole)
     except BaseException:

@@ -13,12 +13,18 @@ from starter.paths import ON_WINDOWS, ROOT, VENV, VENV_PYTHON
 PATIENCE = {"PIP_RETRIES": "2", "UV_HTTP_RETRIES": "2", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
 # Settings of the user's that would send the packages elsewhere than into the environment.
 ELSEWHERE = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PIP_PYTHON")
-INSTALLED = ("Lib" if ON_WINDOWS else "lib/python*") + "/site-packages/*.dist-info"
+PACKAGES = ("Lib" if ON_WINDOWS else "lib/python*") + "/site-packages"
+INSTALLED = f"{PACKAGES}/*.dist-info"
 
 
 def find_uv() -> str | None:
     """Return the path of uv, if it is installed."""
     return shutil.which("uv")
+
+
+def has_pip() -> bool:
+    """Tell whether pip is in the environment."""
+    return any(VENV.glob(f"{PACKAGES}/pip/__main__.py"))
 
 
 def add_pip() -> None:

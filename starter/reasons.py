@@ -72,6 +72,10 @@ REASONS = {
         "A package in environment.txt, in the version it asks for, is not to be had for Python "
         f"{PYTHON_VERSION} on this machine. The workbook is tested with Python 3.11 to 3.14."
     ),
+    r"no module named '?pip\b": (
+        "The environment in .venv has no pip that works. Delete the folder .venv and start again: "
+        "it is made anew."
+    ),
 }
 
 

@@ -212,6 +212,7 @@ def test_an_update_is_stamped_anew(
     root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """While it installs there is no stamp: what is killed on the way is not trusted."""
+    monkeypatch.setattr(installer, "find_uv", lambda: "uv")  # so that no pip is laid in
     (root / ".venv").mkdir()
     inspection.write_stamp(sound(root)._replace(versions={"no-such-package": "0.9"}))
     seen = []
@@ -299,6 +300,7 @@ def test_the_tests_bring_what_they_need(
     root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A learner's environment is ready for a lesson; for the tests it is completed, once."""
+    monkeypatch.setattr(installer, "find_uv", lambda: "uv")
     (root / ".venv").mkdir()
     asked: list[bool] = []
     monkeypatch.setattr(inspection, "inspect", lambda: sound(root))
@@ -341,6 +343,7 @@ def test_an_update_that_touched_nothing_leaves_the_stamp(
     root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Without network the environment stays good for the next start; half-updated it does not."""
+    monkeypatch.setattr(installer, "find_uv", lambda: "uv")
     (root / ".venv").mkdir()
     monkeypatch.setattr(installer, "install_packages", raiser(WorkbookError("no network")))
     for now, kept in ((SOUND, True), (SOUND._replace(versions={"six": "1.17.0"}), False)):
@@ -362,6 +365,7 @@ def test_an_update_that_touched_nothing_leaves_the_stamp(
         ("cause: dns error", "no connection"),
         ("ERROR: No matching distribution found for numpy==2.4.6", "3.11 to 3.14"),
         ("Because numpy has no wheels: No solution found when resolving", "3.11 to 3.14"),
+        ("/x/.venv/bin/python: No module named pip", "Delete the folder .venv"),
         ("something else", "lines above"),
         *SAID,
     ],
@@ -459,6 +463,32 @@ def test_packages_go_into_the_environment_whatever_the_user_has_set(
     assert now
     assert now.versions["cam-probe"] == "1.0"
     assert not (root / "elsewhere").exists()
+
+
+def test_what_uv_made_is_updated_without_uv(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An environment of uv's has no pip, and uv may be gone: it gets one, a real one."""
+    make_wheel(root)
+    monkeypatch.setattr(installer, "find_uv", lambda: "uv")
+    environment.create()
+    bare = inspection.inspect()
+    assert bare
+    assert not bare.versions
+    (root / "environment.txt").write_text("cam-probe==1.0\n")
+    monkeypatch.setattr(environment, "record", lambda _step, _whole: None)
+    monkeypatch.setattr(installer, "find_uv", lambda: None)
+    for name, value in {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": "."}.items():
+        monkeypatch.setenv(name, value)
+    inspection.write_stamp(SOUND)
+    with monkeypatch.context() as split_off:
+        split_off.setattr(importlib.util, "find_spec", lambda _name: None)
+        with pytest.raises(WorkbookError, match="Or, anywhere: install uv"):
+            environment.update("environment.txt changed", whole=False)
+    assert inspection.STAMP.exists()
+    environment.update("environment.txt changed", whole=False)
+    now = inspection.inspect()
+    assert now
+    assert now.versions["cam-probe"] == "1.0"
+    assert "pip" in now.versions
 
 
 def test_no_network_takes_seconds(
