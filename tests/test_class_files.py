@@ -134,6 +134,30 @@ def test_whose_a_file_is_by_where_it_lies(tmp_path: Path, place: str, name: str)
     assert student.name == name
 
 
+def names_by_places(folder: Path, *places: str) -> list[str]:
+    """Collect files that do not say whose they are, and return the names by their places."""
+    for place in places:
+        put(folder, f"{place}/progress.json", DONE)
+    return [student.name for student in read_class(folder).students]
+
+
+def test_a_folder_that_several_have_by_this_name_is_nobodys_name(tmp_path: Path) -> None:
+    own = ("Fay/cam", "Gert/cam", "Hans/stuff/cam", "Ida/work")
+    assert names_by_places(tmp_path / "a", *own) == ["Fay", "Gert", "Ida", "stuff"]
+    days = ("monday/Fay", "monday/Gert", "tuesday/Fay", "tuesday/Gert")
+    assert names_by_places(tmp_path / "b", *days) == ["Fay", "Fay", "Gert", "Gert"]
+    computers = ("pc 1/work-fay", "pc 2/work-fay", "pc 3/work-gert")
+    assert names_by_places(tmp_path / "c", *computers) == ["fay", "fay", "gert"]
+    assert names_by_places(tmp_path / "d", "Fay/cam") == ["cam"]
+
+
+def test_what_was_done_in_the_solutions_is_no_student(tmp_path: Path) -> None:
+    put(tmp_path, "Fay/cam/notebooks/solutions/progress.json", DONE)
+    put(tmp_path, "Gert/solutions/progress.json", DONE)
+    school = read_class(tmp_path)
+    assert [student.place for student in school.students] == ["Gert/solutions/progress.json"]
+
+
 def test_whose_a_file_is_by_what_it_says(tmp_path: Path) -> None:
     put(tmp_path, "a.json", named("  Dora \n Groß "))
     put(tmp_path, "b.json", {"exercises": {"01.1": {"who": "emil"}, "01.2": {"who": ""}}})

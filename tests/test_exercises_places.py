@@ -61,6 +61,19 @@ def test_elsewhere_it_is_kept_where_the_notebook_is_and_said_where(
     assert [*tmp_path.rglob(FILE)] == [file]
 
 
+def test_the_solutions_beside_copies_elsewhere_keep_it_with_the_copies(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As `--work ~/cam` lays them, whether a lesson or a solution is run first."""
+    copies = tmp_path / "cam"
+    solutions = copies / "notebooks" / "solutions"
+    for folder in (solutions, copies, solutions):
+        go_to(folder, monkeypatch)
+        (copies / "01_timing_diagram.ipynb").touch()
+        cm.check("01.1", 70)
+        assert [*tmp_path.rglob(FILE)] == [copies / FILE]
+
+
 def test_among_the_copies_it_is_said_when_it_is_asked_for(work: Path) -> None:
     assert "kept" not in cm.check("01.1", 70).text
     assert cm.progress().text.endswith(f"\nYour progress is kept in {work / FILE}.")

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 FILE = "progress.json"
 KINDS = ("exercises", "predictions", "learner")
+SOLUTIONS = ("notebooks", "solutions")  # where they lie, beside the lessons and copies elsewhere
 GRADING = "NBGRADER_EXECUTION"  # nbgrader sets it while it executes a notebook
 SWITCH = "CAMMOTION_PROGRESS"
 """Names a folder for the progress of notebooks outside of a workbook's copies, or says "off"."""
@@ -80,11 +81,19 @@ def _copies_around(here: Path | None) -> Path | None:
 
 
 def _top(here: Path | None) -> Path | None:
-    """Return the folder itself, or within a workbook the one that holds all its notebooks."""
+    """Return the folder itself, or the one that holds all notebooks of a workbook, or copies."""
     for folder in (here, *here.parents) if here else ():
         if _is_in_workbook(folder):
             return folder
-    return here
+    return _copies_with_solutions(here) or here
+
+
+def _copies_with_solutions(here: Path | None) -> Path | None:
+    """Return the folder of copies outside of a workbook in whose solutions a folder is."""
+    if here and here.parts[-2:] == SOLUTIONS:
+        copies = here.parents[1]
+        return copies if any(copies.glob("[0-9][0-9]_*.ipynb")) else None
+    return None
 
 
 def _is_in_workbook(folder: Path) -> bool:

@@ -4,7 +4,7 @@ import json
 import os
 import unicodedata
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -13,7 +13,7 @@ from typing import Any
 from cammotion.files import is_folder
 from cammotion.quantities import InputError
 from cammotion.teaching.classroom.clean import clean
-from cammotion.teaching.places import FILE, KINDS
+from cammotion.teaching.places import FILE, KINDS, SOLUTIONS
 from cammotion.teaching.store import Record
 
 _LARGEST_BYTES = 5_000_000  # a hundred times what all lessons fill
@@ -74,14 +74,16 @@ def read_class(folder: Path) -> SchoolClass:
     def leave_out(path: str | Path, why: str) -> None:
         notices.append(f"The folder {_place(path, folder)} was left out: it {why}.")
 
-    for file in _files(folder, leave_out):
-        place = _place(file, folder)
+    files = [*_files(folder, leave_out)]
+    places = [_place(file, folder) for file in files]
+    for file, place in zip(files, places, strict=True):
         try:
             raw, content = _read(file)
         except _NoProgressError as wrong:
             notices.append(f"{place} was left out: it {wrong}.")
             continue
-        student, told = _student(content, sha256(raw).digest(), place, folder)
+        student, told = _told_student(content, sha256(raw).digest(), place)
+        student = student if told else replace(student, name=_name_of(place, folder, places))
         key = (student.name.casefold(), raw if told else os.fsencode(file))
         if key in students:
             notices.append(f"{place} was left out: it is the same file as {students[key].place}.")
@@ -115,6 +117,7 @@ def _cannot_be_opened(wrong: OSError) -> str:
 def _files(folder: Path, leave_out: Callable[[str | Path, str], None]) -> Iterator[Path]:
     """Yield JSON files and archives in an order that is always the same; what is hidden is left.
 
+    So is what was done in the solutions, of which an earlier version kept a file of its own.
     A folder into which nobody looks, and why, is for `leave_out`.
     """
 
@@ -126,8 +129,11 @@ def _files(folder: Path, leave_out: Callable[[str | Path, str], None]) -> Iterat
         for linked in filter(os.path.islink, (Path(here, name) for name in folders)):
             leave_out(linked, "is a link, which may lead in a circle; copy what it leads to")
         for name in sorted(names):
-            if name.lower().endswith((".json", _ARCHIVE)) and not name.startswith((".", _ASIDE)):
-                yield Path(here, name)
+            file = Path(here, name)
+            beside_solutions = name == FILE and file.parts[-3:-1] == SOLUTIONS
+            is_one = name.lower().endswith((".json", _ARCHIVE)) and not beside_solutions
+            if is_one and not name.startswith((".", _ASIDE)):
+                yield file
 
 
 def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
@@ -160,16 +166,13 @@ def _records(content: dict[str, Any], kind: str) -> dict[str, Record]:
     return {key: record for key, record in items if isinstance(record, dict)}
 
 
-def _student(
-    content: dict[str, Any], digest: bytes, place: str, folder: Path
-) -> tuple[Student, bool]:
+def _told_student(content: dict[str, Any], digest: bytes, place: str) -> tuple[Student, bool]:
     """Return what a file holds, and whether it tells itself whose it is."""
     exercises = _records(content, "exercises")
     typed = {key: record.get("text") for key, record in _records(content, "predictions").items()}
     texts = {key: text for key, text in typed.items() if isinstance(text, str) and text.strip()}
-    told = _told_name(content, exercises)
-    name = told or _name_of(place, folder)
-    return Student(name, place, exercises, texts, digest), bool(told)
+    name = _told_name(content, exercises)
+    return Student(name, place, exercises, texts, digest), bool(name)
 
 
 def _told_name(content: dict[str, Any], exercises: dict[str, Record]) -> str:
@@ -183,16 +186,33 @@ def _told_name(content: dict[str, Any], exercises: dict[str, Record]) -> str:
     return name or next((who for who, _ in whose.most_common(1)), "")
 
 
-def _name_of(place: str, folder: Path) -> str:
+def _name_of(place: str, folder: Path, places: Sequence[str]) -> str:
     """Return a name by where a file lies: its own, or that of the folder nearest to it.
 
-    "Anna/progress.json" is Anna's, "work-ben/progress.json" ben's, "carla.json" carla's.
+    "Anna/progress.json" is Anna's, "work-ben/progress.json" ben's, "carla.json" carla's. Of
+    "Fay/cam/progress.json" and "Gert/cam/progress.json", no folder of which holds another file,
+    one is Fay's and one is Gert's.
     """
     *folders, name = place.split("/")
+    around = [folders[:end] for end in range(len(folders), 0, -1)]
+    parts = [path[-1] for path in around if not _is_shared(path, places)]
     stem = name.rpartition(".")[0]
-    parts = [stem, *reversed(folders), clean(folder.resolve().name)]
-    names = (part.removeprefix("work-") for part in parts if part.casefold() != "work")
+    candidates = [stem, *parts, clean(folder.resolve().name)]
+    names = (part.removeprefix("work-") for part in candidates if part.casefold() != "work")
     return clean(next((name for name in names if name and not _is_ours(name)), "somebody"))
+
+
+def _is_shared(path: list[str], places: Sequence[str]) -> bool:
+    """Tell whether a folder has a name that several share, and the one above tells it from them."""
+    *above, name = path
+    if not above or name.startswith("work-"):
+        return False
+    found = [other.split("/")[:-1] for other in places]
+    same = {
+        tuple(other[:end]) for other in found for end, one in enumerate(other, 1) if one == name
+    }
+    beside = [other for other in found if other[: len(above)] == above]
+    return len(same) > 1 and all(other[: len(path)] == path for other in beside)
 
 
 def _is_ours(name: str) -> bool:
