@@ -56,6 +56,7 @@ def run(arguments: list[str]) -> int:
 def parse(arguments: list[str]) -> argparse.Namespace:
     """Read the command line; `passed_on` is for pytest or JupyterLab."""
     asks_help = arguments[-1:] in (["-h"], ["--help"]) and "--fresh" not in arguments
+    arguments = command_first(arguments)
     if not arguments or (arguments[0].startswith("-") and not asks_help):
         arguments = ["lab", *arguments]
     end = len(arguments)
@@ -70,6 +71,14 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         parser.error(f"{options.command} passes nothing on: leave out --")
     options.passed_on = passed_on[1:] if passed_on[:1] == ["--"] else passed_on
     return options
+
+
+def command_first(arguments: list[str]) -> list[str]:
+    """Take a --work that was typed before the command, too."""
+    first = "".join(arguments[:1])
+    end = 2 if first == "--work" else int(first.startswith("--work="))
+    asked, rest = arguments[:end], arguments[end:]
+    return [rest[0], *asked, *rest[1:]] if rest and rest[0] in COMMANDS else arguments
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -151,7 +160,7 @@ def open_lab(options: argparse.Namespace) -> int:
 
 def set_up(options: argparse.Namespace) -> int:
     """Set up and leave it at that."""
-    work = folder.find(options.work)
+    work = folder.find(options.work, f"{START} setup")
     environment.ensure()
     copies.lay_missing(work)
     print(f"The workbook is ready. Open it with: {START}{folder.option(work)}")
@@ -181,7 +190,7 @@ def refresh_notebooks(options: argparse.Namespace) -> int:
 def lay_fresh_copy(options: argparse.Namespace) -> int:
     """Lay a fresh copy of a notebook beside the learner's."""
     source = notebooks.find(options.notebook)
-    work = folder.find(options.work)
+    work = folder.find(options.work, f"{START} fresh {options.notebook}")
     target = copies.lay_fresh(source, work)
     print(f"A fresh copy: {Path(folder.shown(work)) / target.name}")
     return 0
@@ -201,7 +210,7 @@ def report_machine(options: argparse.Namespace) -> int:
     The exit code is that of `cammotion.report`: 0 if all rules are kept, 3 if one is broken, 2 for
     a table that cannot be read, 130 if it was interrupted with nothing written.
     """
-    work = folder.find(options.work)
+    work = folder.find(options.work, f"{START} report {folder.typed(options.machine)}")
     environment.ensure()
     machine = str(Path(options.machine).absolute())
     more = [f"--folder={work}", f"--seconds={options.seconds}", *(["--dxf"] * options.dxf)]

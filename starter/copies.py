@@ -6,6 +6,7 @@ import re
 import secrets
 import shutil
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -17,6 +18,9 @@ PART = re.compile(r"\..+\.(?:ipynb|csv|svg)\.[0-9a-f]{16}\.part")
 OTHER = "Another start is copying notebooks"
 # Links of lessons and of solutions, and what they are in copies elsewhere.
 ELSEWHERE = {"](../../notebooks/": "](../../", "](../notebooks/": "](notebooks/"}
+# Commands of lessons that ask for a folder of copies, if it is not the usual one; and files in it.
+COMMAND = re.compile(r"`(python3 workbook\.py(?: (?:setup|fresh|report)\b[^`\n]*)?)`")
+IN_WORK = re.compile(rf"\b{folder.DEFAULT}(/[\w./-]+)")
 
 
 class Copy(NamedTuple):
@@ -75,15 +79,30 @@ def lay(source: Path, target: Path, work: Path) -> bool:
 def copy_of(source: Path, work: Path) -> dict[str, Any]:
     """Return a notebook without its outputs; a note in it says what it is a copy of.
 
-    Elsewhere than in the workbook its links lead to what is laid there.
+    Elsewhere than in the workbook its links lead to what is laid there; the commands that it
+    names are for this folder.
     """
     content, version = notebooks.read_original(source)
     notebooks.strip_outputs(content)
-    if not folder.is_inside(work):
-        for old, new in ELSEWHERE.items():
-            notebooks.replace_in_text(content, old, new)
+    notebooks.change_text(content, partial(suit, work=work))
     content.setdefault("metadata", {})["workbook"] = {"source": source.name, "version": version}
     return content
+
+
+def suit(text: str, work: Path) -> str:
+    """Return a text of a lesson with the links and commands that are right for a folder."""
+    if not folder.is_inside(work):
+        for old, new in ELSEWHERE.items():
+            text = text.replace(old, new)
+    if not folder.option(work):
+        return text
+
+    def for_this_folder(command: re.Match[str]) -> str:
+        here = IN_WORK.sub(lambda file: folder.typed(folder.shown(work) + file[1]), command[1])
+        return f"`{here}{folder.option(work)}`"
+
+    text = COMMAND.sub(for_this_folder, text)
+    return text.replace(f"the folder `{folder.DEFAULT}`", f"the folder `{folder.shown(work)}`")
 
 
 def lay_beside(work: Path) -> None:

@@ -11,8 +11,8 @@ DEFAULT = "work"
 NAME = re.compile(r"work[\w-]*")
 
 
-def find(wanted: str) -> Path:
-    """Return the folder of a learner's copies, made if need be."""
+def find(wanted: str, command: str = START) -> Path:
+    """Return the folder of a learner's copies, made if need be; `command` is what was typed."""
     folder = path_of(wanted)
     is_here = ROOT in (folder, *folder.parents)
     # Within the workbook only what .gitignore keeps out of commits can hold answers.
@@ -35,7 +35,7 @@ def find(wanted: str) -> Path:
     if not os.access(folder, os.W_OK | os.X_OK):
         raise WorkbookError(
             f"You may not write in {folder}: give the path of a folder of your own for your "
-            f"copies, for example: {START} --work ~/cam"
+            f"copies, for example: {command} --work ~/cam"
         )
     return folder
 
@@ -68,5 +68,9 @@ def option(work: Path) -> str:
     """Return the option that asks for a folder of copies as it is to be typed, if it needs one."""
     if work == ROOT / DEFAULT:
         return ""
-    name = shown(work)
-    return f" --work {name}" if re.fullmatch(r"[\w./\\:-]+", name) else f' --work "{name}"'
+    return f" --work {typed(shown(work))}"
+
+
+def typed(path: str) -> str:
+    """Return a path as it is to be typed into a terminal."""
+    return path if re.fullmatch(r"[\w./\\:-]+", path) else f'"{path}"'

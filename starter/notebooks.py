@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -84,11 +85,12 @@ def strip_outputs(content: dict[str, Any]) -> None:
             cell.update(outputs=[], execution_count=None)
 
 
-def replace_in_text(content: dict[str, Any], old: str, new: str) -> None:
-    """Replace words in all that a notebook tells, as against what it computes."""
+def change_text(content: dict[str, Any], change: Callable[[str], str]) -> None:
+    """Change what a notebook tells, as against what it computes."""
     for cell in content["cells"]:
-        if cell["cell_type"] == "markdown":
-            cell["source"] = "".join(cell["source"]).replace(old, new).splitlines(keepends=True)
+        told = "".join(cell["source"])
+        if cell["cell_type"] == "markdown" and (changed := change(told)) != told:
+            cell["source"] = changed.splitlines(keepends=True)
 
 
 def write(path: Path, content: dict[str, Any]) -> None:

@@ -62,6 +62,18 @@ def test_arguments_are_passed_on() -> None:
     assert commands.parse(["test", "--fresh", "--help"]).passed_on == ["--fresh", "--help"]
 
 
+def test_the_folder_of_copies_may_come_before_the_command() -> None:
+    """As who has always started with it types it."""
+    for before in (["--work", "~/cam"], ["--work=~/cam"]):
+        options = commands.parse([*before, "report", "press.csv", "--dxf"])
+        assert (options.command, options.work) == ("report", "~/cam")
+        assert (options.machine, options.dxf) == ("press.csv", True)
+        assert commands.parse([*before, "--no-browser"]).command == "lab"
+        with pytest.raises(SystemExit):
+            commands.parse([*before, "class", "folder"])
+    assert commands.parse(["--work", "report"]).command == "lab"
+
+
 ALL_TESTS = " ".join(["pytest", *maintain.IN_PARALLEL])
 
 

@@ -86,6 +86,38 @@ def test_every_link_of_the_real_notebooks_leads_on_from_elsewhere(tmp_path: Path
     assert found == {".ipynb", ".svg"}
 
 
+@pytest.mark.parametrize("wanted", ["work-anna", "my cäm"])
+def test_the_commands_of_copies_ask_for_their_folder(tmp_path: Path, wanted: str) -> None:
+    """Those of notebooks 00 and 12 can be typed as they stand, a path with a space too."""
+    work = paths.ROOT / wanted if wanted.startswith("work") else tmp_path / wanted
+    told = "".join(
+        "".join(cell["source"])
+        for path in paths.NOTEBOOKS.glob("[01][02]_*.ipynb")
+        for cell in copies.copy_of(path, work)["cells"]
+        if cell["cell_type"] == "markdown"
+    )
+    typed = [shlex.split(words)[2:] for words in re.findall(r"`(python3 workbook[^`]+)`", told)]
+    name = folder.shown(work)
+    assert sorted(typed) == [
+        ["--work", name],
+        ["class", "FOLDER"],
+        ["fresh", "02", "--work", name],
+        ["report", f"{name}/data/pad_press.csv", "--work", name],
+    ]
+    assert f"your own copies, in the folder `{name}`" in told
+    assert "`work`" not in told
+
+
+@pytest.mark.usefixtures("root")
+def test_what_is_closed_repeats_the_command(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("os.access", lambda *_: False)
+    for given in ("", " setup", " fresh 02", ' report "my press.csv"'):
+        assert commands.run(shlex.split(given)) == 1
+        assert f"example: {paths.START}{given} --work ~/cam\n" in capsys.readouterr().err
+
+
 def test_a_name_is_in_the_workbook_and_all_else_is_a_path(
     root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -184,7 +216,7 @@ def test_a_shared_folder_that_is_only_to_be_read(root: Path, tmp_path: Path) -> 
     assert refused.returncode == 1
     assert refused.stderr == (
         f"You may not write in {root / 'work'}: give the path of a folder of your own for your "
-        f"copies, for example: {paths.START} --work ~/cam\n"
+        f"copies, for example: {paths.START} setup --work ~/cam\n"
     )
     bare = start_shared(root, "bare", "--work", str(mine))
     assert bare.returncode == 1
