@@ -1,5 +1,6 @@
 """Make, update or repair .venv, so that it is ready."""
 
+import contextlib
 import importlib.util
 import os
 import shutil
@@ -10,6 +11,7 @@ from starter.errors import WorkbookError
 from starter.paths import ON_WINDOWS, PACKAGE, PYTHON_VERSION, ROOT, START, VENV, first_free
 
 MARKER = VENV / "made-by-workbook"
+BEFORE = VENV.with_name(".venv-before")  # until the new one is there
 MB_FOR_NEW, MB_FOR_TESTS, MB_FOR_UPDATE = 1000, 1400, 400
 
 
@@ -34,21 +36,25 @@ def ensure(whole: bool = False) -> None:
 
 
 def make(reason: str, whole: bool) -> None:
-    """Make .venv from nothing; leave nothing half-made behind if that fails."""
+    """Make .venv from nothing; if that fails leave what was there, and nothing half-made."""
     check_path()
     check_modules()
     if reason:
         print(f"The environment in .venv is not used: {reason}.")
-    clear_the_way()
-    check_disk(MB_FOR_TESTS if whole else MB_FOR_NEW)
+    needed_mb = MB_FOR_TESTS if whole else MB_FOR_NEW
+    clear_the_way(needed_mb)
     try:
+        check_disk(needed_mb)
         print(f"[1/3] Making the Python environment in .venv (Python {PYTHON_VERSION})")
         create()
         installer.install_packages("[2/3]", whole)
         record("[3/3]", whole)
     except BaseException:
         shutil.rmtree(VENV, ignore_errors=True)
+        with contextlib.suppress(OSError):  # there was none, or what is left is in use
+            BEFORE.rename(VENV)
         raise
+    shutil.rmtree(BEFORE, ignore_errors=True)
 
 
 def update(reason: str, whole: bool) -> None:
@@ -123,19 +129,32 @@ def check_modules() -> None:
 
 def check_disk(needed_mb: int) -> None:
     """Refuse if the installation would not fit."""
-    free_mb = shutil.disk_usage(ROOT).free // 1_000_000
-    if free_mb < needed_mb:
+    if free_mb() < needed_mb:
         raise WorkbookError(
-            f"Too little room on the disk: {free_mb} MB are free in {ROOT}, "
+            f"Too little room on the disk: {free_mb()} MB are free in {ROOT}, "
             f"and the installation needs {needed_mb} MB. Make room and start again."
         )
 
 
-def clear_the_way() -> None:
-    """Remove a .venv that this program made; put any other one aside."""
+def free_mb() -> int:
+    """Return how much room the disk has."""
+    return shutil.disk_usage(ROOT).free // 1_000_000
+
+
+def clear_the_way(needed_mb: int = 0) -> None:
+    """Put a .venv aside: for good if it is not ours, else until a new one is there.
+
+    One of ours is removed at once if it is half-made, or if the disk has no room for two.
+    """
     if MARKER.is_file() and not VENV.is_symlink():
-        shutil.rmtree(VENV)
+        if inspection.read_stamp() is None:
+            shutil.rmtree(VENV)
+        else:
+            shutil.rmtree(BEFORE, ignore_errors=True)
+            VENV.rename(BEFORE)
     elif os.path.lexists(VENV):
         aside = first_free(VENV.with_name(".venv-old"))
         VENV.rename(aside)
         print(f"That .venv was not made by the workbook: it is kept as {aside.name}.")
+    if free_mb() < needed_mb:
+        shutil.rmtree(BEFORE, ignore_errors=True)

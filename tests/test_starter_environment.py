@@ -339,6 +339,47 @@ def test_nothing_half_made_stays(
     assert not (root / ".venv").exists()
 
 
+@pytest.mark.parametrize("room_mb", [10**6, 900, 0])
+def test_the_old_environment_stays_until_the_new_one_is_there(
+    root: Path, monkeypatch: pytest.MonkeyPatch, room_mb: int
+) -> None:
+    """Of a folder that was moved, with no network; where there is no room for two, it goes."""
+    venv = root / ".venv"
+    room = SimpleNamespace(free=room_mb * 1_000_000)
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: room)
+    monkeypatch.setattr(environment, "create", venv.mkdir)
+    monkeypatch.setattr(inspection, "inspect", lambda: sound(root))
+    for error in (WorkbookError("no network"), KeyboardInterrupt()):
+        venv.mkdir(exist_ok=True)
+        environment.MARKER.touch()
+        inspection.write_stamp(SOUND)  # of another folder
+        monkeypatch.setattr(installer, "install_packages", raiser(error))
+        with pytest.raises(WorkbookError if room_mb < 1000 else type(error)):
+            environment.ensure()
+        assert inspection.STAMP.exists() == (room_mb >= 1000)
+        assert not (root / ".venv-before").exists()
+    room.free = 10**12
+    monkeypatch.setattr(installer, "install_packages", lambda _step, _whole: None)
+    environment.ensure()
+    assert inspection.judge() == ("ready", "")
+    assert [path.name for path in root.glob(".venv*")] == [".venv"]
+
+
+def test_what_was_put_aside_by_a_start_that_was_killed_comes_back_or_goes(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Half-made is what that start left in .venv."""
+    for name in (".venv", ".venv-before"):
+        (root / name).mkdir()
+    environment.MARKER.touch()
+    (environment.BEFORE / "whole").touch()
+    monkeypatch.setattr(environment, "create", raiser(WorkbookError("no network")))
+    with pytest.raises(WorkbookError):
+        environment.ensure()
+    assert [path.name for path in (root / ".venv").iterdir()] == ["whole"]
+    assert not environment.BEFORE.exists()
+
+
 def test_an_update_that_touched_nothing_leaves_the_stamp(
     root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
