@@ -44,6 +44,13 @@ def test_mill_and_die_are_bounded_within_two_percent() -> None:
     assert found.gap == pytest.approx(1 - found.bound / found.reached)
 
 
+def test_a_die_that_may_leave_its_stroke_comes_below_what_is_proved_within_it() -> None:
+    free = least_peak(make_diagram(), RULE, still=STILL, gap=0.01)
+    held = both(gap=0.01)
+    assert 0.629 < free.bound < free.reached < 0.633
+    assert 0.635 < held.bound < held.reached < 0.642
+
+
 def test_the_design_keeps_what_it_has_to() -> None:
     design = both().design
     assert design is not None
