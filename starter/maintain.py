@@ -65,10 +65,14 @@ def run_module(*arguments: str) -> int:
 
 
 def run_python(*arguments: str) -> int:
-    """Run the environment's Python in the workbook's folder; return its exit code."""
+    """Run the environment's Python in the workbook's folder; return its exit code.
+
+    If a signal ended it, that is what a shell makes of it.
+    """
     command = [str(VENV_PYTHON), *arguments]
     child = subprocess.Popen(command, cwd=ROOT, env=processes.environ(), text=True)
-    return processes.wait_for(child)
+    code = processes.wait_for(child)
+    return code if code >= 0 else 128 - code
 
 
 def lock(upgrade: bool) -> None:

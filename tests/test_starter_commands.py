@@ -132,6 +132,17 @@ def test_it_ends_with_what_is_beside_it(tmp_path: Path, monkeypatch: pytest.Monk
     assert loading.returncode not in (None, 0)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no such signals")
+def test_an_end_by_a_signal_is_told_as_a_shell_tells_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(maintain, "ROOT", tmp_path)
+    monkeypatch.setattr(maintain, "VENV_PYTHON", Path(sys.executable))
+    for code, told in (("os.kill(os.getpid(), 2)", 130), ("exit(3)", 3)):
+        script = f"import os, signal; signal.signal(2, signal.SIG_DFL); {code}"
+        assert maintain.run_python("-c", script) == told
+
+
 def test_fresh_runs_machines_and_nothing_else(monkeypatch: pytest.MonkeyPatch) -> None:
     ran: list[tuple[str, ...]] = []
 

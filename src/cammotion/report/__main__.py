@@ -2,18 +2,21 @@
 
 It ends with 0 if all rules are kept, with 3 if the report was written and a rule is broken, with 2
 for a table that cannot be read, of which nothing is written, or for a command that cannot be, and
-with 1 for any other failure.
+with 1 for any other failure. After Ctrl-C with nothing written it ends with 130; what takes long to
+load is loaded within `_write`, so that this is answered from the first second on.
 """
 
 import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from cammotion.exchange.machine_files import read_machine
-from cammotion.quantities import InputError, WrongAnswerError
-from cammotion.report.writing import write_report
 from cammotion.terminal import suit_any_terminal
+
+if TYPE_CHECKING:
+    from cammotion.own import Machine
+    from cammotion.report.writing import Report
 
 KEPT, FAILED, BAD_INPUT, BROKEN, INTERRUPTED = 0, 1, 2, 3, 130
 _BAR, _WIDTH = 24, 100
@@ -29,6 +32,26 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     suit_any_terminal()
     try:
+        done = _write(options)
+    except KeyboardInterrupt:
+        print("\nStopped. Nothing was written.", file=sys.stderr)
+        return INTERRUPTED
+    if isinstance(done, int):
+        return done
+    machine, report = done
+    for violation in machine.violations:
+        print(f"Broken: {violation}.")
+    print(report)
+    return KEPT if report.is_kept else BROKEN
+
+
+def _write(options: argparse.Namespace) -> "tuple[Machine, Report] | int":
+    """Write a report, or say what stands in the way and return the exit code."""
+    from cammotion.exchange.machine_files import read_machine
+    from cammotion.quantities import InputError, WrongAnswerError
+    from cammotion.report.writing import write_report
+
+    try:
         machine = read_machine(options.machine)
     except InputError as wrong:
         print(wrong, file=sys.stderr)
@@ -37,16 +60,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         report = write_report(
             machine, options.folder, seconds=options.seconds, dxf=options.dxf, progress=show_bar
         )
-    except KeyboardInterrupt:
-        print("\nStopped. Nothing was written.", file=sys.stderr)
-        return INTERRUPTED
     except (InputError, WrongAnswerError, OSError) as wrong:
         print(f"\n{wrong}", file=sys.stderr)
         return FAILED
-    for violation in machine.violations:
-        print(f"Broken: {violation}.")
-    print(report)
-    return KEPT if report.is_kept else BROKEN
+    return machine, report
 
 
 def show_bar(share: float, what: str) -> None:

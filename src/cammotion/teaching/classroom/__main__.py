@@ -1,4 +1,7 @@
-"""What ``workbook.py class FOLDER`` runs: read the files, write the page, say what is with both."""
+"""What ``workbook.py class FOLDER`` runs: read the files, write the page, say what is with both.
+
+What takes long to load is loaded within `_write`, so that Ctrl-C is answered then, too.
+"""
 
 import argparse
 import os
@@ -7,11 +10,6 @@ from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
 
-from cammotion.files import write_new
-from cammotion.quantities import InputError, plural
-from cammotion.teaching.classroom import page
-from cammotion.teaching.classroom.clean import clean
-from cammotion.teaching.classroom.collect import read_class
 from cammotion.terminal import suit_any_terminal
 
 
@@ -25,13 +23,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     suit_any_terminal()
     try:
-        return _write(options.folder, options.output, options.anonymous, options.overwrite)
-    except InputError as wrong:
-        print(wrong, file=sys.stderr)
-    return 1
+        from cammotion.quantities import InputError
+
+        try:
+            lines = _write(options.folder, options.output, options.anonymous, options.overwrite)
+        except InputError as wrong:
+            print(wrong, file=sys.stderr)
+            return 1
+    except KeyboardInterrupt:
+        print("\nStopped. Nothing was written.", file=sys.stderr)
+        return 130
+    for line in lines:
+        print(line)
+    return 0
 
 
-def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> int:
+def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> list[str]:
+    """Write the page, and return what is to be said; raise InputError if it cannot be."""
+    from cammotion.files import write_new
+    from cammotion.quantities import InputError, plural
+    from cammotion.teaching.classroom import page
+    from cammotion.teaching.classroom.clean import clean
+    from cammotion.teaching.classroom.collect import read_class
+
     written = Path(os.path.realpath(output))  # a link to itself is no error here
     if written.suffix.casefold() != ".html":  # a file that is read ends in .json
         raise InputError(
@@ -46,10 +60,8 @@ def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> int:
     school = read_class(folder)
     shown = school.anonymous() if anonymous else school
     write_new(output, page.write(shown, date.today()), overwrite=overwrite)
-    for notice in school.notices:
-        print(notice)
-    print(f"{output} shows {plural(len(school.students), 'student')}. Open it in a browser.")
-    return 0
+    students = plural(len(school.students), "student")
+    return [*school.notices, f"{output} shows {students}. Open it in a browser."]
 
 
 if __name__ == "__main__":

@@ -1,0 +1,58 @@
+"""Ctrl-C while a command loads, reads or computes: a sentence, and the exit code of a shell."""
+
+import importlib
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from small_workbook import raiser
+
+PRESS = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
+STOPPED = "\nStopped. Nothing was written.\n"
+# Runs a module of the package, and interrupts it as soon as it loads what is named.
+INTERRUPT = """
+import runpy, sys
+class Finder:
+    def find_spec(self, name, path, target=None):
+        if name == loaded:
+            raise KeyboardInterrupt
+_, module, loaded, *rest = sys.argv
+sys.meta_path.insert(0, Finder())
+sys.argv[1:] = rest
+runpy.run_module(module, run_name="__main__", alter_sys=True)
+"""
+
+
+@pytest.mark.parametrize("loaded", ["numpy", "cammotion.quantities", "cammotion.files"])
+@pytest.mark.parametrize("module", ["cammotion.report", "cammotion.teaching.classroom"])
+def test_an_interrupt_while_it_loads_is_answered(tmp_path: Path, module: str, loaded: str) -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", INTERRUPT, module, loaded, str(tmp_path)],
+        capture_output=True,
+        text=True,
+    )
+    assert (ran.returncode, ran.stderr, ran.stdout) == (130, STOPPED, "")
+
+
+@pytest.mark.parametrize(
+    ("module", "within"),
+    [
+        ("cammotion.report", "cammotion.exchange.machine_files.read_machine"),
+        ("cammotion.report", "cammotion.report.writing.write_report"),
+        ("cammotion.teaching.classroom", "cammotion.teaching.classroom.collect.read_class"),
+    ],
+)
+def test_an_interrupt_while_it_works_is_answered(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    module: str,
+    within: str,
+) -> None:
+    main = importlib.import_module(f"{module}.__main__").main
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(within, raiser(KeyboardInterrupt()))
+    assert main([str(PRESS)]) == 130
+    assert capsys.readouterr().err == STOPPED
+    assert not [*tmp_path.iterdir()]
