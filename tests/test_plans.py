@@ -104,6 +104,19 @@ def test_no_plan_leaves_out_a_prediction_or_its_answer(lesson: str) -> None:
 
 
 @pytest.mark.parametrize("lesson", PLANS)
+def test_the_class_stops_at_a_heading_for_each_prediction(lesson: str) -> None:
+    """The page says: at each that begins with *Predict*."""
+    for heading, cells in sections(lesson):
+        asks = any("cm.predict(" in source for source in cells)
+        assert asks <= heading.rpartition(" / ")[2].startswith("predict"), heading
+
+
+def test_the_play_has_its_minutes_before_it_is_predicted() -> None:
+    """What turns round is told in the section before."""
+    assert "when the torque turns round" not in left_out("08")
+
+
+@pytest.mark.parametrize("lesson", PLANS)
 def test_the_minutes_of_a_plan_make_its_lesson(lesson: str) -> None:
     rows = ROW.findall(PLANS[lesson])
     for column, minutes in ((1, 45), (2, 90)):
