@@ -191,6 +191,20 @@ def test_the_same_file_twice_counts_once_if_it_says_whose_it_is(folder: Path) ->
     assert len(read_class(folder).students) == 5
 
 
+def test_who_has_handed_in_no_progress_is_said(folder: Path) -> None:
+    for place in (
+        *("Dora/work/01_timing_diagram", "Emil/photos/me", "Room 1/Fay/cam/01_timing_diagram"),
+        *("Room 1/Anna/notebooks/01_timing_diagram", "Room 1/photos/all", "__MACOSX/x"),
+    ):
+        file = folder / f"{place}.ipynb"
+        file.parent.mkdir(parents=True)
+        file.touch()
+    (folder / "Emil" / "notes.txt").touch()
+    (folder / "Gert").mkdir()
+    (notice,) = read_class(folder).notices
+    assert notice == "No progress in: Dora/work, Emil, Gert, Room 1/Fay/cam."
+
+
 def test_students_are_sorted_as_a_list_of_names_is(tmp_path: Path) -> None:
     for name in ("Zoë", "Şule", "anna", "Öz", "Ben"):
         put(tmp_path, f"{name}.json", named(name))

@@ -2,9 +2,11 @@
 
 import json
 import os
+import re
 import unicodedata
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -19,6 +21,7 @@ from cammotion.teaching.store import Record
 _LARGEST_BYTES = 5_000_000  # a hundred times what all lessons fill
 _ASIDE = "progress-unreadable-"  # what the store itself has put aside
 _ARCHIVE = ".zip"
+_LESSON = re.compile(r"\d\d_.*\.ipynb$")
 
 
 @dataclass(frozen=True)
@@ -96,6 +99,8 @@ def read_class(folder: Path) -> SchoolClass:
         )
         raise InputError(" ".join([missing, *notices]))
     ordered = sorted(students.values(), key=lambda student: (_plain(student.name), student.place))
+    lacking = ", ".join(_place(path, folder) for path in _without(folder, files))
+    notices += [f"No progress in: {lacking}."] if lacking else []
     return SchoolClass(tuple(ordered), (*notices, *_twice(ordered)))
 
 
@@ -134,6 +139,39 @@ def _files(folder: Path, leave_out: Callable[[str | Path, str], None]) -> Iterat
             is_one = name.lower().endswith((".json", _ARCHIVE)) and not beside_solutions
             if is_one and not name.startswith((".", _ASIDE)):
                 yield file
+
+
+def _without(folder: Path, files: Sequence[Path]) -> Iterator[Path]:
+    """Yield in order the folders that were collected and hold no file: what somebody forgot.
+
+    Those are folders of copies, and what lies in the folder itself.
+    """
+    around = {parent for file in files for parent in file.parents}
+    own = {file.parent for file in files} - {folder}
+    for here, folders, names in os.walk(folder):
+        inside, is_empty = Path(here), not (folders or names)
+        folders[:] = sorted(name for name in folders if not _is_hidden(name))
+        is_in_sight = is_empty or folders or not all(map(_is_hidden, names))
+        is_handed_in = inside.parent == folder and is_in_sight
+        are_copies = any(_LESSON.match(name) for name in names) and inside.name not in SOLUTIONS
+        if inside in own:
+            folders.clear()
+        elif inside not in around and (is_handed_in or are_copies):
+            folders.clear()
+            yield _to_the_copies(inside)
+
+
+def _is_hidden(name: str) -> bool:
+    return name.startswith((".", "__"))
+
+
+def _to_the_copies(folder: Path) -> Path:
+    """Return a folder, or what it leads to where it holds one folder and nothing else."""
+    with suppress(OSError):
+        held = [path for path in folder.iterdir() if not _is_hidden(path.name)]
+        if len(held) == 1 and held[0].is_dir() and not held[0].is_symlink():
+            return _to_the_copies(held[0])
+    return folder
 
 
 def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
