@@ -347,7 +347,6 @@ def test_the_rounding_of_a_table_is_no_turn(count: int) -> None:
             assert law(law.inverse(0.3)) == pytest.approx(0.3)
 
 
-HALF_WAVE = sympy.sin(sympy.pi / 2 * x)
 FLAT_ENDED = {
     f"degree {2 * power + 1}": sympy.expand(
         sympy.integrate(x**power * (1 - x) ** power, x)
@@ -356,7 +355,6 @@ FLAT_ENDED = {
     for power in (4, 5, 6)
 }
 STEEP = {
-    "the sixth power of a wave": HALF_WAVE**6,
     "eleven waves": x
     - sum(sympy.sin(2 * sympy.pi * n * x) / (2 * sympy.pi * n**3) for n in range(1, 12)),
     **FLAT_ENDED,
@@ -375,11 +373,6 @@ def test_laws_that_are_flat_at_their_ends_have_all_factors(formula: sympy.Expr) 
     )
     assert law.Cv == pytest.approx(np.abs(v(places)).max(), rel=1e-8)
     assert law.Cq == pytest.approx(np.abs(v(places) * a(places)).max(), rel=1e-8)
-
-
-def test_the_tenth_power_of_a_wave_has_its_peak_velocity() -> None:
-    law = MotionLaw("tenth", HALF_WAVE**10)
-    assert law.Cv == pytest.approx(np.abs(law(np.linspace(0, 1, 100_001), 1)).max(), rel=1e-8)
 
 
 def test_a_law_that_comes_back_has_the_factors_of_its_curve() -> None:

@@ -20,7 +20,7 @@ from cammotion.quantities import InputError
 NEGLIGIBLE = 1e-13
 """The change of a curve that is taken for none, where a motion law changes by 1."""
 
-_ORDERS = 6  # a zero of higher order is met by halving; if derivatives grow no longer, of 12
+_ORDERS = 6  # a slope with a zero of higher order is met by halving
 _BUDGET = 2_500_000  # terms to bound, which takes one to three seconds
 _SAMPLES, _TAME = 8, 1e-6  # more rounding than that, as a share of some values, hides the curve
 _REFUSAL = (
@@ -75,7 +75,6 @@ class _Slopes:
     def __init__(self, curve: Proved) -> None:
         self._curve, self._chain = curve, [curve.derivative]
         self._spent, low, high = 0, curve.low, curve.high
-        self._orders = _ORDERS if curve.derivative.cost > curve.cost else 2 * _ORDERS
         roundings = (most - least for least, most in (curve.bounds(p, p) for p in (low, high)))
         self._negligible = max(NEGLIGIBLE, *roundings)
         places = (low + n * (high - low) / _SAMPLES for n in range(_SAMPLES + 1))
@@ -85,7 +84,7 @@ class _Slopes:
 
     def runs(self, low: float, high: float) -> Iterator[_Run]:
         """Yield in order where the curve rises or falls; what is negligible is left out."""
-        order = next((n for n in range(self._orders) if self._is_signed(n, low, high)), None)
+        order = next((n for n in range(_ORDERS) if self._is_signed(n, low, high)), None)
         if order is not None:
             ends = [low, high]
             for lower in reversed(range(order)):
@@ -126,7 +125,7 @@ class _Slopes:
 
     def _sign_between(self, low: float, high: float) -> int:
         """Return the sign of a slope that does not change it; here and there it may touch zero."""
-        shares = (number / (self._orders + 2) for number in range(1, self._orders + 2))
+        shares = (number / (_ORDERS + 2) for number in range(1, _ORDERS + 2))
         places = (low + share * (high - low) for share in shares)
         return next(filter(None, (self._sign(0, place, place) for place in places)), 0)
 
