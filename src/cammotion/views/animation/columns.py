@@ -34,6 +34,7 @@ from cammotion.views.names import names_that_fit, printable, text_px, wrap
 from cammotion.views.scales import drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
+SIGN_PX = 26  # above the machine, where a broken rule is said: a machine has room for it nowhere
 ALARMS, ALARM_PX = 3, 38  # so many are written below the machine
 FEW = 3  # so many accelerations can be told apart, and named in a line
 
@@ -140,6 +141,7 @@ class Layout:
             Scene(design.diagram, design.rules, INNER_PX, magnify) for design in designs
         ]
         self.scene = max(scene.height for scene in self._scenes)
+        self.top = HEADER_PX + (SIGN_PX if any(design.violations for design in designs) else 0)
         self.alarm = ALARM_PX * max(len(design.violations[:ALARMS]) for design in designs)
         self.peak = max(_drawn_peak(d.diagram, n) for d in designs for n in d.accelerated)
         labels = [
@@ -152,7 +154,7 @@ class Layout:
         )
         self.chart = INNER_PX - LEFT_PX - GAP_PX - widest
         self.timing = max(self._timing(design).whole_height for design in designs)
-        self.acceleration_top = HEADER_PX + self.scene + self.alarm + self.timing + 10
+        self.acceleration_top = self.top + self.scene + self.alarm + self.timing + 10
         self.height = self.acceleration_top + self._acceleration(designs[0]).whole_height + 24
 
     def draw_column(self, design: Design, number: int) -> Any:
@@ -161,12 +163,12 @@ class Layout:
         column.append(self._header(design))
         broken_arcs = design.broken_arcs()
         scene = self._scenes[number].draw(self.turn_s, broken_arcs)
-        column.append(svg.placed(0, HEADER_PX, scene))
+        column.append(svg.placed(0, self.top, scene))
         every = arcs(arc for these in broken_arcs.values() for arc in these)
         if every:
             column.append(self._alarm(design, every))
         timing, acceleration = self._timing(design), self._acceleration(design)
-        timing_top = HEADER_PX + self.scene + self.alarm + 4
+        timing_top = self.top + self.scene + self.alarm + 4
         column.append(svg.placed(0, timing_top, timing.draw(every)))
         column.append(svg.placed(0, self.acceleration_top, acceleration.draw()))
         column.append(name_angle(acceleration, self.acceleration_top))
@@ -193,18 +195,18 @@ class Layout:
         return header
 
     def _alarm(self, design: Design, every: list[Arc]) -> Any:
-        """Draw the word and the frame round the machine, and what collides below."""
+        """Draw the word above the machine, the frame round it, and what collides below."""
         alarm = draw.Group()
         machine = svg.seen_during(every, self.turn_s)
         frame = {"fill": "none", "stroke": svg.ALARM, "stroke_width": 4}
-        machine.append(svg.box(0, HEADER_PX, INNER_PX, self.scene - 6, **frame))
-        machine.append(svg.box(INNER_PX - 136, HEADER_PX, 136, 26, fill=svg.ALARM))
+        machine.append(svg.box(0, self.top, INNER_PX, self.scene - 6, **frame))
+        machine.append(svg.box(INNER_PX - 136, HEADER_PX, 136, SIGN_PX, fill=svg.ALARM))
         plain: dict[str, Any] = {"fill": "white", "stroke": "none", "font_weight": "bold"}
         word: dict[str, Any] = {"text_anchor": "middle", "size": svg.LARGE}
         machine.append(svg.label("RULE BROKEN", INNER_PX - 68, HEADER_PX + 19, **word, **plain))
         alarm.append(machine)
         for slot, broken in enumerate(design.violations[:ALARMS]):
-            top = HEADER_PX + self.scene + slot * ALARM_PX
+            top = self.top + self.scene + slot * ALARM_PX
             seen = svg.seen_during(arcs([(broken.start_deg, broken.end_deg)]), self.turn_s)
             seen.append(svg.box(0, top, INNER_PX, ALARM_PX - 4, fill=svg.PALE_ALARM))
             alarm.append(seen)

@@ -18,7 +18,7 @@ from cammotion.views.animation import svg
 from cammotion.views.animation.aside import ASIDE_PX
 from cammotion.views.animation.dies import Die, find_dies
 from cammotion.views.animation.keyframes import Trace, trace_position
-from cammotion.views.animation.turret_texts import ALARM_PX, CAPTION_PX, name_room, turret_texts
+from cammotion.views.animation.turret_texts import ABOVE_PX, CAPTION_PX, name_room, turret_texts
 from cammotion.views.names import text_px
 from cammotion.views.plots import colour
 
@@ -62,7 +62,7 @@ class Turret:
         rooms = [name_room(self, deg) for deg in self.degs]
         self.is_crowded = len(dies) > _FEW or any(map(operator.gt, names, rooms))
         if self.is_crowded:
-            self.panel = max(TURRET_PX, _ROW_PX * (len(dies) + 1) / 2 + ALARM_PX + CAPTION_PX)
+            self.panel = max(TURRET_PX, _ROW_PX * (len(dies) + 1) / 2 + ABOVE_PX + CAPTION_PX)
             self.scale, self.centre = self._fit(ASIDE_PX + 12, CAPTION_PX)
         self.height: float = self.panel + _BELOW_PX
         self.stroke_px = _STROKE_PX

@@ -15,7 +15,7 @@ from cammotion.views.names import text_px
 from cammotion.views.scales import round_down
 
 CAPTION_PX = 44  # for what is said of the turret, below names at its sides
-ALARM_PX = 36  # above them, where a broken rule is said
+ABOVE_PX = 36  # above them, where the dies are guided
 
 
 class Placed(Protocol):
@@ -76,7 +76,7 @@ def _names_aside(turret: Placed) -> Iterable[Any]:
     for die, deg in zip(turret.dies, turret.degs, strict=True):
         x, y = turret.at(turret.radius + turret.guide, deg)
         named.append(Named(die.number, die.motion.name, x + turret.width / 2, y + turret.centre))
-    return names_aside(named, turret.width, (ALARM_PX, turret.panel - CAPTION_PX))
+    return names_aside(named, turret.width, (ABOVE_PX, turret.panel - CAPTION_PX))
 
 
 def _names_beside(turret: Placed) -> Iterable[Any]:
