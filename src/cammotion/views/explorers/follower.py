@@ -72,21 +72,21 @@ def explore_residual(
     The controls are n, how often the mass swings during the move, from 0.5 to 10, and the damping
     ratio, from 0.005 to 0.3; `start` and `damping_ratio` are where they stand at first. `laws`,
     names or laws, are to choose from. Above is the acceleration of cam and mass over the time,
-    below how large that of the mass is just after the move, over n. All are factors like Ca, to be
+    below how large that of the mass becomes after the move, over n. All are factors like Ca, to be
     multiplied by hm/tm². Raises InputError as `OneMass` does, and where there is no law.
 
     >>> figure = explore_residual()
     >>> figure.values = {n: 4}
     >>> print(figure.text.splitlines()[1])
-    just after the move its swing has |A| = 0.662, 0.105 percent of the stroke
+    after the move its swing has |A| up to 0.642, and is up to 0.102 percent of the stroke
     """
     known = as_laws(laws)
     masses = [OneMass(law, n, zeta) for law in known]
     curves = {
-        law.name: (_acceleration(law), mass.a, _left_behind(mass), law.Ca)
+        law.name: (_acceleration(law), mass.a, _left_behind(mass.a), _left_behind(mass.z), law.Ca)
         for law, mass in zip(known, masses, strict=True)
     }
-    a, of_mass, left, c_a = choice("motion law", curves)
+    a, of_mass, left, share, c_a = choice("motion law", curves)
     swings = _RARE + (_OFTEN - _RARE) * x / _END
     return explore(
         [
@@ -113,9 +113,9 @@ def explore_residual(
         says=[
             _peaks(_chosen(c_a, known), c_a, of_mass),
             Say(
-                "just after the move its swing has |A| = {left:.3g}, {share:.3g} percent of the "
-                "stroke",
-                {"left": left, "share": 100 * left / (2 * sp.pi * n) ** 2},
+                "after the move its swing has |A| up to {left:.3g}, and is up to {share:.3g} "
+                "percent of the stroke",
+                {"left": left, "share": 100 * share},
             ),
         ],
         pin="Keep this one, dashed",
@@ -128,17 +128,20 @@ def _chosen(c_a: sp.Expr, known: Sequence[MotionLaw]) -> Any:
     return next(iter(c_a.free_symbols), known[0].name)
 
 
-def _left_behind(mass: OneMass) -> sp.Expr:
-    """Return the largest acceleration of the free swing as it is just after the move.
+def _left_behind(curve: sp.Expr) -> sp.Expr:
+    """Return the largest size that a deflection or an acceleration has at any time after the move.
 
-    It is the envelope there, in hm/tm²; undamped, the mass swings with it for ever.
+    It has it when the move ends, or where it turns for the first time; later it is smaller.
     """
     since = sp.Symbol("since", positive=True)
-    free = mass.a.subs(x, 1 + since)  # no zone is left in it
-    w, damping = 2 * sp.pi * n, zeta
+    free = curve.subs(x, 1 + since)  # no zone is left in it
+    w, root = 2 * sp.pi * n, sp.sqrt(1 - zeta**2)
     at_once, rate = (free.diff(since, order).subs(since, 0) for order in range(2))
-    other = (rate + damping * w * at_once) / (w * sp.sqrt(1 - damping**2))
-    return sp.sqrt(at_once**2 + other**2)
+    other = (rate + zeta * w * at_once) / (w * root)
+    turn = sp.Mod(sp.atan2(rate, w * (zeta * other + root * at_once)), sp.pi)
+    envelope = sp.sqrt(at_once**2 + other**2)
+    turning = envelope * root * sp.exp(-zeta * turn / root)
+    return sp.Max(sp.Abs(at_once, evaluate=False), turning, evaluate=False)
 
 
 def _curves(law: MotionLaw, mass: OneMass) -> tuple[Any, ...]:
