@@ -120,6 +120,19 @@ def test_a_value_is_not_hidden_by_bars_beside_it() -> None:
     assert foot >= max(bar.get_window_extent().y1 for bar in ax.containers[0])
 
 
+@pytest.mark.parametrize("series", [1, 2, 3, 4])
+@pytest.mark.parametrize("ranks", [6, 12, 18, 24, 30])
+def test_values_of_several_series_do_not_cover_each_other(series: int, ranks: int) -> None:
+    heights = 3 / np.arange(1.0, ranks + 1)
+    drawn = {f"cam {number}": (1 + number / 50) * heights for number in range(series)}
+    assert covered(cm.plot_harmonics(drawn, critical=2)) == []
+
+
+def test_what_is_nothing_has_no_value_above_it() -> None:
+    ax = cm.plot_harmonics({"cam": [3, 0, 0, 0], "other": [0, 2, 0, 0]}, critical=3)
+    assert [text.get_text() for text in ax.texts] == ["1: 3.00", "3: 0.00", "2: 2.00", "3: 0.00"]
+
+
 def test_few_harmonics_have_a_tick_at_every_second() -> None:
     """And the legend in the corner, as long as no bar is there."""
     rising = np.arange(1.0, 19.0)
@@ -207,4 +220,4 @@ def test_a_critical_rank_that_no_list_has_is_refused_with_one_that_they_have() -
 def test_a_critical_rank_that_one_list_has_not() -> None:
     ax = cm.plot_harmonics({"long": [3, 0, 1], "short": [1]}, critical=3)
     told = sorted(text.get_text() for text in ax.texts)
-    assert told == ["1: 1.00", "1: 3.00", "2: 0.00", "3: 1.00"]
+    assert told == ["1: 1.00", "1: 3.00", "3: 1.00"]

@@ -110,8 +110,9 @@ def plot_harmonics(
     """Draw the harmonics of accelerations as bars over their rank, 1 being the first of each.
 
     `amplitudes` are lists in m/s2, by name; `unit` "in" draws them in in/s2, with m/s2 on the
-    right. The three largest of each have their rank above them, and the `critical` rank too, in a
-    frame. Returns the Axes; raises InputError for no amplitudes, and for another unit.
+    right. The three largest of each have their rank above them, unless they are 0, and the
+    `critical` rank too, in a frame. Returns the Axes; raises InputError for no amplitudes, and for
+    another unit.
 
     >>> plot_harmonics({"cam": [3, 0, 1]}).get_xlabel()
     'rank of the harmonic'
@@ -136,14 +137,16 @@ def plot_harmonics(
             _Bar(rank, *bar) for rank, bar in enumerate(zip(left, heights, strict=True), start=1)
         ]
         largest = {*(np.argsort(-heights)[:_TOLD] + 1)}
-        told += [bar for bar in these if bar.rank in {*largest, critical}]
+        told += [
+            bar for bar in these if bar.rank == critical or (bar.rank in largest and bar.height)
+        ]
         bars += these
     if critical:
         ax.axvspan(critical - 0.5, critical + 0.5, color="#000000", alpha=0.08, linewidth=0)
     step = next((each for each in _STEPS if last <= each * _TICKS), last // _TICKS + 1)
     ax.set_xticks(np.arange(step, last + 1, step))
     ax.margins(x=0.01, y=_HEADROOM)
-    _tell(ax, bars, told, is_dense=step > _STEPS[0])
+    _tell(ax, bars, told, wide)
     return ax
 
 
@@ -171,7 +174,7 @@ _ABOVE: dict[str, Any] = {
 }
 
 
-def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: bool) -> None:
+def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], bar_width: float) -> None:
     """Write values above their bars, and the legend where neither bars nor values are.
 
     Dense bars are narrower than a value: those of neighbours are moved apart, and stand above all
@@ -179,10 +182,12 @@ def _tell(ax: Axes, bars: Sequence[_Bar], told: Sequence[_Bar], *, is_dense: boo
     """
     legend = add_legend(ax, loc="upper right")
     wide, high = _laid_out(ax)
+    left, right = ax.get_xlim()
+    is_dense = bar_width / (right - left) * wide < _APART
     long = max((text_px(bar.value, _VALUE) + _OVER for bar in told), default=0.0)
     if is_dense:
         ax.margins(y=_headroom(long, high))
-    (left, right), top = ax.get_xlim(), ax.get_ylim()[1]
+    top = ax.get_ylim()[1]
     half = _VALUE / 2 * (right - left) / wide
     places = np.array([bar.x for bar in told])
     if is_dense:
