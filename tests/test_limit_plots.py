@@ -123,6 +123,23 @@ def test_a_front_shows_designs_beside_what_was_reached() -> None:
     assert "balanced" in [text.get_text() for text in ax.texts]
 
 
+def test_names_in_a_front_leave_the_axes_as_they_are_and_do_not_cover_each_other() -> None:
+    found = [least_with("mill", 0.7), least_with("mill", 0.5)]
+    long = "the carton former's left upper folding finger"
+    named = {"one": (0.9, 0.9), "two": (0.91, 0.9), "three": (0.9, 0.905), long: (1.4, 0.91)}
+    widths = []
+    for points in ({}, named):
+        ax = cm.plot_front(found, points=points, ends_m_per_s2=(0.2, 1.6))
+        ax.figure.draw_without_rendering()  # type: ignore[union-attr]
+        widths.append(ax.bbox.width)
+    assert widths[1] == pytest.approx(widths[0], rel=1e-3)
+    boxes = [Text.get_window_extent(text) for text in ax.texts[1:]]
+    assert len(boxes) == 4
+    assert not any(one.overlaps(two) for one in boxes for two in boxes if one is not two)
+    for box in boxes:
+        assert ax.bbox.x0 <= box.x0 < box.x1 <= ax.bbox.x1
+
+
 def test_a_single_result_is_no_curve() -> None:
     with pytest.raises(cm.InputError, match="two different jerk limits"):
         cm.plot_jerk_price([die_with(8.0), die_with(8.0)])

@@ -6,6 +6,7 @@ that exist. The colours have roles: grey is out of reach, blue the best that was
 design with a named law.
 """
 
+import operator
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -15,8 +16,18 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
 from cammotion.quantities import Floats, InputError, Quantity, in_decimals
+from cammotion.views.ends import POINTS_PER_INCH, inches
 from cammotion.views.named import labels_of
-from cammotion.views.names import TITLE, add_legend, by_name, name_line, plain
+from cammotion.views.names import (
+    TITLE,
+    add_legend,
+    by_name,
+    labels,
+    name_line,
+    names_that_fit,
+    plain,
+    text_px,
+)
 from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, styled
 from cammotion.whole.least_peak import LeastPeak
@@ -26,6 +37,7 @@ OUT_OF_REACH = "#e4e4e4"
 _DARK = "#555555"
 _GAP = 0.042  # between two labels, of the height of the picture
 _NEAR = 0.2  # of its width: labels of points so near to each other keep their distance
+_AWAY, _SIZE = 0.04, 10  # of a label: how far from its point, of the width, and its size
 
 _PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
 _END = Quantity("end of an axis", "m/s2", example=1.5, low_included=True)
@@ -148,11 +160,10 @@ def plot_front(
         ax.plot(*_columns((curves or {})[name]), "--", color=NAMED, linewidth=2)
         name_line(ax.lines[-1], label, name)
     ax.plot([0, high], [0, high], ":", color=_DARK, label="both equally hard driven")
-    for name, label in by_name(points or {}, TITLE).items():
-        point = (points or {})[name]
-        ax.plot(*point, "o", color=NAMED)
-        plain(ax.annotate(label, point, (8, 4), **_OFFSET))
     ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
+    for point in (points or {}).values():
+        ax.plot(*point, "o", color=NAMED)
+    _label_points(ax, points or {})
     add_legend(ax, loc="upper right")
     return ax
 
@@ -203,21 +214,38 @@ def _columns(points: Iterable[Sequence[float]]) -> Floats:
 
 
 def _label_points(ax: Axes, points: Mapping[str, Pair]) -> None:
-    """Write names to the right of points, from below upwards, none over another."""
-    width, height = np.ptp(ax.get_xlim()), np.ptp(ax.get_ylim())
-    placed: list[Pair] = []
-    for name, label in sorted(by_name(points, TITLE).items(), key=lambda pair: points[pair[0]][1]):
-        x, y = points[name]
-        near = [at[1] for at in placed if abs(at[0] - x) < _NEAR * width]
+    """Write names beside points, from below upwards, none over another nor beyond the axes."""
+    left, right = ax.get_xlim()
+    width, height = right - left, np.ptp(ax.get_ylim())
+    point = width / (POINTS_PER_INCH * inches(ax)[0])
+
+    def longs(names: Iterable[str]) -> list[float]:
+        return [_AWAY * width + point * text_px(name, _SIZE) for name in names]
+
+    rooms = [max(x - left, right - x) for x, _ in points.values()]
+    called = names_that_fit(
+        [*points],
+        lambda names: all(map(operator.le, longs(names), rooms)),
+        most=TITLE,
+        called=labels,
+    )
+    placed: list[tuple[float, float, float]] = []
+    named = zip(points.values(), called, longs(called), strict=True)
+    for (x, y), label, long in sorted(named, key=lambda each: each[0][1]):
+        way = 1 if long <= right - x or right - x >= x - left else -1
+        low, high = sorted((x, x + way * max(long, _NEAR * width)))
+        near = [at for one, other, at in placed if one < high and low < other]
         level = max([y, *[at + _GAP * height for at in near]])
-        placed.append((x, level))
+        placed.append((low, high, level))
         written = ax.annotate(
             label,
             (x, y),
-            (x + 0.04 * width, level),
-            fontsize=10,
+            (x + way * _AWAY * width, level),
+            fontsize=_SIZE,
             color="#333333",
+            ha="left" if way > 0 else "right",
             va="center",
             arrowprops={"arrowstyle": "-", "color": "#999999"},
         )
         plain(written)
+        written.set_in_layout(False)
