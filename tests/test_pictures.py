@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from explored import picture_in
+from machines import RULE
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 
@@ -85,6 +86,29 @@ def test_a_timing_diagram_is_told_with_its_moves_and_overlaps() -> None:
     assert "mill: rise from 0 to 150 deg" in words
     assert "die: return from 0 to 69.837 deg" in words
     assert "overlap from 80.163 to 150 deg" in words
+
+
+def test_the_words_of_harmonics_name_the_series() -> None:
+    words = words_of(cm.plot_harmonics({"cam": [3, 0.2], 9 * "long ": [2.5, 0.3]}))
+    assert f"Bars: cam up to 3; {' '.join(9 * ['long'])} up to 2.5." in words
+
+
+def test_the_words_of_a_clearance_map_say_what_is_forbidden() -> None:
+    words = words_of(cm.plot_clearance(cm.EXAMPLE.diagram, RULE))
+    assert (
+        "Marked: forbidden where the die is beyond 19 mm and the mill not within 0.65 mm." in words
+    )
+
+
+def test_the_words_of_an_undercut_cam_say_where_it_is() -> None:
+    cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(30), 40)
+    said = "cam, undercut from 187.9 to 200.11 deg and from 309.89 to 322.1 deg"
+    assert f"Marked: {said}" in words_of(cm.plot_cam(cam))
+
+
+def test_the_words_of_a_ranking_say_which_bars_are_hatched() -> None:
+    words = words_of(cm.plot_ranking({"cycloidal": 4.154, "cubic": 3.97, "modified sine": 3.66}))
+    assert "Marked: cubic, hatched." in words
 
 
 def words_of(ax: Axes) -> str:

@@ -26,7 +26,7 @@ _STYLES: dict[str, dict[str, Any]] = {
     "ROTATION": {"edgecolor": "#000000", "linewidth": 1.2},
     "BORE": {"edgecolor": COLOURS[0], "linewidth": 1.5},
 }
-_NAMES = {"PROFILE": "cam", "PITCH_CURVE": "pitch curve", "FOLLOWER": "follower"}
+_NAMES = {"PITCH_CURVE": "pitch curve", "FOLLOWER": "follower"}
 _SIZE_IN = 5.2
 _STEM = 0.75  # of the follower over the roller, as a share of the travel
 
@@ -52,7 +52,8 @@ def plot_cam(
     ax = styled(ax, "x in mm", "y in mm", (_SIZE_IN, _SIZE_IN), layout="constrained")
     ax.grid(visible=False)
     for stroke in drawn:
-        style = {"facecolor": "none", "label": _NAMES.get(stroke.layer)} | _STYLES[stroke.layer]
+        name = _profile(cam) if stroke.layer == "PROFILE" else _NAMES.get(stroke.layer)
+        style = {"facecolor": "none", "label": name} | _STYLES[stroke.layer]
         ax.add_patch(PathPatch(Path(stroke.filled()), **style))
     _circle(ax, cam)
     _stem(ax, cam)
@@ -60,6 +61,12 @@ def plot_cam(
     ax.margins(0.06)
     ax.autoscale_view()
     return ax
+
+
+def _profile(cam: RollerCam | FlatFacedCam) -> str:
+    """Return what a profile is called, with the cam angles of its undercuts."""
+    undercuts = [f"from {each.start_deg:.5g} to {each.end_deg:.5g} deg" for each in cam.undercuts]
+    return f"cam, undercut {' and '.join(undercuts)}" if undercuts else "cam"
 
 
 def _circle(ax: Axes, cam: RollerCam | FlatFacedCam) -> None:

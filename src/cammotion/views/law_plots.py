@@ -76,7 +76,7 @@ def plot_ranking(
     bars = ax.barh(names, [peaks[name] for name in names], color=COLOURS[0])
     for bar, name in zip(bars, names, strict=True):
         if math.isinf(as_law(name).Cj):
-            bar.set(facecolor="white", edgecolor=COLOURS[1], hatch="//")
+            bar.set(facecolor="white", edgecolor=COLOURS[1], hatch="//", label=f"{name}, hatched")
     values = [as_text(peaks[name], "#.4g") for name in names]
     ax.bar_label(bars, values, padding=4, fontsize=10, color="black")
     ax.margins(x=0.12)

@@ -132,7 +132,8 @@ def plot_harmonics(
     for number, (name, heights) in enumerate(drawn.items()):
         left = np.arange(1, heights.size + 1) - _WIDE / 2 + wide * (number + 0.5)
         style: dict[str, Any] = {"color": colour(number), "hatch": "//" if number else ""}
-        ax.bar(left, heights, wide, label=as_label(called[name]), **style)
+        drawn_bars = ax.bar(left, heights, wide, label=as_label(called[name]), **style)
+        drawn_bars[0].set_gid(str(name))
         these = [
             _Bar(rank, *bar) for rank, bar in enumerate(zip(left, heights, strict=True), start=1)
         ]

@@ -13,8 +13,10 @@ from IPython.display import display
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import RendererAgg
+from matplotlib.container import BarContainer
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 from matplotlib.ticker import ScalarFormatter
 
@@ -131,11 +133,17 @@ def _sentences(ax: Axes) -> Iterator[str]:
 
 
 def _bars(ax: Axes) -> list[str]:
-    """Return the names under or beside bars: what stands at an axis that has no scale."""
+    """Return the names of bars: what stands at an axis that has no scale, and those of series."""
     named = (
         a for a in (ax.xaxis, ax.yaxis) if not isinstance(a.get_major_formatter(), ScalarFormatter)
     )
-    return _words(label for axis in named for label in axis.get_ticklabels())
+    names = _words(label for axis in named for label in axis.get_ticklabels())
+    return names + [
+        f"{printable(bars[0].get_gid() or str(bars.get_label()))} up to "
+        f"{as_text(max(map(Rectangle.get_height, bars)), '.3g')}"
+        for bars in ax.containers
+        if isinstance(bars, BarContainer) and not str(bars.get_label()).startswith("_")
+    ]
 
 
 def _range(curve: Line2D) -> str:

@@ -160,6 +160,10 @@ def plot_clearance(
     if min(region.get_width(), region.get_height()) > 0:  # or it lies where nobody comes
         middle_x, middle_y = region.get_center()
         write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
+        when, only = rule.motions
+        region.set_label(
+            f"forbidden where the {when} is {rule.when} and the {only} not {rule.only_while}"
+        )
     return ax
 
 
