@@ -39,7 +39,7 @@ _RATIOS = np.linspace(0.02, 8, 400)
 _FLOOR = 1e-4  # of the stroke, where the logarithmic axis begins
 _PLACES = 1441  # of a turn
 _AFTER = 1.5  # indexing times after a move
-_BEYOND, _FINE = 4.0, 0.01  # how far above tm/Tn is looked for what is worst, and how finely
+_BEYOND, _FINE = 4.0, 0.01  # how far above all tm/Tn the worst is looked for, and how finely
 
 
 @checked
@@ -57,10 +57,11 @@ def plot_residual(  # noqa: PLR0913 - all but the laws are given by name
 
     `laws` are laws or their names, all of the catalogue whose velocity does not jump unless given;
     `ratios` are tm/Tn, from 0.02 to 8. With the `quantity` "worst" it is the largest swing at that
-    ratio or one up to 4 above it, so that no curve has a zero on which nobody can rely; with
-    "factor" it is the peak acceleration of the mass during the move over the cam's. With a `motion`
-    it is the machine that has run for long, each law in turn being that of all its moves; else a
-    single move. Raises InputError as `residual_vibration` and `running_residual` do.
+    ratio or any above it, up to 4 above the largest of all, so that no curve has a zero on which
+    nobody can rely; with "factor" it is the peak acceleration of the mass during the move over the
+    cam's. With a `motion` it is the machine that has run for long, each law in turn being that of
+    all its moves; else a single move. Raises InputError as `residual_vibration` and
+    `running_residual` do.
 
     >>> plot_residual(["cycloidal", "modified sine"]).get_xlabel()
     'tm/Tn, swings of the mass during the move'

@@ -2,28 +2,13 @@
 
 import math
 
-import numpy as np
 from matplotlib.ticker import LogLocator
-from numpy.typing import ArrayLike
 
 from cammotion.quantities import as_text
 
 _THOUSAND = 1000
 _ROUNDING = 1e-9  # of the ends of a range: it is none where it is no wider
 _ONE_TWO_FIVE = LogLocator(subs=(1, 2, 5))
-
-
-def drawn_peak(peak: float, *curves: ArrayLike) -> float:
-    """Return what a scale has to hold: the peak, of an infinite one the largest value drawn.
-
-    `curves` are the values that are drawn, finite arrays of any length.
-
-    >>> drawn_peak(4.5, [1.0, 4.4]), drawn_peak(math.inf, [1.0, -4.4], [2.0])
-    (4.5, 4.4)
-    """
-    if math.isfinite(peak):
-        return peak
-    return max((float(np.abs(curve).max()) for curve in curves), default=0.0)
 
 
 def round_down(value: float) -> float:

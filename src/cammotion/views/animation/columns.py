@@ -1,11 +1,13 @@
 """The columns of the animation: what is said and drawn of each design, from top to bottom."""
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import drawsvg as draw
+import numpy as np
 
 from cammotion.machine.arcs import Arc, arcs
 from cammotion.machine.diagram import TimingDiagram
@@ -31,7 +33,6 @@ from cammotion.views.animation.dies import find_dies
 from cammotion.views.animation.keyframes import trace_acceleration, trace_position
 from cammotion.views.animation.scene import Scene
 from cammotion.views.names import names_that_fit, printable, text_px, wrap
-from cammotion.views.scales import drawn_peak
 
 INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
 SIGN_PX = 26  # above the machine, where a broken rule is said: a machine has room for it nowhere
@@ -255,5 +256,8 @@ class Layout:
 
 
 def _drawn_peak(diagram: TimingDiagram, name: str) -> float:
-    drawn = trace_acceleration(diagram[name], diagram.rate_per_hour).values
-    return drawn_peak(diagram.peak_acceleration(name), drawn)
+    """Return what a scale has to hold: the peak, of an infinite one the largest value drawn."""
+    peak = diagram.peak_acceleration(name)
+    if math.isfinite(peak):
+        return peak
+    return float(np.abs(trace_acceleration(diagram[name], diagram.rate_per_hour).values).max())
