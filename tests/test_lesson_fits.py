@@ -38,6 +38,17 @@ WRONG = {
 }
 """What should stand there: as the corrigendum says, or as two published tables have it."""
 SHIFTED = {("G7", 6): (16, 4)}
+MISPRINTED_UM = {
+    "E7": 185,
+    "E8": 125,
+    "f6": -48,
+    "f9": -185,
+    "H8": 18,
+    "K6": -6,
+    "p6": 95,
+    "R10": -10,
+}
+"""By zone the number that stands there instead of one of those."""
 
 
 def width(line: cm.PrintedLimits) -> float:
@@ -52,6 +63,16 @@ def test_the_width_test_finds_eight_lines_and_misses_one() -> None:
         if line.upper_um - line.lower_um != width(line)
     }
     assert found == WRONG.keys()
+
+
+def test_of_each_of_the_eight_lines_one_number_is_wrong() -> None:
+    printed = {
+        (line.zone, line.to_mm): (line.upper_um, line.lower_um) for line in cm.PRINTED_LIMITS
+    }
+    for (zone, to_mm), right in WRONG.items():
+        wrong = [um for um, wanted in zip(printed[zone, to_mm], right, strict=True) if um != wanted]
+        assert wrong == [MISPRINTED_UM[zone]]
+    assert printed["G7", 6] == (14, 2)
 
 
 def test_each_shaft_has_the_key_of_its_diameter() -> None:
