@@ -1,4 +1,8 @@
-"""Arguments are alike wherever they are asked for: their units, their kinds and their order."""
+"""Arguments are alike wherever they are asked for: their units, their kinds and their order.
+
+What is taken where none is given is kept in a table: run this file to write it anew, and read what
+has changed.
+"""
 
 import inspect
 import re
@@ -7,6 +11,7 @@ import typing
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import cammotion as cm
 
+KEPT = Path(__file__).parent / "data" / "defaults.txt"
 LESSONS = ("MillAndDie",)  # the example's numbers are those of its lessons, in their words
 FUNCTIONS = {
     label: inspect.unwrap(function)
@@ -170,3 +176,20 @@ def test_a_mechanism_is_asked_about_by_its_name_or_itself() -> None:
         if "diagram" in parameters(FUNCTIONS[label]) or label.startswith("TimingDiagram."):
             is_new = label in ("TimingDiagram.with_motion", "LeastAcceleration.__init__")
             assert is_new or str in kinds(hint), label
+
+
+def defaults() -> Iterator[str]:
+    """Yield a line for each argument that need not be given: what is taken then."""
+    for label, function in FUNCTIONS.items():
+        for name, each in parameters(function).items():
+            said = repr(each.default)
+            if each.default is not None and not said.startswith("<"):  # nothing, or made each time
+                yield f"{label}: {name}={said}"
+
+
+def test_what_is_taken_where_nothing_is_given_is_as_it_is_kept() -> None:
+    assert [*defaults()] == KEPT.read_text("utf-8").splitlines()
+
+
+if __name__ == "__main__":
+    KEPT.write_text("\n".join(defaults()) + "\n", "utf-8", newline="")
