@@ -144,6 +144,12 @@ def response() -> cm.MoveResponse:
     return cm.MoveResponse(cm.tuned_mass(12, 0.02), moves()[1])
 
 
+def long_flights() -> cm.Flights:
+    """Return those of a soft spring, which brings the follower back turns later: none repeats."""
+    load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=0.01, preload_N=1)
+    return cm.follower_flights(cm.EXAMPLE.die, load, 2000, turns=4)
+
+
 def pressed(figure: LiveFigure, *buttons: str) -> LiveFigure:
     """Return a live figure after the first settings were pinned and buttons were pressed."""
     figure.pin()
@@ -231,6 +237,7 @@ PICTURES: dict[str, Drawing] = {
     "class": class_page,
     "histogram": lambda: histogram.draw([4, 4.1, 4.2, 4.2, 5, 3.3, 60, -9], "<m/s²>", 4.154),
     "leaving": lambda: cm.animate_follower(flights()).svg,
+    "leaving for turns": lambda: cm.animate_follower(long_flights()).svg,
     "die magnified": lambda: cm.animate(wide(), rules=RULE, magnify=10).still(135).svg,
     "broken die magnified": lambda: cm.animate(BROKEN, rules=RULE, magnify=10).still(135).svg,
     "machine of many": lambda: cm.animate(crowded(), rules=PADS.rules).still(135).svg,

@@ -94,6 +94,22 @@ def test_turns_in_one_long_flight_are_none_that_come_again() -> None:
     assert (len(on_cam), on_cam.period) == (0, 1)
 
 
+def test_what_is_said_of_the_turn_before_stands_over_the_heading_of_the_chart() -> None:
+    load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=0.01, preload_N=1)
+    drawing = parse(cm.animate_follower(cm.follower_flights(cm.EXAMPLE.die, load, 2000)).svg)
+    over = {part: each for each in drawing.iter() for part in each}
+
+    def left(words: str) -> float:
+        (text,) = [part for part in over if (part.text or "").startswith(words)]
+        x, part = float(text.attrib["x"]), over[text]
+        while part in over:
+            moved = re.match(r"translate\(([\d.]+)", part.attrib.get("transform", ""))
+            x, part = x + float(moved[1] if moved else 0), over[part]
+        return x
+
+    assert left("the turn before was another") == left("displacement in mm")
+
+
 def test_the_gap_of_the_still_is_the_gap() -> None:
     gap = FLIGHTS.gap_mm(PICTURE.angle_of(205))
     assert f"{gap:.3g} mm above the cam" in PICTURE.still(205).description
@@ -110,6 +126,7 @@ def test_a_follower_that_flies_far_stays_in_the_picture(rate: float, magnify: fl
     ways = [float(value.split()[-1]) for value in animation.attrib["values"].split(";")]
     at = float(body.attrib["transform"].rstrip(")").split()[-1])
     assert at + min(ways) - 52 > 54  # its upper end is under what is written above
+    assert at + max(ways) < 300  # and its roller above the camshaft
 
 
 def test_what_is_refused() -> None:
