@@ -147,6 +147,17 @@ def test_few_harmonics_have_a_tick_at_every_second() -> None:
     assert tops[0] < 0 < tops[1]
 
 
+@pytest.mark.parametrize("count", [1, 4])
+def test_a_legend_over_the_bars_leaves_long_values_room(count: int) -> None:
+    """Of four tables it has two rows."""
+    others = {f"cam {n}": np.where(np.arange(18) % 4 == n, 2.0, 1.0) for n in range(1, count)}
+    ax = cm.plot_harmonics({"cam": 40 * np.arange(1.0, 19.0), **others}, unit="in")
+    legend = ax.get_legend()
+    assert legend is not None
+    assert covered(ax) == []
+    assert legend.get_window_extent().y0 > max(text.get_window_extent().y1 for text in ax.texts) + 5
+
+
 @pytest.mark.parametrize(
     ("draw", "said"),
     [
