@@ -401,6 +401,20 @@ def test_a_broken_first_row_is_no_title(tmp_path: Path, row: str) -> None:
         read(tmp_path / "cam.csv", raw, columns=(2, 1))
 
 
+@pytest.mark.parametrize(("beside", "is_near"), [(1201, False), (1201.4, True)])
+def test_a_mark_of_thousands_is_one_where_the_neighbours_are_nearer_to_it(
+    tmp_path: Path, beside: float, is_near: bool
+) -> None:
+    """Half-way from 2.4 to 2400 is 1201.2."""
+    lifts = ["0.00", "600.50", f"{beside:.2f}", "2,400", f"{beside:.2f}", "600.50", "0.50", "0.25"]
+    raw = "\n".join(["deg;mm", *(f"{45 * n};{lift}" for n, lift in enumerate(lifts))]).encode()
+    if is_near:
+        assert read(tmp_path / "cam.csv", raw).position_mm.max() == 2400
+        return
+    with pytest.raises(InputError, match=r"'2,400' may be 2\.4 or 2400"):
+        read(tmp_path / "cam.csv", raw)
+
+
 OPEN = put(HEADED, 38, "360;0.300")
 
 
@@ -565,6 +579,14 @@ def test_a_sign_within_a_heading_is_no_comment(
     (tmp_path / "cam.csv").write_text("\n".join([heading, *rows]), "utf-8")
     found = cm.read_cam_table(tmp_path / "cam.csv", **told)
     assert found.position_mm.max() == pytest.approx(25.4)
+
+
+def test_a_heading_that_is_two_letters_and_a_sign_is_none_either(tmp_path: Path) -> None:
+    rows = [f"{1 - abs(n - 5) / 5:g};{10 * n}" for n in range(10)]
+    (tmp_path / "cam.csv").write_text("\n".join(["in;%", *rows]), "utf-8")
+    found = cm.read_cam_table(tmp_path / "cam.csv", columns=(2, 1))
+    assert found.position_mm.max() == pytest.approx(25.4)
+    assert np.array_equal(found.angle_deg, np.arange(0, 360, 36))
 
 
 @pytest.mark.parametrize("unit", ["%", "normalized", "turn", "rev"])
