@@ -72,3 +72,16 @@ def test_no_place_is_sampled_twice() -> None:
         places = samples(piece)
         assert (places[0], places[-1]) == (piece.low, piece.high)
         assert np.diff(places).min() > 1e-8 * (piece.high - piece.low)
+
+
+def test_a_short_piece_late_in_the_turn_is_sampled_as_an_early_one() -> None:
+    """What is a place twice is asked of the piece's length, not of its angle."""
+    early, late = (
+        cm.motion(
+            "flick",
+            *(cm.rise(1, over_deg=2e-5), cm.dwell(180 - 2e-5), cm.return_(1, over_deg=180)),
+            start_deg=start,
+        ).curve.pieces[0]
+        for start in (0, 720)
+    )
+    assert samples(late).size == samples(early).size == 33

@@ -102,6 +102,7 @@ def test_a_motion_that_stays_where_it_is_has_no_moves() -> None:
     room = make_room(ANGLES, [0, 1, 4], [50] * 3)
     found = curve.build(DIE, room)
     assert [(s.kind, s.angle_deg, s.from_mm) for s in found.segments] == [("dwell", 360, 50)]
+    assert found.start_deg == 45  # where the first stretch begins, in which it might move
 
 
 def test_what_a_solver_rounds_is_put_right() -> None:

@@ -759,6 +759,18 @@ def test_without_rules_each_way_gets_the_angle_that_makes_both_as_hard() -> None
     assert rise.angle_deg / back.angle_deg == pytest.approx(math.sqrt(ratio), rel=1e-6)
 
 
+def test_without_rules_each_way_at_even_speeds_is_as_fast_as_the_other() -> None:
+    """There is no acceleration that could be as large: of such moves the speeds are compared."""
+    even = cm.MotionLaw("constant velocity", cm.x)
+    slide = cm.motion(
+        "slide",
+        *(cm.rise(50, over_deg=60, law=even), cm.dwell(100)),
+        *(cm.return_(50, over_deg=70, law=even), cm.dwell(130)),
+    )
+    found = cm.widest_move(cm.TimingDiagram([slide], 2000), "slide", [], each_way=True)
+    assert found.angles_deg == pytest.approx((130, 130))
+
+
 def test_each_way_is_never_worse_than_one_angle_for_both() -> None:
     rng = np.random.default_rng(11)
     better = 0

@@ -13,6 +13,7 @@ from numpy.polynomial.legendre import leggauss
 
 import cammotion as cm
 from cammotion.dynamics.forcing import TOLERANCE, accelerations
+from cammotion.dynamics.peaks import extremes
 
 DIE, RATE = cm.EXAMPLE.die, 2000
 TURN_S = 1.8
@@ -241,6 +242,17 @@ def test_peaks_are_not_missed(law: str | cm.MotionLaw) -> None:
                 assert low <= peak.at <= high
                 here = abs(response.acceleration(peak.at, mass))
                 assert here == pytest.approx(peak.value, rel=1e-9)
+
+
+def test_a_flat_peak_that_newton_creeps_up_to_is_one() -> None:
+    """Of 1 - x^10 a step goes a ninth of the way: as far as they come, the value is right."""
+
+    def flat(_: Any, x: Array) -> Array:
+        return np.array([1 - x**10, -10 * x**9, -90 * x**8])
+
+    _, (peak, _) = extremes(flat, [np.array([-0.3, 1.0])])
+    assert peak.value == pytest.approx(1, abs=1e-15)
+    assert peak.at == pytest.approx(0, abs=1e-3)
 
 
 def test_a_peak_is_found_to_the_last_digits() -> None:
