@@ -11,8 +11,9 @@ from known_slips import die, later, stroke, time, widest
 from machines import Array
 from shown import curve, texts, wrong
 
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.shown.frame import Shown
+from cammotion.teaching.shown.ways import peak_of_die
 
 SHAPES: dict[str, Callable[[Array], Any]] = {
     "cycloidal": lambda x: np.sin(2 * np.pi * x),
@@ -127,3 +128,12 @@ def test_a_push_up() -> None:
             assert depth - machine.wait_mm == pytest.approx(
                 float(found.group(1)), rel=0.06, abs=0.01
             )
+
+
+def test_what_is_off_by_a_millionth_of_the_stroke_is_not_told() -> None:
+    time_s = EXAMPLE.die_angle_deg / 360 * 3600 / EXAMPLE.rate_per_hour
+    peak = 2 * math.pi * EXAMPLE.stroke_mm / 1000 / time_s**2  # the cycloid's
+    for times, is_told in ((1 - 0.9e-6, False), (1 + 0.9e-6, False), (1 - 2e-6, True)):
+        shown = peak_of_die()(EXAMPLE, times * peak)
+        assert shown
+        assert ("just where it has to press" not in shown.line) == is_told

@@ -127,3 +127,11 @@ def test_what_is_measured_is_no_part_of_a_name() -> None:
         verdicts = [EXERCISES[number].judge(factor * right, EXAMPLE) for factor in factors]
         assert verdicts[0].text != verdicts[1].text
         assert verdicts[0].reason == verdicts[1].reason != NO_ANSWER
+
+
+def test_a_count_of_a_million_is_none(work: Path) -> None:
+    for tries, said in ((999_999, "not yet, 999999 tries"), (10**6, "open")):
+        record = {"state": "wrong", "tries": tries, "who": ""}
+        (work / FILE).write_text(json.dumps({"exercises": {"01.1": record}}))
+        restart()
+        assert line_of("01.1") == said

@@ -304,7 +304,14 @@ def test_names_are_no_markup_and_no_paths(tmp_path: Path) -> None:
 def test_dxf_of_each_mechanism_that_comes_back(tmp_path: Path) -> None:
     report = cm.write_report(replace(PRESS, still={}), tmp_path, dxf=True)
     assert [file.name for file in (report.folder / "dxf").iterdir()] == ["2 die.dxf"]
-    assert "prime circle of" in report.page.read_text("utf-8")
+    (said,) = re.findall(
+        r"prime circle of ([\d.]+) mm, roller of 10", report.page.read_text("utf-8")
+    )
+    roller = cm.TranslatingRoller(10)
+    least = cm.smallest_prime_radius(cm.EXAMPLE.die, roller, pressure_angle_deg=30)
+    assert float(said) == pytest.approx(
+        1.02 * least, rel=1e-3
+    )  # the die's, with something to spare
 
 
 @pytest.mark.parametrize("make", [lambda: packaging_machine(25), lambda: packaging_machine(12)])

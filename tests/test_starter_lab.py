@@ -1,5 +1,6 @@
 """JupyterLab: its port, its start and end, and the browser."""
 
+import io
 import os
 import secrets
 import signal
@@ -232,3 +233,21 @@ def test_a_browser_is_opened_where_there_is_one(
         monkeypatch.setenv(name, value)
     obstacle = browser.find_obstacle(no_browser=False)
     assert words in obstacle if words else not obstacle
+
+
+@pytest.mark.parametrize("is_terminal", [True, False])
+@pytest.mark.parametrize("on_windows", [True, False])
+def test_how_to_stop_is_said_as_the_lab_asks(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    is_terminal: bool,
+    on_windows: bool,
+) -> None:
+    """In a terminal it asks for a yes, but not on Windows; whatever else starts it is not asked."""
+    monkeypatch.setattr("sys.stdin", io.StringIO())
+    monkeypatch.setattr("sys.stdin.isatty", lambda: is_terminal)
+    monkeypatch.setattr(browser, "ON_WINDOWS", on_windows)
+    browser.welcome("http://127.0.0.1:8888/lab", 8888, True, tmp_path)
+    said = "Ctrl-C, then y" if is_terminal and not on_windows else "Ctrl-C"
+    assert f"lab (stop it with {said})\n" in capsys.readouterr().out
