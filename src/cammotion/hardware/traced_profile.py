@@ -202,7 +202,7 @@ class Traced:
         ends = np.append(angles, angles[0])
         steps = np.mod(np.diff(ends) + math.pi, 2 * math.pi) - math.pi
         seen = angles[0] + np.concatenate([[0.0], np.cumsum(steps)])
-        if abs(seen[-1] - seen[0] - 2 * math.pi) > 1:
+        if abs(steps.sum() - 2 * math.pi) > 1:
             seen[-1] = -math.inf  # not once round: no answer
         return seen, lift
 
