@@ -76,8 +76,12 @@ def on_paper(draw: Callable[P, R]) -> Callable[P, R]:
         if isinstance(ax, Axes) and not isinstance(ax.get_figure(root=True), PictureFigure):
             return draw(*args, **kwargs)
         colours = {n: usual for n, usual in mpl.rcParamsDefault.items() if n.endswith("color")}
-        with mpl.rc_context(colours):
+        before = {name: mpl.rcParams[name] for name in colours}
+        mpl.rcParams.update(colours)  # these alone: a notebook's backend sets others meanwhile
+        try:
             return draw(*args, **kwargs)
+        finally:
+            mpl.rcParams.update(before)
 
     return drawn
 
