@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from measured_cam import CAM, RATE
 
 import cammotion as cm
-from cammotion.views.pictures import PictureFigure
+from cammotion.views.pictures import PictureFigure, on_paper
 
 mpl.use("agg")
 
@@ -87,3 +87,17 @@ def test_what_is_written_in_the_axes_of_a_dark_figure_is_dark(plot: str) -> None
     assert {text.get_color() for text in ax.texts} == {"black"}
     assert ax.xaxis.label.get_color() == "white"
     assert ax.get_xticklabels()[0].get_color() == "white"
+
+
+def test_what_a_backend_switches_on_meanwhile_stays_on() -> None:
+    """A notebook shows pictures only while it is interactive, which its backend makes it."""
+
+    @on_paper
+    def draw() -> None:
+        mpl.interactive(True)
+
+    try:
+        draw()
+        assert mpl.is_interactive()
+    finally:
+        mpl.interactive(False)
