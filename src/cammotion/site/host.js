@@ -6,7 +6,7 @@ const WIDE = "(min-width: 84rem)"; // as in the style: the list of sections has 
 const idle = globalThis.requestIdleCallback
   ? (then) => requestIdleCallback(then, { timeout: 200 })
   : (then) => setTimeout(then, 50);
-const UNIT = /\d\s*[\p{L}%°]/u;
+const WITH_UNIT = /\d\s*[\p{L}%°]/u;
 const HEAD = /^(Right\.|Not yet\.)(.*)$/s;
 
 export function start(load) {
@@ -113,7 +113,7 @@ function answerIn(form, table, { format, readings }) {
     else if (found.length === 1) say(verdict(table, found[0], format));
     else if (found.length)
       say(`“${typed}” may be ${found.join(" or ")}: write it with a point, or with no mark.`);
-    else if (UNIT.test(typed)) say(`“${typed}” is no number: write it alone, without its unit.`);
+    else if (WITH_UNIT.test(typed)) say(`“${typed}” is no number: write it alone, without its unit.`);
     else say(`“${typed}” is no number: write one number, like 4.42.`);
   };
   form.addEventListener("submit", (event) => {

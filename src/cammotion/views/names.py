@@ -98,7 +98,7 @@ def names_that_fit(
 
     >>> jaws = ["sealing jaw, left side 1", "sealing jaw, left side 2"]
     >>> names_that_fit(jaws, lambda names: all(len(name) < 15 for name in names))
-    ['sealing…side 1', 'sealing…side 2']
+    ['sealing…ide 1', 'sealing…ide 2']
     """
     found = called(names, most)
     while most > _LEAST and not fits(found):
