@@ -192,11 +192,10 @@ def test_the_same_file_twice_counts_once_if_it_says_whose_it_is(folder: Path) ->
 
 
 def test_who_has_handed_in_no_progress_is_said(folder: Path) -> None:
-    for place in (
-        *("Dora/work/01_timing_diagram", "Emil/photos/me", "Room 1/Fay/cam/01_timing_diagram"),
-        *("Room 1/Anna/notebooks/01_timing_diagram", "Room 1/photos/all", "__MACOSX/x"),
-    ):
-        file = folder / f"{place}.ipynb"
+    copies = [Path("Dora") / "work", Path("Room 1/Fay/cam"), Path("Room 1/Anna/notebooks")]
+    others = [Path("Emil/photos/me"), Path("Room 1/photos/all"), Path("__MACOSX/x")]
+    for place in (*(each / "01_timing_diagram" for each in copies), *others):
+        file = folder / place.with_suffix(".ipynb")
         file.parent.mkdir(parents=True)
         file.touch()
     (folder / "Emil" / "notes.txt").touch()

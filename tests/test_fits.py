@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -148,20 +149,13 @@ def test_40_g6_by_the_formula_as_the_source_has_it() -> None:
 
 def test_the_formulas_are_those_of_the_standard() -> None:
     """ISO 286-1: grades in tolerance units, from 6 on five of them to a power of ten, rounded."""
-    grades = {grade: cm.grade_um(40, grade) / cm.tolerance_unit(40) for grade in GRADES}
-    assert grades == pytest.approx({5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100}, rel=1e-12)
-    powers = {
-        "d": (-16, 0.44),
-        "e": (-11, 0.41),
-        "f": (-5.5, 0.41),
-        "g": (-2.5, 0.34),
-        "h": (0, 1),
-        "k": (0.6, 1 / 3),
-        "n": (5, 0.34),
-    }
-    for letter, (times, power) in powers.items():
-        wanted = times * math.sqrt(30 * 50) ** power
+    for grade, units in enumerate((7, 10, 16, 25, 40, 64, 100), 5):
+        assert cm.grade_um(40, grade) == pytest.approx(units * cm.tolerance_unit(40), rel=1e-12)
+    for formula in ("-16d0.44", "-11e0.41", "-5.5f0.41", "-2.5g0.34", "0h1", "5n0.34"):
+        times, letter, power = re.split("([a-z])", formula)
+        wanted = float(times) * math.sqrt(30 * 50) ** float(power)
         assert cm.deviation_um(40, letter) == pytest.approx(wanted, rel=1e-12)
+    assert cm.deviation_um(40, "k") == pytest.approx(0.6 * math.cbrt(math.sqrt(30 * 50)), rel=1e-12)
 
 
 def test_the_formulas_come_near_the_table_and_do_not_give_it() -> None:
