@@ -236,10 +236,21 @@ def phone(chromium: Browser) -> Iterator[Page]:
     context.close()
 
 
+# How far the page is down once it rests: a swipe before, or what brought a place there, may go on.
+AT_REST = """async () => {
+    let before;
+    do {
+        before = scrollY;
+        await new Promise((later) => setTimeout(later, 150));
+    } while (scrollY !== before);
+    return before;
+}"""
+
+
 def swipe(page: Page, place: Locator, across: float, down: float, beside: float = 0) -> float:
     """Touch the middle of a place, or beside it, swipe, and return how far the page has moved."""
     place.evaluate("(each) => each.scrollIntoView({ block: 'center' })")
-    box, before = place.bounding_box(), page.evaluate("() => scrollY")
+    before, box = page.evaluate(AT_REST), place.bounding_box()
     assert box
     x, y = box["x"] + box["width"] / 2 + beside, box["y"] + box["height"] / 2
     finger = page.context.new_cdp_session(page)
@@ -252,8 +263,8 @@ def swipe(page: Page, place: Locator, across: float, down: float, beside: float 
         tell("touchMove", {"x": x + across * part / 8, "y": y + down * part / 8})
         page.wait_for_timeout(20)
     tell("touchEnd")
-    page.wait_for_timeout(300)
-    return abs(float(page.evaluate("() => scrollY")) - float(before))
+    page.wait_for_timeout(150)
+    return abs(float(page.evaluate(AT_REST)) - float(before))
 
 
 def test_a_swipe_over_a_slider_scrolls_the_page_and_changes_nothing(

@@ -95,7 +95,7 @@ class Expression(Proved):
         while waiting:
             low, high = waiting.pop()
             found = [curve._enclose(low, high) for curve in curves]
-            found += [(curve.at(low), curve.at(high)) for curve in curves]  # as floats, which end
+            found += [(curve.at(low), curve.at(high)) for curve in curves]  # floats overflow
             if all(isfinite(end) for each in found for end in each):
                 continue
             cuts += 1

@@ -282,9 +282,9 @@ def _sentences(found: Findings) -> Iterator[str]:
     yield (
         "What to change first: each mechanism by itself gets wider moves beside the others, or a "
         "gentler law with a finite jerk. Its moves are the widest about what stays of it, or the "
-        "best of all that stand where the table says; where rules of a distance, or of what moves "
-        "or stands, forbid that search, each end is put out as far as it goes, and there may be "
-        "better ones. Each change was checked again by the rules."
+        "best that was found of all that stand where the table says; where rules of a distance, or "
+        "of what moves or stands, forbid that search, each end is put out as far as it goes, and "
+        "there may be better ones. Each change was checked again by the rules."
     )
     if found.best:
         yield (

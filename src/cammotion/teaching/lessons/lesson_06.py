@@ -12,7 +12,7 @@ from cammotion.machine.kinematics import (
     cycle_time,
     peak_acceleration,
 )
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.number_exercise import NumberExercise
@@ -25,7 +25,6 @@ MOTOR_INERTIA = 1e-4
 """Of the servo in 06.5, in kg m2."""
 
 _ACCELERATION = 0.6
-_LESSONS_RISE_MM = 31
 _r = sympy.Symbol("r")
 _HALF = sympy.Rational(1, 2)
 
@@ -460,8 +459,8 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: (
-                    _least(m) * _LESSONS_RISE_MM / _rise_mm(m)
-                    if _rise_mm(m) != _LESSONS_RISE_MM
+                    _least(m) * _rise_mm(EXAMPLE) / _rise_mm(m)
+                    if _rise_mm(m) != _rise_mm(EXAMPLE)
                     else math.nan
                 ),
                 "This is with the height of the lesson's die. Yours has another.",

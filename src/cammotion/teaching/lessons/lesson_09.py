@@ -8,14 +8,13 @@ from cammotion.machine.kinematics import (
     SECONDS_PER_MINUTE,
     STANDARD_GRAVITY,
 )
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import error_of_reading
 
 _UM_PER_M = 1e6
-_LESSONS_DT = 1 / 9
 
 
 def _dt(m: MillAndDie) -> float:
@@ -172,7 +171,7 @@ EXERCISES = (
                 "cam need for it?",
             ),
             Slip(
-                lambda m: _step(m) * (_LESSONS_DT / _dt(m)) ** 2,
+                lambda m: _step(m) * (_dt(EXAMPLE) / _dt(m)) ** 2,
                 "This is with the time from point to point of the lesson's cam. Yours has another.",
             ),
             Slip(
