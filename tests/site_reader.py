@@ -19,6 +19,12 @@ TOO_WIDE = """() => document.documentElement.scrollWidth > innerWidth
     each.getBoundingClientRect().right > innerWidth + 1
     && !each.closest(".table, .formula, pre, .living, .skip, math, svg"))
     .map((each) => each.outerHTML.slice(0, 120)).concat("the page itself")"""
+LOADED = """async () => {
+  for (const image of document.images) {
+    image.loading = "eager";
+    await image.decode();
+  }
+}"""
 
 
 @dataclass

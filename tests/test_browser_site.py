@@ -8,9 +8,9 @@ from urllib.parse import urlsplit
 import pytest
 from firefox import running_firefox
 from lab import calm
-from playwright.sync_api import Browser, Route, expect
+from playwright.sync_api import Browser, Page, Route, expect
 from site_pages import PAGES, ROOT, files, written
-from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
+from site_reader import DESK, LIVES, LOADED, PHONE, TOO_WIDE, Reader, reader_in
 
 from cammotion.teaching.exercise import ChoiceExercise
 from cammotion.teaching.lessons import PREDICTIONS, find_exercise
@@ -21,6 +21,15 @@ BROKEN = """() => [...document.images].filter((image) => image.complete && !imag
   .map((image) => image.src)"""
 STATES = """() => [...document.querySelectorAll(".cm-angle, .cm-said")]
   .map((each) => each.innerText)"""
+READABLE_PX = 9
+"""So large is the smallest word in a picture, as it is shown."""
+SMALLEST_PX = 14  # of a picture of Matplotlib: 10 points, 100 dots an inch
+SHARES = """() => [...document.querySelectorAll(".cell img")]
+  .map((image) => [image.src, image.width / image.naturalWidth])"""
+PRINTED = """() => [...document.querySelectorAll(".printed")]
+  .map((pre) => [pre.textContent, pre.scrollWidth > pre.clientWidth + 1])"""
+LAID_OUT = """() => [...document.querySelectorAll(".printed")]
+  .filter((pre) => pre.textContent.includes("  ")).map((pre) => getComputedStyle(pre).whiteSpace)"""
 FOCUS = "(place) => document.querySelector(place).focus()"
 NOTHING = "about:blank"  # a page that is left open moves on, and takes half a processor
 WHITE = "rgb(253, 252, 249)"
@@ -54,6 +63,8 @@ def test_a_page_lives_on_a_desk_and_complains_of_nothing(reader: Reader, name: s
     assert page.evaluate(LIVES) == 0
     assert page.evaluate(BROKEN) == []
     assert page.evaluate(TOO_WIDE) is False
+    is_cut = dict(page.evaluate(PRINTED))  # but for tables, which have columns
+    assert not [text for text, cut in is_cut.items() if cut and "  " not in text]
     assert reader.complaints == []
 
 
@@ -61,11 +72,20 @@ def test_a_page_lives_on_a_desk_and_complains_of_nothing(reader: Reader, name: s
 def test_a_page_fits_a_telephone_in_the_dark(phone: Reader, name: str) -> None:
     page = phone.open(name)
     assert page.evaluate(LIVES) == 0
+    assert words_too_small(page) == {}
     assert page.evaluate(TOO_WIDE) is False
     assert phone.complaints == []
     assert page.evaluate("() => getComputedStyle(document.documentElement).backgroundColor") != (
         WHITE
     )
+    assert {*page.evaluate(LAID_OUT)} <= {"pre"}  # a table keeps its columns
+
+
+def words_too_small(page: Page) -> dict[str, float]:
+    """Return the pictures whose words nobody can read, and how much they are scaled."""
+    page.evaluate(LOADED)
+    shares = dict(page.evaluate(SHARES))
+    return {one: share for one, share in shares.items() if SMALLEST_PX * share < READABLE_PX}
 
 
 def test_a_live_figure_follows_the_keyboard(reader: Reader) -> None:

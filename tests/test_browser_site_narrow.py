@@ -2,12 +2,9 @@
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from site_pages import LESSONS, files, written
-from site_reader import DESK, LIVES, PHONE, TOO_WIDE, Reader, reader_in
+from site_pages import files, written
+from site_reader import DESK, LIVES, LOADED, PHONE, TOO_WIDE, Reader, reader_in
 
-READABLE_PX = 9
-"""So large is the smallest word in a picture, as it is shown."""
-SMALLEST_PX = 14  # of a picture of Matplotlib: 10 points, 100 dots an inch
 NARROWER = """() => {
   const figure = document.querySelector(".cm-figure"),
     paper = figure.cloneNode(true); // nobody draws it anew, as on paper
@@ -21,8 +18,6 @@ NARROWER = """() => {
       .map((text) => text.textContent);
   })];
 }"""
-SHARES = """() => [...document.querySelectorAll(".cell img")]
-  .map((image) => [image.src, image.width / image.naturalWidth])"""
 ENDS = """(all) => all.map((each) => getComputedStyle(each))
   .flatMap(({ paddingLeft, borderLeftWidth }) => [paddingLeft, borderLeftWidth])"""
 MIDDLES = """() => [...document.querySelectorAll("fieldset label")].map((label) => {
@@ -31,16 +26,6 @@ MIDDLES = """() => [...document.querySelectorAll("fieldset label")].map((label) 
   return [top + height / 2,
     words.getBoundingClientRect().top + parseFloat(getComputedStyle(words).lineHeight) / 2];
 })"""
-PRINTED = """() => [...document.querySelectorAll(".printed")]
-  .map((pre) => [pre.textContent, pre.scrollWidth > pre.clientWidth + 1])"""
-LAID_OUT = """() => [...document.querySelectorAll(".printed")]
-  .filter((pre) => pre.textContent.includes("  ")).map((pre) => getComputedStyle(pre).whiteSpace)"""
-LOADED = """async () => {
-  for (const image of document.images) {
-    image.loading = "eager";
-    await image.decode();
-  }
-}"""
 
 
 @pytest.fixture(scope="module")
@@ -71,17 +56,6 @@ def test_a_word_without_end_does_not_widen_the_page(phone: Reader) -> None:
     assert page.evaluate(TOO_WIDE) is False
 
 
-@pytest.mark.parametrize("name", LESSONS)
-def test_the_words_of_a_picture_can_be_read_on_a_telephone(phone: Reader, name: str) -> None:
-    page = phone.open(name)
-    page.evaluate(LOADED)
-    small = {
-        one: share for one, share in page.evaluate(SHARES) if SMALLEST_PX * share < READABLE_PX
-    }
-    assert small == {}
-    assert page.evaluate(TOO_WIDE) is False
-
-
 def test_a_picture_that_is_moved_sideways_is_reached_by_keyboard(
     phone: Reader, reader: Reader
 ) -> None:
@@ -102,16 +76,6 @@ def test_a_machine_that_has_room_on_a_telephone_is_seen_whole(phone: Reader) -> 
     assert {drawn for drawn, _ in widths} == {430, 860}
     for drawn, shown in widths:
         assert (shown <= PHONE[0]) == (drawn < 500)
-
-
-@pytest.mark.parametrize("name", LESSONS)
-def test_what_is_printed_in_sentences_is_seen_whole_and_a_table_keeps_its_columns(
-    reader: Reader, phone: Reader, name: str
-) -> None:
-    is_cut = dict(reader.open(name).evaluate(PRINTED))
-    assert not [text for text, cut in is_cut.items() if cut and "  " not in text]
-    laid_out = phone.open(name).evaluate(LAID_OUT)
-    assert {*laid_out} <= {"pre"}
 
 
 def test_a_slider_reaches_both_ends_of_its_line(reader: Reader) -> None:

@@ -155,7 +155,7 @@ class OneMass(Alike):
 
     def _written(self, derivative: int) -> sympy.Expr:
         values = {s: v if isinstance(v, sympy.Expr) else exact(v) for s, v in self._of.items()}
-        return _response(self.law, derivative).subs(values, simultaneous=True)
+        return _response(self.law, derivative).xreplace(values)
 
 
 class _Forced(NamedTuple):

@@ -82,17 +82,23 @@ def explore_residual(
     """
     known = as_laws(laws)
     masses = [OneMass(law, n, zeta) for law in known]
+    swings = _RARE + (_OFTEN - _RARE) * x / _END
     curves = {
-        law.name: (_acceleration(law), mass.a, _left_behind(mass.a), _left_behind(mass.z), law.Ca)
+        law.name: (
+            _acceleration(law),
+            mass.a,
+            *_left_behind(mass.a, n, swings),
+            *_left_behind(mass.z, n),
+            law.Ca,
+        )
         for law, mass in zip(known, masses, strict=True)
     }
-    a, of_mass, left, share, c_a = choice("motion law", curves)
-    swings = _RARE + (_OFTEN - _RARE) * x / _END
+    a, of_mass, left, left_by_swings, share, c_a = choice("motion law", curves)
     return explore(
         [
             _over_time(a, of_mass, height=180),
             Panel(
-                lines=[Line(x=swings, y=left.xreplace({n: swings}), colour=_MASS)],
+                lines=[Line(x=swings, y=left_by_swings, colour=_MASS)],
                 points=[Point(x=n, y=left, name="now", colour=_CAM)],
                 x="swings during the move, n = tm/Tn",
                 y="|A| after the move",
@@ -128,19 +134,28 @@ def _chosen(c_a: sp.Expr, known: Sequence[MotionLaw]) -> Any:
     return next(iter(c_a.free_symbols), known[0].name)
 
 
-def _left_behind(curve: sp.Expr) -> sp.Expr:
+def _left_behind(curve: sp.Expr, *swings: sp.Expr) -> list[sp.Expr]:
     """Return the largest size that a deflection or an acceleration has at any time after the move.
 
-    It has it when the move ends, or where it turns for the first time; later it is smaller.
+    It has it when the move ends, or where it turns for the first time; later it is smaller. There
+    is one for each number of `swings`, which stands for n: put into the result it takes seconds.
     """
     since = sp.Symbol("since", positive=True)
     free = curve.subs(x, 1 + since)  # no zone is left in it
-    w, root = 2 * sp.pi * n, sp.sqrt(1 - zeta**2)
     at_once, rate = (free.diff(since, order).subs(since, 0) for order in range(2))
+    return [
+        _largest_left(at_once.xreplace({n: each}), rate.xreplace({n: each}), each)
+        for each in swings
+    ]
+
+
+def _largest_left(at_once: sp.Expr, rate: sp.Expr, swings: sp.Expr) -> sp.Expr:
+    """Return the largest size of a free swing that begins with a value and a rate of change."""
+    w, root = 2 * sp.pi * swings, sp.sqrt(1 - zeta**2)
     other = (rate + zeta * w * at_once) / (w * root)
-    turn = sp.Mod(sp.atan2(rate, w * (zeta * other + root * at_once)), sp.pi)
-    envelope = sp.sqrt(at_once**2 + other**2)
-    turning = envelope * root * sp.exp(-zeta * turn / root)
+    across = w * (zeta * other + root * at_once)
+    turn = sp.atan2(rate**2, rate * across)  # the first angle from 0 on: half a turn goes on both
+    turning = sp.sqrt(at_once**2 + other**2) * root * sp.exp(-zeta * turn / root)
     return sp.Max(sp.Abs(at_once, evaluate=False), turning, evaluate=False)
 
 
