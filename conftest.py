@@ -4,6 +4,7 @@ import gc
 import os
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import nbval.kernel  # type: ignore[import-untyped]
@@ -14,16 +15,28 @@ from starter.refresh import keep_as_png
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
+    from xdist.scheduler import LoadScopeScheduling
 
 collect_ignore = ["tests/data"]
 # These take longest. They begin first, a browser beside what reckons, and all end together.
 LONG = (
-    *("test_browser", "test_live_formulas", "test_browser_site", "test_exercises_shown"),
-    *("test_hub", "test_least_peak", "test_nbgrader", "test_any_input", "test_browser_notebooks"),
-    *("test_least_torque", "test_browser_lesson_03", "06_how_good_can_it_get", "test_responses"),
+    *("in_lab", "test_live_formulas", "test_browser_site", "test_exercises_shown"),
+    *("test_hub", "test_least_peak", "test_nbgrader", "test_any_input"),
+    *("test_least_torque", "06_how_good_can_it_get", "test_responses"),
     *("test_browser_animation", "test_exercises_answers", "test_browser_live", "test_again"),
     *("test_colab", "test_fresh", "test_browser_player", "test_binder", "test_report"),
 )
+TOGETHER = ("tests/in_lab/", "notebooks/solutions/")  # they share what takes long to start
+# A kernel begins anew: nothing is named, no picture is open, and of our package nothing is loaded.
+BEGIN_ANEW = """\
+%reset -f
+import sys
+from matplotlib import pyplot
+pyplot.close("all")
+for name in [name for name in sys.modules if name.partition(".")[0] == "cammotion"]:
+    del sys.modules[name]
+%reset -f
+"""
 # What a test answers is nobody's progress; in a folder of copies it is kept all the same.
 os.environ["CAMMOTION_PROGRESS"] = "off"
 
@@ -48,6 +61,41 @@ def pytest_collectstart(collector: pytest.Collector) -> None:
     """Leave out LaTeX: SymPy's wording changes, and the plain text beside it is compared."""
     if isinstance(collector, IPyNbFile):
         collector.skip_compare += ("text/latex",)
+        if collector.path.parent.name == "solutions":
+            SolutionsKernel.lend_to(collector)
+
+
+class SolutionsKernel:
+    """The one kernel of all solutions, each of which computes for less time than one starts."""
+
+    kernel: Any = None
+
+    @classmethod
+    def lend_to(cls, notebook: Any) -> None:
+        """Let a notebook use the kernel that there is, as one that has just been started."""
+        start = notebook.setup
+
+        def setup() -> None:
+            if cls.kernel is None or not cls.kernel.is_alive():
+                start()
+                cls.kernel = notebook.kernel
+                return
+            notebook.kernel = cls.kernel
+            notebook.setup_sanitize_files()
+            cls.kernel.await_reply(cls.kernel.execute_cell_input(BEGIN_ANEW), timeout=60)
+
+        notebook.setup, notebook.teardown = setup, lambda: None
+
+    @classmethod
+    def stop(cls) -> None:
+        """Stop it, if it has been started."""
+        if cls.kernel is not None and cls.kernel.is_alive():
+            cls.kernel.stop()
+
+
+def pytest_sessionfinish() -> None:
+    """Stop the kernel that no notebook has stopped."""
+    SolutionsKernel.stop()
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
@@ -64,9 +112,25 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put first what takes longest."""
+    """Put first what takes longest, a folder or a file."""
     places = {name: place for place, name in enumerate(LONG)}
-    items.sort(key=lambda item: places.get(item.path.stem, len(LONG)))
+
+    def place(path: Path) -> int:
+        return min(places.get(name, len(LONG)) for name in (path.parent.name, path.stem))
+
+    items.sort(key=lambda item: place(item.path))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> "LoadScopeScheduling | None":
+    """Give each file of tests to one process, and the files of some folders to the same one."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class LoadFolderScheduling(LoadFileScheduling):  # type: ignore[misc]
+        def _split_scope(self, nodeid: str) -> str:
+            return next(filter(nodeid.startswith, TOGETHER), super()._split_scope(nodeid))
+
+    return LoadFolderScheduling(config, log) if config.getoption("dist") == "loadfile" else None
 
 
 def pytest_collection_finish() -> None:

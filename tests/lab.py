@@ -40,6 +40,14 @@ READY = """async name => {
   await notebook().sessionContext.session.kernel.info;
 }"""
 COMMAND = "async name => { await jupyterapp.commands.execute(name); }"
+# With what a learner would be asked answered: nothing is to be saved, and nobody comes back.
+OPEN = """async path => {
+  const { currentWidget } = jupyterapp.shell, { model, sessionContext } = currentWidget.context;
+  await sessionContext.shutdown();
+  model.dirty = false;
+  currentWidget.close();
+  await jupyterapp.commands.execute("docmanager:open", { path, factory: "Notebook" });
+}"""
 IN_TIME = """name => Promise.race([
   (%s)(name),
   new Promise((_, fail) => setTimeout(() => fail(`no end of ${name} in %d s`), %d * 1000))
@@ -154,7 +162,7 @@ def opened_notebook(
     """Open a notebook by the starter's address, in which it stands for 00; do not run it."""
     try:
         with running_lab(home, work) as address:
-            lab = LabPage(browser, address.replace(START, name))
+            lab = LabPage(browser, address.replace(START, name), work)
             lab.wait_for(name)
             yield lab
     finally:
@@ -169,10 +177,13 @@ def type_into(field: Locator, words: str) -> None:
 
 
 class LabPage:
-    """JupyterLab in a page of its own; what goes wrong there is collected in `complaints`."""
+    """JupyterLab in a page of its own; what goes wrong there is collected in `complaints`.
 
-    def __init__(self, browser: Browser, address: str) -> None:
-        self.address = address
+    The learner's copies are in the folder `work`; without it no other notebook can be opened.
+    """
+
+    def __init__(self, browser: Browser, address: str, work: str = "") -> None:
+        self.address, self.work = address, work
         self.window = ChromiumWindow(browser)
         self.page: Page = self.window.page
         self.page.set_default_timeout(PATIENCE_SECONDS * 1000)
@@ -189,6 +200,13 @@ class LabPage:
     def wait_for(self, notebook: str) -> None:
         """Wait until this notebook is in front and its kernel ready."""
         self._await(READY, notebook)
+
+    def open(self, notebook: str) -> None:
+        """Open another notebook in place of the one in front, whose kernel ends."""
+        self._await(OPEN, f"{self.work}/{notebook}")
+        self.wait_for(notebook)
+        self.window.errors.clear()
+        self.window.asked.clear()
 
     def command(self, name: str) -> None:
         """Run a command of JupyterLab to its end."""

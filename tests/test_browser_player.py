@@ -11,8 +11,8 @@ import pytest
 from firefox import running_firefox
 from lab import require_chromium, running_browser
 from machines import RULE
+from moving_drawing import PLACES, assert_at
 from test_animation import AFTER, BEFORE
-from test_browser_animation import PLACES, assert_at
 
 from cammotion.views.animation.picture import animate
 

@@ -7,14 +7,13 @@ from io import BytesIO
 
 import numpy as np
 import pytest
-from lab import ROOT, LabPage, opened_notebook, type_into
+from lab import ROOT, LabPage, type_into
 from machines import RULE, make_diagram
 from PIL import Image
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Locator, expect
 
 import cammotion as cm
 
-WORK = "work-lesson-03-test"
 LESSON = "03_overlap.ipynb"
 EIGHT_EM = 8 * 13
 BLACK, WHITE = 60, 220  # of 255: nearly
@@ -22,12 +21,11 @@ THEME = "theme => jupyterapp.commands.execute('apputils:change-theme', {theme})"
 
 
 @pytest.fixture(scope="module")
-def ran(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
+def ran(jupyter: LabPage) -> LabPage:
     """Open notebook 03, and run all its cells."""
-    home = tmp_path_factory.mktemp("jupyter")
-    with opened_notebook(browser, home, WORK, LESSON) as lab:
-        lab.command("notebook:run-all-cells")
-        yield lab
+    jupyter.open(LESSON)
+    jupyter.command("notebook:run-all-cells")
+    return jupyter
 
 
 @pytest.fixture
@@ -79,10 +77,10 @@ def test_every_control_has_a_name(output: Locator) -> None:
     expect(output.get_by_role("combobox", name="margin")).to_be_visible()
 
 
-def kept() -> dict[str, dict[str, dict[str, object]]]:
+def kept_by(lab: LabPage) -> dict[str, dict[str, dict[str, object]]]:
     """Read the learner's progress off the disk."""
     content: dict[str, dict[str, dict[str, object]]] = json.loads(
-        (ROOT / WORK / "progress.json").read_text("utf-8")
+        (ROOT / lab.work / "progress.json").read_text("utf-8")
     )
     return content
 
@@ -121,7 +119,7 @@ def test_a_choice_is_made_by_keyboard_and_answered_with_a_reason(lesson: LabPage
     expect(right).to_be_focused()
     right.press("Enter")
     expect(said).to_contain_text("03.6: Right. Safety has a price")
-    assert kept()["exercises"]["03.6"]["state"] == "right"
+    assert kept_by(lesson)["exercises"]["03.6"]["state"] == "right"
 
 
 def test_a_prediction_opens_the_answer_that_run_all_has_folded(lesson: LabPage) -> None:
@@ -141,7 +139,7 @@ def test_a_prediction_opens_the_answer_that_run_all_has_folded(lesson: LabPage) 
     field.press("Enter")
     expect(reveal).to_contain_text("You predicted 3 percent: 4.7 times too much.")
     expect(answer).to_be_visible()
-    assert kept()["predictions"]["03.share"]["text"] == "3 percent"
+    assert kept_by(lesson)["predictions"]["03.share"]["text"] == "3 percent"
 
 
 def test_an_answer_without_a_prediction_is_shown_on_wish(lesson: LabPage) -> None:

@@ -5,12 +5,11 @@ from collections.abc import Iterator
 
 import pytest
 from keyboard import Keyboard
-from lab import ROOT, LabPage, opened_notebook, type_into
-from playwright.sync_api import Browser, expect
+from lab import ROOT, LabPage, type_into
+from playwright.sync_api import expect
 
 import cammotion as cm
 
-WORK = "work-browser-test"
 LESSON = "02_maximum_acceleration.ipynb"
 STROKE, ANGLE, RATE = 50.0, 55.0, 2000.0  # the die, where every explorer of the lesson starts
 
@@ -26,13 +25,11 @@ expect.set_options(timeout=30_000)
 
 
 @pytest.fixture(scope="module")
-def opened(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[LabPage]:
+def opened(jupyter: LabPage) -> LabPage:
     """Notebook 02, reached by the starter's address and notebook 00's link, and not run yet."""
-    home = tmp_path_factory.mktemp("jupyter")
-    with opened_notebook(browser, home, WORK) as lab:
-        lab.notebook.get_by_role("link", name="02 Maximum acceleration").click()
-        lab.wait_for(LESSON)
-        yield lab
+    jupyter.notebook.get_by_role("link", name="02 Maximum acceleration").click()
+    jupyter.wait_for(LESSON)
+    return jupyter
 
 
 @pytest.fixture(scope="module")
@@ -184,7 +181,7 @@ def test_a_reloaded_page_shows_the_live_explorer(lesson: LabPage) -> None:
 
 def test_an_explored_notebook_does_not_grow(lesson: LabPage) -> None:
     """Nor does it keep anything of a figure when all outputs are cleared."""
-    saved = ROOT / WORK / LESSON
+    saved = ROOT / lesson.work / LESSON
     stored = (ROOT / "notebooks" / LESSON).stat().st_size
     lesson.command("notebook:run-all-cells")  # they have run before
     ExplorerOutput(lesson).set_angle(90)

@@ -5,18 +5,14 @@ browsers and two front ends.
 """
 
 import json
-import shutil
-from collections.abc import Iterator
 
 import nbformat
 import pytest
-from lab import ROOT, require_chromium, running_browser, running_lab
+from lab import ROOT, LabPage
 from walking import Walk
-from windows import ChromiumWindow
 
 from cammotion.views.live.figure import MIME
 
-WORK = "work-notebooks-test"
 NOTEBOOKS = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
 # ipywidgets' own controls, players beside a figure, a pad that is dragged beside a choice
 KINDS = ("00", "04", "05")
@@ -32,23 +28,9 @@ FAULTS = {
 }
 
 
-@pytest.fixture(scope="module")
-def opened(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[ChromiumWindow, str]]:
-    """Start JupyterLab and open it at its first notebook."""
-    require_chromium()
-    home = tmp_path_factory.mktemp("jupyter")
-    try:
-        with running_browser() as browser, running_lab(home, WORK) as address:
-            window = ChromiumWindow(browser)
-            Walk(window, address, f"{WORK}/{NOTEBOOKS[0]}").open()
-            yield window, address
-    finally:
-        shutil.rmtree(ROOT / WORK, ignore_errors=True)
-
-
 @pytest.mark.parametrize("name", [name for name in NOTEBOOKS if name.startswith(KINDS)])
-def test_nothing_is_found_wrong(opened: tuple[ChromiumWindow, str], name: str) -> None:
-    walk = Walk(*opened, f"{WORK}/{name}", is_one_page=True)
+def test_nothing_is_found_wrong(jupyter: LabPage, name: str) -> None:
+    walk = walk_through(jupyter, name)
     assert walk.take() == []
     stored = json.loads((ROOT / "notebooks" / name).read_text("utf-8"))
     outputs = [output for cell in stored["cells"] for output in cell.get("outputs", [])]
@@ -56,7 +38,12 @@ def test_nothing_is_found_wrong(opened: tuple[ChromiumWindow, str], name: str) -
     assert walk.moved.total() > walk.living
 
 
-def test_what_is_wrong_is_found(opened: tuple[ChromiumWindow, str]) -> None:
+def walk_through(jupyter: LabPage, name: str) -> Walk:
+    """Return somebody who will open a notebook where another one is open."""
+    return Walk(jupyter.window, jupyter.address, f"{jupyter.work}/{name}", is_one_page=True)
+
+
+def test_what_is_wrong_is_found(jupyter: LabPage) -> None:
     cells = [nbformat.v4.new_code_cell(f"1 / 0  # {ROOT.name}")]  # type: ignore[no-untyped-call]
     for html in FAULTS:
         source = f"from IPython.display import HTML\nHTML({html!r})"
@@ -65,10 +52,9 @@ def test_what_is_wrong_is_found(opened: tuple[ChromiumWindow, str]) -> None:
     notebook = nbformat.v4.new_notebook(  # type: ignore[no-untyped-call]
         cells=[*cells[1:], cells[0]], metadata={"kernelspec": kernel}
     )
-    nbformat.write(notebook, ROOT / WORK / FAULTY)  # type: ignore[no-untyped-call]
-    window, _ = opened
-    window.evaluate("() => { window.patienceMs = 300; }")
-    findings = Walk(*opened, f"{WORK}/{FAULTY}", is_one_page=True).take()
+    nbformat.write(notebook, ROOT / jupyter.work / FAULTY)  # type: ignore[no-untyped-call]
+    jupyter.window.evaluate("() => { window.patienceMs = 300; }")
+    findings = walk_through(jupyter, FAULTY).take()
     expected = [*FAULTS.values(), "ZeroDivisionError"]
     found = "\n".join(findings)
     assert [fault for fault in expected if fault not in found] == []
