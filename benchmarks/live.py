@@ -167,7 +167,7 @@ def _sizes() -> list[Finding]:
     curves = cm.choice("law", {name: (law.s, law.v, law.a) for name, law in cm.LAWS.items()})
     figure = cm.explore(list(curves), cm.x)
     size = len(json.dumps(figure.description).encode())
-    return [Finding("description of S, V, A of twelve laws", size / 1000, 40, "kB")]
+    return [Finding(f"description of S, V, A of {len(cm.LAWS)} laws", size / 1000, 40, "kB")]
 
 
 @contextmanager

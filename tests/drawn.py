@@ -10,6 +10,7 @@ from datetime import date
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import matplotlib as mpl
 import numpy as np
 import sympy as sp
 from accounts import Account, account
@@ -290,7 +291,8 @@ def file_of(name: str) -> Path:
 def write() -> None:
     """Write all accounts anew."""
     KEPT.mkdir(exist_ok=True)
-    drawn = accounts()  # all of them, before one that is kept is lost
+    with mpl.rc_context({"figure.max_open_warning": 0}):
+        drawn = accounts()  # all of them, before one that is kept is lost
     for old in KEPT.glob("*.txt"):
         old.unlink()
     for name, lines in drawn.items():

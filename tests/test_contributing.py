@@ -40,6 +40,7 @@ def test_new_files_go_where_their_kind_is() -> None:
         ("tests/test_laws.py", ["FACTORS", "TORQUE", "test_the_ranking_of_the_example"]),
         ("src/cammotion/views/animation/scene.py", ["KINDS", "class Drawing", "Slide"]),
         ("tests/known_slips.py", ["RIGHT", "SLIPS", "SOURCE"]),
+        ("src/cammotion/__init__.pyi", ["__all__"]),
     ],
 )
 def test_each_word_is_in_its_file(file: str, words: list[str]) -> None:
