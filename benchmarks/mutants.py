@@ -62,10 +62,10 @@ class Bench:
         finally:
             self._free.put(copy)
 
-    def watch(self, test: str, limit: float, kept: Path) -> None:
-        """See which lines each test of a file runs, and how long it takes."""
+    def watch(self, test: str, limit: float, kept: Path) -> bool:
+        """See which lines each test of a file runs, and how long it takes; False if it fails."""
         with self.copy() as copy:
-            watch(self.running, copy, test, limit, kept)
+            return watch(self.running, copy, test, limit, kept)
 
     def fate(self, mutant: Mutant, covered: Covered, most: float) -> Fate:
         """Try a mutant in a free copy, with tests of so many seconds at `most`.
@@ -126,12 +126,18 @@ def main() -> int:
 
 
 def _cover(bench: Bench, pool: ThreadPoolExecutor, kept: Path, limit: float) -> None:
-    """See which tests run which lines; only those are run of which nothing is kept."""
+    """See which tests run which lines; only those are run of which nothing is kept.
+
+    What fails with nothing broken ends the run, once all the others are kept.
+    """
     tests = [test for test in quick_tests() if not is_watched(test, kept)]
     watched = {pool.submit(bench.watch, test, limit, kept): test for test in tests}
+    failed = []
     for number, done in enumerate(as_completed(watched), 1):
-        done.result()
+        failed += [] if done.result() else [watched[done]]
         print(f"[{number}/{len(tests)}] {watched[done]}", flush=True)
+    if failed:
+        sys.exit(f"With nothing broken fail, or take too long: {', '.join(failed)}.")
 
 
 def _try(
