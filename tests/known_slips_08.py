@@ -33,12 +33,14 @@ CA = {
     "modified trapezoid": TRAPEZOID,
     "modified sine": SINE,
     "3-4-5 polynomial": POLYNOMIAL,
+    "4-5-6-7 polynomial": 84 * math.sqrt(5) / 25,
 }
 CQ = {
     "cycloidal": 2 * math.pi * 3 * math.sqrt(3) / 4,
     "modified trapezoid": on_a_cosine(TRAPEZOID, 1 / 8, 1 / (4 * math.pi) + 1 / 4),
     "modified sine": on_a_cosine(SINE, 3 / 8, 1 / (4 * math.pi)),
     "3-4-5 polynomial": 1800 * (3 / 14) ** 3 * math.sqrt(1 / 7),
+    "4-5-6-7 polynomial": 58800 * (5 / 22) ** 5 * math.sqrt(1 / 11),
 }
 CV = {
     "cycloidal": 2,
@@ -101,8 +103,19 @@ def friction_on_shaft(m: MillAndDie) -> float:
     return m.table.friction_N_m * 360 / m.table.stops / m.table.angle_deg
 
 
-def another(m: MillAndDie, law: str) -> float:
-    return math.nan if m.table.law == law else torque(m, CA[law])
+def by_another_law(number: str, law: str, said: str) -> KnownSlip:
+    """Take another law than that of the question; where it is that one the answer is NaN."""
+    torque_of, factors = (torque, CA) if number == "08.2" else (shaft, CQ)
+    return KnownSlip(
+        number,
+        f"by the {law}",
+        lambda m: math.nan if m.table.law == law else torque_of(m, factors[law]),
+        f"This is the {said}.* names another law|finite",
+    )
+
+
+def without_hole(m: MillAndDie) -> float:
+    return m.table.plate_kg * (m.table.plate_mm / 1000) ** 2 / 2 + stations(m)
 
 
 def omega(m: MillAndDie) -> float:
@@ -184,7 +197,12 @@ SOURCE = {
 SLIPS = [
     # The moment of inertia.
     KnownSlip("08.1", "diameters for radii", lambda m: 4 * inertia(m), "diameter"),
-    KnownSlip("08.1", "radii halved", lambda m: inertia(m) / 4, "halved"),
+    KnownSlip(
+        "08.1", "radii halved", lambda m: inertia(m) / 4, "halved, as if they were diameters.$"
+    ),
+    KnownSlip(
+        "08.1", "stations' halved", lambda m: plate(m) + stations(m) / 4, "print does so too"
+    ),
     KnownSlip("08.1", "GD² in N m²", lambda m: 4 * 9.81 * inertia(m), "GD²"),
     KnownSlip("08.1", "the lesson's", lessons(5.380 + 32.400 + 0.720), "machine of the lesson"),
     KnownSlip("08.1", "plate alone", plate, "alone"),
@@ -223,12 +241,8 @@ SLIPS = [
     KnownSlip(
         "08.1",
         "no hole",
-        lambda m: (
-            m.table.plate_kg * (m.table.plate_mm / 1000) ** 2 / 2 + stations(m)
-            if m.table.hole_mm
-            else math.nan
-        ),
-        "no hole|finite",
+        lambda m: without_hole(m) if m.table.hole_mm else math.nan,
+        "^Here the plate has no hole|finite",
     ),
     KnownSlip("08.1", "in mm", lambda m: 1e6 * inertia(m), "mm"),
     KnownSlip("08.1", "the mass", lambda m: m.table.plate_kg + stations(m, 1000), "mass"),
@@ -262,8 +276,23 @@ SLIPS = [
     KnownSlip("08.2", "in kN m", lambda m: torque(m) / 1000, "kN m"),
     KnownSlip("08.2", "power factor", lambda m: torque(m, CQ[m.table.law]), "Cq"),
     KnownSlip("08.2", "constant", lambda m: torque(m, 4), "constant"),
-    KnownSlip("08.2", "the lesson's law", lambda m: another(m, "modified sine"), "sine|finite"),
-    KnownSlip("08.2", "the cycloid", lambda m: another(m, "cycloidal"), "cycloid|finite"),
+    *(
+        by_another_law(number, law, said)
+        for number in ("08.2", "08.3")
+        for law, said in (
+            ("modified sine", "modified sine"),
+            ("cycloidal", "cycloid"),
+            ("modified trapezoid", "modified trapezoid"),
+            ("3-4-5 polynomial", "3-4-5"),
+            ("4-5-6-7 polynomial", "4-5-6-7"),
+        )
+    ),
+    KnownSlip(
+        "08.2",
+        "no hole",
+        lambda m: without_hole(m) * push(m) + m.table.friction_N_m if m.table.hole_mm else math.nan,
+        "wrong answer to 08.1 .*no hole|finite",
+    ),
     KnownSlip(
         "08.2",
         "no square",
@@ -287,6 +316,19 @@ SLIPS = [
     ),
     KnownSlip(
         "08.3", "friction added", lambda m: shaft(m) + friction_on_shaft(m), "Friction is in it"
+    ),
+    KnownSlip(
+        "08.3",
+        "the table's friction added",
+        lambda m: shaft(m) + m.table.friction_N_m,
+        "friction on the table was added",
+    ),
+    KnownSlip("08.3", "the lesson's", lessons(91.8), "machine of the lesson"),
+    KnownSlip(
+        "08.3",
+        "no hole",
+        lambda m: shaft(m) * without_hole(m) / inertia(m) if m.table.hole_mm else math.nan,
+        "wrong answer to 08.1 .*no hole|finite",
     ),
     KnownSlip("08.3", "on the table, with friction", torque, "on the table, with the friction"),
     KnownSlip("08.3", "pi/n", lambda m: shaft(m) / 4, "not pi/n"),

@@ -1,8 +1,9 @@
 """Fresh numbers for an exercise: three rounds as a learner plays them, and whatever goes wrong."""
 
 import json
+import re
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from datetime import date
 from itertools import islice
 from pathlib import Path
@@ -87,6 +88,20 @@ def test_every_exercise_can_be_asked_again_alone(exercise: Exercise) -> None:
     assert cm.check(exercise.number, exercise.solution(second)).is_right
     assert not cm.check(exercise.number, exercise.solution(first)).is_right
     assert not cm.check(exercise.number, exercise.solution(own)).is_right
+
+
+def test_each_number_of_a_machine_is_changed_to_see_whether_a_question_tells_it() -> None:
+    """Of 08.3 only the angle was told: plate, stations, time and law were fresh, and unknown."""
+    own = machine_for("Anna")
+    told = {field.name for field in fields(own) if field.compare}
+    assert told == check_questions.OTHERS.keys() | check_questions.CHOICES.keys()
+    for part, choices in check_questions.CHOICES.items():
+        assert {field.name for field in fields(getattr(own, part))} == choices.keys()
+    asked = fresh_numbers.whole_question(EXERCISES["08.3"], own)
+    table = own.table
+    for number in (table.plate_kg, table.hole_mm, table.stops, table.time_s, table.law):
+        assert re.search(rf"(?<![\w.]){number}\b", asked)
+    assert "the table of exercise 08.2" in EXERCISES["08.3"].question(own)
 
 
 @pytest.mark.parametrize("number", ["02.1", "06.1"])

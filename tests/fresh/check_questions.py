@@ -1,7 +1,7 @@
 """Checks of questions with fresh numbers: solvable, in range, told from wrong ways, complete."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
 from typing import Any
@@ -13,8 +13,12 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.teaching import again
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Exercise
+from cammotion.teaching.fit_numbers import FIT_CHOICES
+from cammotion.teaching.follower_numbers import FOLLOWER_CHOICES
 from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.measured_numbers import MEASURED_CHOICES
 from cammotion.teaching.number_exercise import NumberExercise
+from cammotion.teaching.table_numbers import TABLE_CHOICES
 from cammotion.teaching.variants import LAW_CHOICES, machine_for
 from fresh.drawing import Machine
 
@@ -32,6 +36,13 @@ OTHERS: dict[str, Any] = {
     "gap_mm": 1.25,
     "margin_mm": 1.75,
     "die_mass_kg": 7.7,
+}
+CHOICES: dict[str, Mapping[str, Sequence[Any]]] = {
+    "laws": LAW_CHOICES,
+    "table": TABLE_CHOICES,
+    "measured": MEASURED_CHOICES,
+    "follower": FOLLOWER_CHOICES,
+    "fits": FIT_CHOICES,
 }
 
 
@@ -80,6 +91,21 @@ def _is_complete(exercise: Exercise, drawn: MillAndDie, where: str) -> None:
 def _others(drawn: MillAndDie) -> Iterator[tuple[str, MillAndDie]]:
     for name, value in OTHERS.items():
         yield name, replace(drawn, **{name: value})
-    for name, (first, second, *_) in LAW_CHOICES.items():
-        value = second if getattr(drawn.laws, name) == first else first
-        yield f"laws.{name}", replace(drawn, laws=replace(drawn.laws, **{name: value}))
+    for part, each in CHOICES.items():
+        record = getattr(drawn, part)
+        for name, choices in each.items():
+            for value in _in_one_place(getattr(record, name), choices):
+                other: Any = replace(record, **{name: value})
+                yield f"{part}.{name}", replace(drawn, **{part: other})
+
+
+def _in_one_place(own: Any, choices: Sequence[Any]) -> Iterator[Any]:
+    """Yield another choice, of a tuple one for each place that is another one there."""
+    if not isinstance(own, tuple):
+        yield next(one for one in choices if one != own)
+        return
+    for place, number in enumerate(own):
+        others = (one[place] for one in choices if one[place] != number)
+        for other in islice(others, 1):
+            parts = [*own[:place], other, *own[place + 1 :]]
+            yield type(own)(*parts) if hasattr(own, "_fields") else tuple(parts)

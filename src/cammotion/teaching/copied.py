@@ -5,6 +5,7 @@ from dataclasses import fields, is_dataclass, replace
 from functools import lru_cache
 from typing import Any
 
+from cammotion.laws.catalogue import LAWS
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 
 _TOGETHER = (("wait_mm", "pocket_mm", "gap_mm"), ("mill_angle_deg", "work_deg"))
@@ -35,5 +36,13 @@ def _with_one_of(own: Any, others: Any) -> Iterator[Any]:
             for one in _with_one_of(own[place], others[place]):
                 parts = [*own[:place], one, *own[place + 1 :]]
                 yield type(own)(*parts) if hasattr(own, "_fields") else tuple(parts)
-    elif own != others:
+    elif own != others and not _is_no_number(others):
         yield others
+
+
+def _is_no_number(one: Any) -> bool:
+    """Tell what nobody copies as a number: 0, of what the lesson does not have, and a law's name.
+
+    Who forgets a hole has not copied one of 0 mm, and another law has a reason of its own.
+    """
+    return one in LAWS if isinstance(one, str) else one == 0

@@ -1,6 +1,8 @@
 """Exercises of notebook 08, sizing the indexer."""
 
 import math
+from collections.abc import Callable, Iterator
+from functools import partial
 
 from cammotion.hardware.geneva import Geneva
 from cammotion.hardware.indexer import Indexer
@@ -15,6 +17,14 @@ from cammotion.teaching.shown.bars import step_of_torque
 _SQUARE = 4  # slots, at right angles
 _G = 9.81  # as in the source
 _LESSONS = Indexer(38.5, 8, 0.75, law="modified sine", friction_N_m=10)  # the table of the lesson
+_LESSONS_DEG = 150  # the angle of its camshaft
+_OTHER_LAWS = {
+    "modified sine": "modified sine, the law of the lesson's table",
+    "cycloidal": "cycloid",
+    "modified trapezoid": "modified trapezoid",
+    "3-4-5 polynomial": "3-4-5 polynomial",
+    "4-5-6-7 polynomial": "4-5-6-7 polynomial",
+}
 
 
 def _m2(length_mm: float) -> float:
@@ -63,10 +73,22 @@ def _torque(m: MillAndDie) -> float:
     return _inertia_torque(m) + m.table.friction_N_m
 
 
-def _other(m: MillAndDie, law: str) -> float:
-    """Return what the factor of another law leads to; NaN where the question is about that law."""
+def _other_on_table(m: MillAndDie, law: str) -> float:
+    """Return what Ca of another law leads to; NaN where the question is about that law."""
     torque = _inertia(m) * _alpha(m, LAWS[law].Ca) + m.table.friction_N_m
     return math.nan if m.table.law == law else torque
+
+
+def _other_on_shaft(m: MillAndDie, law: str) -> float:
+    """Return what Cq of another law leads to; NaN where the question is about that law."""
+    return math.nan if m.table.law == law else _shaft(m, factor=LAWS[law].Cq)
+
+
+def _of_other_laws(torque: Callable[..., float]) -> Iterator[Slip]:
+    """Yield a slip for each law that may be taken in place of that of the question."""
+    for law, said in _OTHER_LAWS.items():
+        reason = f"This is the {said}. The question names another law."
+        yield Slip(partial(torque, law=law), reason)
 
 
 def _ratio(m: MillAndDie) -> float:
@@ -161,12 +183,12 @@ EXERCISES = (
         slips=(
             Slip(
                 lambda m: _inertia(m) / 4,
-                "This is a quarter: the radii were halved, as if they were diameters. The source's "
-                "print does so too.",
+                "This is a quarter: the radii were halved, as if they were diameters.",
             ),
             Slip(
                 lambda m: _plate(m) + _stations(m) / 4,
-                "The radius of the stations was halved, as if it were a diameter.",
+                "The radius of the stations was halved, as if it were a diameter. The source's "
+                "print does so too.",
             ),
             Slip(
                 lambda m: 4 * _inertia(m),
@@ -308,15 +330,7 @@ EXERCISES = (
                 "This is with a factor of 4, the constant acceleration's. This law has a larger "
                 "one.",
             ),
-            Slip(
-                lambda m: _other(m, "modified sine"),
-                "This is the modified sine, the law of the lesson's table. The question names "
-                "another one.",
-            ),
-            Slip(
-                lambda m: _other(m, "cycloidal"),
-                "This is the cycloid. The question names another law.",
-            ),
+            *_of_other_laws(_other_on_table),
             Slip(
                 lambda m: _inertia(m) * _alpha(m, LAWS[m.table.law].Cq) + m.table.friction_N_m,
                 "This is with Cq, the largest V A, which belongs to the power. The torque has Ca.",
@@ -343,14 +357,16 @@ EXERCISES = (
     NumberExercise(
         number="08.3",
         question=lambda m: (
-            "A camshaft drives this table by a cam, without losses. During the index it turns "
-            f"evenly by {m.table.angle_deg:g} degrees. Leave friction out: how large is the "
-            "largest torque that the inertia asks of the camshaft?"
+            "A camshaft drives the table of exercise 08.2 by a cam, in the same time and by the "
+            "same law, without losses. During the index it turns evenly by "
+            f"{m.table.angle_deg:g} degrees. Leave friction out: how large is the largest torque "
+            "that the inertia asks of the camshaft?"
         ),
         unit="N m",
         answer=_shaft,
         goes_on_from={"08.1": lambda m, inertia: _shaft(m, inertia)},
-        right="With a longer angle it gets less, and the torque on the table does not change.",
+        right="With a longer angle in the same index time it gets less, and the torque on the "
+        "table does not change.",
         slips=(
             Slip(
                 lambda m: _shaft(m, factor=LAWS[m.table.law].Ca * LAWS[m.table.law].Cv),
@@ -423,6 +439,12 @@ EXERCISES = (
                 lambda m: _shaft(m, factor=LAWS[m.table.law].Cv),
                 "This is with Cv, the largest velocity. The power has Cq, the largest V A.",
             ),
+            *_of_other_laws(_other_on_shaft),
+            Slip(
+                lambda m: _shaft(m) + m.table.friction_N_m,
+                "The friction on the table was added. The question leaves it out.",
+            ),
+            Slip(lambda _: _LESSONS.peak_camshaft_torque_N_m(_LESSONS_DEG), OF_THE_LESSON),
         ),
         hints=(
             "What the shaft gives, the table takes: the power is the same at each moment.",

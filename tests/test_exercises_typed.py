@@ -1,0 +1,28 @@
+"""Numbers that a reader typed, with the reason that each has to get, and what none may be told.
+
+All were worked out on paper: with another law, without the hole, with a time that was rounded.
+"""
+
+import re
+
+import pytest
+from judging import say
+
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import machine_for
+
+TYPED = [
+    ("08.1", "", 27.1558, "^Here the plate has no hole"),
+    ("08.2", "", 308.744, "^With a wrong answer to 08.1 .* has no hole"),
+    ("08.3", "", 107.877, "^With a wrong answer to 08.1 .* has no hole"),
+    ("08.3", "", 111.13, "^This is the modified trapezoid"),
+    ("08.3", "", 74.974, "^This is the modified sine"),
+    ("08.2", "", 297.34, "^This is the 3-4-5 polynomial"),
+    ("08.3", "", 91.8, "machine of the lesson"),
+    ("08.3", "", 167.124, "^The friction on the table was added"),
+]
+
+
+@pytest.mark.parametrize(("number", "who", "typed", "said"), TYPED)
+def test_what_was_typed_gets_its_reason(number: str, who: str, typed: float, said: str) -> None:
+    assert re.search(said, say(EXERCISES[number], typed, machine_for(who)))
