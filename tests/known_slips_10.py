@@ -5,10 +5,10 @@ Nothing here knows of the package's springs, laws or followers, or of the slips 
 
 import math
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
-from known_slips import G, KnownSlip, law
+from known_slips import G, KnownSlip, law, law_in_degrees
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
@@ -30,6 +30,13 @@ def rod(m: MillAndDie, together: float | None = None) -> float:
     """Return the rod in N/mm whose give is what the lever leaves of the give of both."""
     give = 1 / (together or both(m)) - 1 / m.follower.rod.lever_N_per_mm
     return 1 / give
+
+
+def with_rounded_time(m: MillAndDie, rounded: Callable[[float], int]) -> float:
+    """Return the rod for whole hundredths of a second, NaN where nobody can tell."""
+    time = rounded(round(100 * rise_s(m), 6)) / 100
+    wrong = rod(m, both(m) * (rise_s(m) / time) ** 2)
+    return wrong if abs(wrong / rod(m) - 1) > 0.004 else math.nan
 
 
 def swings(m: MillAndDie) -> float:
@@ -89,6 +96,16 @@ def leaves(m: MillAndDie, pressed: float | None = None, more: float = 0) -> floa
 
 
 @cache
+def leaves_in_degrees(m: MillAndDie) -> float:
+    """Return it with a way of the spring for which the sine counts in degrees."""
+    x = np.linspace(0.51, 0.99, 20_001)
+    way = x - np.sin(np.radians(2 * math.pi * x)) / (2 * math.pi)
+    force = m.follower.spring_N_per_mm * (m.follower.pressed_mm + m.follower.lift_mm * way)
+    brake = -2 * math.pi * np.sin(2 * math.pi * x) * m.follower.lift_mm / 1000
+    return turns(m, math.sqrt(float(np.max(m.follower.lifted_kg * brake / force))))
+
+
+@cache
 def at_the_hardest(m: MillAndDie) -> float:
     """Return how far the spring is pressed together at three quarters of the rise."""
     return m.follower.pressed_mm + m.follower.lift_mm * (0.75 + 1 / (2 * math.pi))
@@ -138,6 +155,12 @@ def dunkerley(m: MillAndDie) -> float:
     """Return one over the root of the sum of m over k, each mass with all that is beneath it."""
     gives = m.follower.m1_kg / m.follower.k1_N_per_mm + m.follower.m2_kg / in_a_row(m)
     return hertz(1, gives)
+
+
+def each_alone(m: MillAndDie) -> float:
+    """Return it with each mass on its own spring alone."""
+    f = m.follower
+    return hertz(1, f.m1_kg / f.k1_N_per_mm + f.m2_kg / f.k2_N_per_mm)
 
 
 POLYNOMIAL = np.polynomial.Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
@@ -209,6 +232,15 @@ SLIPS = [
     KnownSlip("10.1", "the weight", lambda m: rod(m, both(m) * G), "weight"),
     KnownSlip("10.1", "per minute", lambda m: rod(m, 3600 * both(m)), "hour"),
     KnownSlip("10.1", "360", lambda m: rod(m, both(m) * (180 / math.pi) ** 2), "taken for 360"),
+    *(
+        KnownSlip(
+            "10.1",
+            f"time rounded {way}",
+            partial(with_rounded_time, rounded=rounded),
+            "hundredth of a second|finite",
+        )
+        for way, rounded in (("down", math.floor), ("up", math.ceil))
+    ),
     KnownSlip("10.1", "half swings", lambda m: rod(m, both(m) / 4), "half as many"),
     # What the constant acceleration leaves.
     KnownSlip("10.2", "one jump", lambda m: arrows(m, (4,)), "single jump"),
@@ -266,8 +298,25 @@ SLIPS = [
     KnownSlip(
         "10.2",
         "a move apart",
-        lambda m: m.follower.jump_mm * (math.sin(math.pi * swings(m)) / (math.pi * swings(m))) ** 2,
-        "half a move",
+        lambda m: arrows(m, (4, 0, -8, 0, 4)),
+        "half a move apart",
+    ),
+    KnownSlip(
+        "10.2",
+        "twice the swings",
+        lambda m: arrows(m, (4, -8, 4), 4 * math.pi * swings(m)),
+        "twice as often",
+    ),
+    KnownSlip(
+        "10.2",
+        "sine of degrees",
+        lambda m: (
+            16
+            * m.follower.jump_mm
+            * math.sin(math.radians(math.pi * swings(m) / 2)) ** 2
+            / (math.tau * swings(m)) ** 2
+        ),
+        "sine was taken of degrees",
     ),
     KnownSlip(
         "10.2",
@@ -324,6 +373,15 @@ SLIPS = [
         lambda m: 60 * hertz(m.follower.spring_N_per_mm, m.follower.lifted_kg),
         "would swing on its spring",
     ),
+    KnownSlip(
+        "10.3",
+        "in degrees, the hardest",
+        lambda m: turns(
+            m, time_s(m, m.follower.pressed_mm + m.follower.lift_mm * law_in_degrees(0.75))
+        ),
+        "sine counts in degrees",
+    ),
+    KnownSlip("10.3", "in degrees", leaves_in_degrees, "sine counts in degrees"),
     KnownSlip("10.3", "less weight", lambda m: leaves(m, None, -G * m.follower.lifted_kg), "level"),
     KnownSlip(
         "10.3",
@@ -385,7 +443,8 @@ SLIPS = [
         "10.4", "slide on both", lambda m: hertz(in_a_row(m), m.follower.m1_kg), "the slide alone"
     ),
     KnownSlip("10.4", "0.618", two_equal, "0.618|finite"),
-    KnownSlip("10.4", "periods", dunkerley, "periods"),
+    KnownSlip("10.4", "periods", dunkerley, "squares of two periods .* any two masses"),
+    KnownSlip("10.4", "periods alone", each_alone, "squares of two periods .* spring before it"),
     KnownSlip(
         "10.4",
         "masses exchanged",

@@ -19,6 +19,12 @@ TYPED = [
     ("08.3", "", 74.974, "^This is the modified sine"),
     ("08.2", "", 297.34, "^This is the 3-4-5 polynomial"),
     ("08.3", "", 91.8, "machine of the lesson"),
+    ("10.1", "Ben", 264.84, "hundredth of a second"),
+    ("10.2", "", 1.13728, "^The jumps are half a move apart"),
+    ("10.3", "", 374.058, "sine counts in degrees"),
+    ("10.3", "Anna", 1052.47, "sine counts in degrees"),
+    ("10.3", "Ben", 892.33, "sine counts in degrees"),
+    ("10.4", "", 17.4346, "^The squares of two periods were added, each of a mass on"),
     ("08.3", "", 167.124, "^The friction on the table was added"),
 ]
 

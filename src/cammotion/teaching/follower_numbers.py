@@ -89,7 +89,7 @@ FOLLOWER_CHOICES: Mapping[str, Sequence[Any]] = {
     "pressed_mm": (1.5, 2, 3, 3.5, 4),
     "lifted_kg": (0.9, 1.2, 1.5, 2.2, 2.6, 3.1),
     "m1_kg": (3, 4, 6, 8),
-    "m2_kg": (2, 5, 7, 9),
+    "m2_kg": (10, 11, 7, 9),  # with 2 or 5 a wrong way of 10.4 could lead to the right number
     "k1_N_per_mm": (180, 240, 320, 450),
     "k2_N_per_mm": (90, 140, 210, 260),
     "wanted_mm": (12, 16, 20, 28, 36, 45),

@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from collections.abc import Callable
 from functools import partial
 
 from cammotion.dynamics.chain import two_masses
@@ -18,6 +19,7 @@ from cammotion.machine.kinematics import (
 )
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
 from cammotion.teaching.lessons.lesson_07 import SINE_LOST, sine_added
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
@@ -32,6 +34,7 @@ _NOT_PRESSED = "The spring is pressed together at the lowest position already. T
 _WEIGHT = "The weight was taken for the mass. Kilograms are a mass already."
 _BY_G = "The mass was divided by g. Kilograms are a mass already."
 _WITH_VELOCITY = "This is with the velocity. A force on a mass makes an acceleration."
+_NO_SLIP = 0.004  # a rounding on the way that changes less is none
 _JUMPS = (4, -8, 4)  # of the constant acceleration, in hm/tm2: where it sets in, turns and ends
 
 
@@ -49,6 +52,16 @@ def _together(m: MillAndDie, time_s: float | None = None, omega: float = 2 * mat
 def _rod(m: MillAndDie, together: float | None = None) -> float:
     """Return the stiffness of the rod in N/mm that makes with the lever so much together."""
     return 1 / (1 / (together or _together(m)) - 1 / m.follower.rod.lever_N_per_mm)
+
+
+def _rod_in_whole_hundredths(m: MillAndDie, rounded: Callable[[float], int]) -> float:
+    """Return the rod for a time of the rise that was rounded; NaN where that changes nothing."""
+    time_s = rounded(round(100 * _rise_s(m), 6)) / 100
+    return _unless_alike(_rod(m, _together(m, time_s)), _rod(m))
+
+
+def _unless_alike(wrong: float, right: float) -> float:
+    return math.nan if math.isclose(wrong, right, rel_tol=_NO_SLIP) else wrong
 
 
 def _swings(m: MillAndDie, rod: float) -> float:
@@ -119,6 +132,17 @@ def _at(m: MillAndDie, place: float) -> float:
     return m.follower.pressed_mm + m.follower.lift_mm * float(_CYCLOID(place))
 
 
+def _at_in_degrees(m: MillAndDie, place: float) -> float:
+    """Return it as it comes out if the sine of the cycloid takes 2 pi x for degrees."""
+    return m.follower.pressed_mm + m.follower.lift_mm * law_in_degrees(place)
+
+
+def _leaves_in_degrees(m: MillAndDie) -> float:
+    """Return the least speed of many places with such a sine in the way of the spring alone."""
+    places = (place / 1000 for place in range(501, 1000))
+    return min(_speed(m, _at_in_degrees(m, x), -float(_CYCLOID(x, 2))) for x in places)
+
+
 def _hertz(stiffness: float, mass: float) -> float:
     return natural_frequency(stiffness, mass)
 
@@ -161,6 +185,13 @@ def _as_if_equal(m: MillAndDie) -> float:
 def _dunkerley(m: MillAndDie) -> float:
     """Return the estimate for 10.4 from each mass alone, in Hz."""
     alone = _hertz(m.follower.k1_N_per_mm, m.follower.m1_kg), _hertz(_row(m), m.follower.m2_kg)
+    return 1 / math.hypot(1 / alone[0], 1 / alone[1])
+
+
+def _periods_alone(m: MillAndDie) -> float:
+    """Return the estimate as it comes out if the head, too, is on its own spring alone, in Hz."""
+    f = m.follower
+    alone = _hertz(f.k1_N_per_mm, f.m1_kg), _hertz(f.k2_N_per_mm, f.m2_kg)
     return 1 / math.hypot(1 / alone[0], 1 / alone[1])
 
 
@@ -250,6 +281,14 @@ EXERCISES = (
                 "The time of the rise was taken 60 times too short: the pieces are by the hour, "
                 "and an hour has 3600 seconds.",
             ),
+            *(
+                Slip(
+                    partial(_rod_in_whole_hundredths, rounded=rounded),
+                    "The time of the rise was rounded to a hundredth of a second. It counts as a "
+                    "square, and in a difference: keep all digits until the end.",
+                )
+                for rounded in (math.floor, math.ceil)
+            ),
             Slip(
                 lambda m: _rod(m, _together(m) / 4),
                 "This is for half as many swings. A swing is to and fro.",
@@ -274,8 +313,8 @@ EXERCISES = (
         ),
         unit="mm",
         answer=_ringing,
-        right="The law with the lowest peak jumps three times, and each jump leaves a swing. Only "
-        "how they meet can make it small.",
+        right="The law with the lowest peak jumps three times, and each jump leaves a swing. At a "
+        "given number of swings, undamped, only how they meet can make it small.",
         slips=(
             Slip(
                 lambda m: _ringing(m, 4),
@@ -326,8 +365,12 @@ EXERCISES = (
                 "angular frequency by the second. Take both by the second, or both by the move.",
             ),
             Slip(
-                lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m)) ** 2,
+                lambda m: 4 * m.follower.jump_mm * _sinc(math.pi * _ratio(m)) ** 2,
                 "The jumps are half a move apart, not a whole one.",
+            ),
+            Slip(
+                lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m)) ** 2,
+                "This is for a slide that swings twice as often during the move.",
             ),
             Slip(
                 lambda m: m.follower.jump_mm * _sinc(math.pi * _ratio(m)) / abs(1 - _ratio(m) ** 2),
@@ -422,6 +465,8 @@ EXERCISES = (
                 lambda m: _speed(m, m.follower.pressed_mm + sine_added(m.follower.lift_mm)),
                 SINE_LOST,
             ),
+            Slip(lambda m: _speed(m, _at_in_degrees(m, 3 / 4)), IN_DEGREES),
+            Slip(_leaves_in_degrees, IN_DEGREES),
             Slip(
                 lambda m: (
                     SECONDS_PER_MINUTE * _hertz(m.follower.spring_N_per_mm, m.follower.lifted_kg)
@@ -521,6 +566,12 @@ EXERCISES = (
                 "The squares of two periods were added, each of one mass alone. That is an "
                 "estimate, and below the lower frequency for any two masses. The eigenvalue is "
                 "asked for.",
+            ),
+            Slip(
+                _periods_alone,
+                "The squares of two periods were added, each of a mass on the spring before it "
+                "alone. But under the head the push rod gives way too. And the eigenvalue is asked "
+                "for, where such a sum is an estimate.",
             ),
             Slip(
                 lambda m: _hertz(_row(m), m.follower.m1_kg + m.follower.m2_kg),
