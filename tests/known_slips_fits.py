@@ -166,6 +166,10 @@ SLIPS = [
     KnownSlip("11.2", "the hole", hole, "hole"),
     KnownSlip("11.2", "the shaft", lambda m: gap(m) + shaft_width(m), "shaft"),
     KnownSlip("11.2", "thick shaft", lambda m: hole(m) + gap(m), "thickest"),
+    KnownSlip("11.2", "grade of the hole", lambda m: 2 * hole(m) + gap(m), "of the hole for both"),
+    KnownSlip(
+        "11.2", "of the shaft", lambda m: 2 * shaft_width(m) + gap(m), "of the shaft for both"
+    ),
     KnownSlip("11.2", "sign", lambda m: hole(m) - gap(m) - shaft_width(m), "sign"),
     KnownSlip("11.2", "mean", lambda m: (most(m) + gap(m)) / 2, "mean"),
     KnownSlip("11.2", "in mm", lambda m: most(m) / 1000, "in mm"),

@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 import sympy
-from known_slips import G, KnownSlip, die, later, peak, place, stroke, time, widest
+from known_slips import G, KnownSlip, die, later, lessons, peak, place, stroke, time, widest
 from test_laws import FACTORS
 
 from cammotion.teaching.example import MillAndDie
@@ -105,6 +105,16 @@ def as_good_as(law: str) -> KnownSlip:
         law,
         lambda m: unless(m, law, die(m) * math.sqrt(harsh(m) / FACTORS[law][1])),
         f"{law}|finite",
+    )
+
+
+def moved_by(law: str, said: str) -> KnownSlip:
+    """Take another law than the one by which the die of 05.3 moves."""
+    return KnownSlip(
+        "05.3",
+        f"moved by the {law}",
+        lambda m: unless(m, law, die(m) * math.sqrt(FACTORS[law][1] / gentle(m))),
+        f"if it moved by the {said}|finite",
     )
 
 
@@ -301,6 +311,7 @@ SLIPS = [
     KnownSlip("05.2", "negative", lambda m: -percent_less(gentle(m), harsh(m)), "sign"),
     than_another_law("modified sine"),
     than_another_law("cycloidal"),
+    KnownSlip("05.2", "the lesson's", lessons(22), "machine of the lesson"),
     KnownSlip("05.2", "the jerk", jerk_more, "jerk"),
     KnownSlip("05.2", "the jerk, turned round", jerk_less, "jerk"),
     KnownSlip("05.2", "the velocity", velocity_less, "with Cv"),
@@ -344,6 +355,11 @@ SLIPS = [
     as_good_as("modified sine"),
     as_good_as("modified trapezoid"),
     as_good_as("constant acceleration"),
+    moved_by("cycloidal", "cycloid"),
+    moved_by("modified sine", "modified sine"),
+    moved_by("modified trapezoid", "modified trapezoid"),
+    moved_by("3-4-5 polynomial", "3-4-5"),
+    moved_by("4-5-6-7 polynomial", "4-5-6-7"),
     KnownSlip("05.3", "both ways", lambda m: 2 * die(m) * math.sqrt(harsh(m) / gentle(m)), "twice"),
     KnownSlip("05.3", "the same", die, "larger peak"),
     KnownSlip(

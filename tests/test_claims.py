@@ -224,3 +224,13 @@ def single_rise(law: str, hertz: float) -> float:
         stretch, speed = state.imag, (state * (-decay + 1j * damped)).imag
         peak = max(peak, abs(rate**2 * stretch + 2 * decay * speed))
     return peak
+
+
+def test_a_law_may_pass_all_tests_and_the_peak_and_be_another_one() -> None:
+    """A quarter sine, a constant and a quarter cosine of b = d, with the modified sine's peak."""
+    sine = 4 * np.pi**2 / (4 + np.pi)
+    ends = (np.pi**2 - np.pi - 4) / (2 * np.pi * (np.pi - 2))  # 4 pi²/(pi² - 2 pi (pi - 2) b)
+    other = cm.scca(ends, 1 - 2 * ends, ends)
+    assert other.Ca == pytest.approx(sine)
+    assert other.Cv == pytest.approx(2)  # the modified sine's is 1.76
+    assert says("05", "If it passes, $C_v$, $C_j$ or some values of $S$ tell which law it is.")

@@ -19,12 +19,16 @@ TYPED = [
     ("08.3", "", 74.974, "^This is the modified sine"),
     ("08.2", "", 297.34, "^This is the 3-4-5 polynomial"),
     ("08.3", "", 91.8, "machine of the lesson"),
+    ("05.2", "", 22, "machine of the lesson"),
+    ("05.3", "", 73.024, "^So many it would need if it moved by the cycloid"),
     ("10.1", "Ben", 264.84, "hundredth of a second"),
     ("10.2", "", 1.13728, "^The jumps are half a move apart"),
     ("10.3", "", 374.058, "sine counts in degrees"),
     ("10.3", "Anna", 1052.47, "sine counts in degrees"),
     ("10.3", "Ben", 892.33, "sine counts in degrees"),
     ("10.4", "", 17.4346, "^The squares of two periods were added, each of a mass on"),
+    ("11.2", "Chris", 160, "^This is with the grade of the hole for both"),
+    ("11.2", "Chris", 138, "^This is with the grade of the shaft for both"),
     ("08.3", "", 167.124, "^The friction on the table was added"),
 ]
 
@@ -32,3 +36,10 @@ TYPED = [
 @pytest.mark.parametrize(("number", "who", "typed", "said"), TYPED)
 def test_what_was_typed_gets_its_reason(number: str, who: str, typed: float, said: str) -> None:
     assert re.search(said, say(EXERCISES[number], typed, machine_for(who)))
+
+
+def test_a_sum_of_whole_numbers_from_a_table_was_not_rounded_on_the_way() -> None:
+    for off in (1, -1, 6):
+        typed = EXERCISES["11.2"].solution(machine_for("Anna")) + off
+        said = say(EXERCISES["11.2"], typed, machine_for("Anna"))
+        assert "keep all digits" not in said.casefold()

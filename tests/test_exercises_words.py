@@ -6,6 +6,7 @@ import pytest
 from judging import MACHINES, each_choice, each_exercise, is_right, reasons_of, say
 
 from cammotion.teaching.exercise import ChoiceExercise, Exercise
+from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.variants import machine_for
 
@@ -45,6 +46,20 @@ def test_there_are_three_hints_and_none_holds_the_answer(exercise: Exercise) -> 
     if isinstance(exercise, ChoiceExercise):
         assert not any(exercise.options[exercise.answer] in hint for hint in exercise.hints)
         assert not any(f"({exercise.answer})" in hint for hint in exercise.hints)
+
+
+CONDITIONS = [
+    ("05.6", "tell that it is the law"),
+    ("08.3", "in the same index time"),
+    ("10.2", "At a given number of swings, undamped,"),
+    ("11.4", "that may turn less than this"),
+]
+
+
+@pytest.mark.parametrize(("number", "condition"), CONDITIONS)
+def test_what_is_said_of_a_right_answer_keeps_its_condition(number: str, condition: str) -> None:
+    """At the same speed of the camshaft a longer angle gives the index more time, for example."""
+    assert condition in EXERCISES[number].right
 
 
 @each_exercise

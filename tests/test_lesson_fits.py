@@ -182,3 +182,10 @@ def test_the_numbers_of_the_prose() -> None:
     assert np.isclose(float(sp.cbrt(8)), 2)
     zones = [cm.Fit(f"40 H7/{letter}6") for letter in "ghkmnp"]
     assert [fit.designation for fit in zones if fit.largest_clearance_um <= 0] == ["40 H7/p6"]
+
+
+def test_at_40_mm_a_good_bore_and_a_good_shaft_may_differ_by_50_um() -> None:
+    at = bisect_left(STEPS, 40)
+    grades, begins = TABLE["grades"], TABLE["deviations"]["g"][at]
+    assert grades["7"][at] - begins + grades["6"][at] == 50
+    assert says("11", "can differ by 50 µm as 40 H7/g6;")

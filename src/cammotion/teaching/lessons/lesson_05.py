@@ -1,6 +1,7 @@
 """Exercises of notebook 05, motion laws."""
 
 import math
+from functools import partial
 
 import sympy
 
@@ -13,10 +14,10 @@ from cammotion.machine.kinematics import (
     peak_acceleration,
     peak_velocity,
 )
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
-from cammotion.teaching.number_exercise import NumberExercise
+from cammotion.teaching.number_exercise import OF_THE_LESSON, NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import angle_with_the_same_peak
 from cammotion.teaching.shown.ways import peak_of_die
@@ -26,6 +27,13 @@ _WITH_CJ = (
     "This compares the jerks. What is saved in acceleration is paid for in jerk; the acceleration "
     "is asked for."
 )
+_MAY_MOVE_IT = {
+    "cycloidal": "cycloid",
+    "modified sine": "modified sine",
+    "modified trapezoid": "modified trapezoid",
+    "3-4-5 polynomial": "3-4-5 polynomial",
+    "4-5-6-7 polynomial": "4-5-6-7 polynomial",
+}
 _WITH_CV = "This is with Cv, the factor of the velocity. The acceleration has Ca."
 
 
@@ -110,9 +118,21 @@ def _less_percent_than(m: MillAndDie, law: str) -> float:
     return 100 * (1 - _gentle(m).Ca / LAWS[law].Ca) if _is_another(m, law) else math.nan
 
 
+def _lessons_percent(m: MillAndDie) -> float:
+    """Return what the lesson says of its two laws, in whole percent; NaN for these two."""
+    same = m.laws.compared == EXAMPLE.laws.compared
+    return math.nan if same else round(100 * (1 - _kept(EXAMPLE)))
+
+
 def _as_wide(m: MillAndDie, law: str) -> float:
     """Return the angle that is needed to be no worse than another law."""
     root = math.sqrt(_harsh(m).Ca / LAWS[law].Ca)
+    return m.die_angle_deg * root if _is_another(m, law) else math.nan
+
+
+def _moved_by(m: MillAndDie, law: str) -> float:
+    """Return the angle that is needed if the die moves by another law than that of 05.3."""
+    root = math.sqrt(LAWS[law].Ca / _gentle(m).Ca)
     return m.die_angle_deg * root if _is_another(m, law) else math.nan
 
 
@@ -280,6 +300,7 @@ EXERCISES = (
                 "So many times larger is the larger peak. By how many percent is the other "
                 "smaller?",
             ),
+            Slip(_lessons_percent, OF_THE_LESSON),
             Slip(lambda m: 100 * (1 - _gentle(m).Cv / _harsh(m).Cv), _WITH_CV),
             Slip(lambda m: 100 * (_gentle(m).Cj / _harsh(m).Cj - 1), _WITH_CJ),
             Slip(lambda m: 100 * (1 - _gentle(m).Cj / _harsh(m).Cj), _WITH_CJ),
@@ -369,6 +390,14 @@ EXERCISES = (
                 lambda m: _as_wide(m, "constant acceleration"),
                 "So it would be no worse than the law of constant acceleration. Take Ca of the "
                 "law in the question.",
+            ),
+            *(
+                Slip(
+                    partial(_moved_by, law=law),
+                    f"So many it would need if it moved by the {said}. The question names another "
+                    "law.",
+                )
+                for law, said in _MAY_MOVE_IT.items()
             ),
         ),
         hints=(
@@ -600,7 +629,8 @@ EXERCISES = (
             "d": "It begins and ends well, and so does V. Does S jump somewhere?",
             "f": "S and V are right. Is A the slope of V everywhere, also just after the middle?",
         },
-        right="It passes every test, and that is the only reason to believe it.",
+        right="It fails no test, and each of the others fails one. Cv, Cj or some values of S "
+        "besides tell that it is the law it says it is.",
         hints=(
             "Test each one alike: the ends, jumps, S' = V, V' = A, the peak.",
             "The slope is np.diff(S) / np.diff(x); compare it with the mean of V at both ends.",

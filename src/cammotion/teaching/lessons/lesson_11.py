@@ -211,6 +211,7 @@ EXERCISES = (
         unit="µm",
         answer=lambda m: _fit(m).largest_clearance_um,
         tolerance=_A_MICROMETRE_IS_WRONG,
+        is_count=True,
         right="Two parts that are both good can be so far apart.",
         slips=(
             Slip(
@@ -236,6 +237,16 @@ EXERCISES = (
             Slip(
                 lambda m: _fit(m).hole.upper_um + _fit(m).shaft.lower_um,
                 "A sign is lost: the shaft's deviation is below zero, and is taken away.",
+            ),
+            Slip(
+                lambda m: 2 * _fit(m).hole.width_um - _fit(m).shaft.upper_um,
+                "This is with the grade of the hole for both. The shaft has a grade of its own, "
+                "the number after its letter.",
+            ),
+            Slip(
+                lambda m: 2 * _fit(m).shaft.width_um - _fit(m).shaft.upper_um,
+                "This is with the grade of the shaft for both. The hole has a grade of its own, "
+                "the number after its letter.",
             ),
             Slip(_most_by_the_formulas, _BY_THE_FORMULA),
             Slip(lambda m: _most_of(m, _step(m)[0]), _ANOTHER_ROW),
@@ -361,7 +372,7 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: _turned(m, _key_um(m)),
-        right="Timing needs a closer keyway than this, or a cam that is pressed on.",
+        right="A cam that may turn less than this needs a closer keyway, or has to be pressed on.",
         slips=(
             Slip(
                 lambda m: _turned(m, _key_um(m)) / 2,
@@ -472,6 +483,7 @@ PREDICTIONS = (
         0.143,
         "Five hundredths of a millimetre sound like nothing. But a degree at this radius is only a "
         "third of a millimetre.",
+        also=(0.14,),  # as the lesson writes it
     ),
     Prediction(
         "11.press",
