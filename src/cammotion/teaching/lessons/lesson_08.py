@@ -183,7 +183,7 @@ EXERCISES = (
         slips=(
             Slip(
                 lambda m: _inertia(m) / 4,
-                "This is a quarter: the radii were halved, as if they were diameters.",
+                "This is a quarter: all radii were halved, as if they were diameters.",
             ),
             Slip(
                 lambda m: _plate(m) + _stations(m) / 4,
