@@ -323,7 +323,7 @@ SLIPS = [
         lambda m: shaft(m) + m.table.friction_N_m,
         "friction on the table was added",
     ),
-    KnownSlip("08.3", "the lesson's", lessons(91.8), "machine of the lesson"),
+    KnownSlip("08.3", "the lesson's", lessons(91.8), "lesson's table asks, with its friction"),
     KnownSlip(
         "08.3",
         "no hole",

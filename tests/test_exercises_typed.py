@@ -18,7 +18,7 @@ TYPED = [
     ("08.3", "", 111.13, "^This is the modified trapezoid"),
     ("08.3", "", 74.974, "^This is the modified sine"),
     ("08.2", "", 297.34, "^This is the 3-4-5 polynomial"),
-    ("08.3", "", 91.8, "machine of the lesson"),
+    ("08.3", "", 91.8, "^This is what the lesson's table asks, with its friction"),
     ("05.2", "", 22, "machine of the lesson"),
     ("05.3", "", 73.024, "^So many it would need if it moved by the cycloid"),
     ("10.1", "Ben", 264.84, "hundredth of a second"),

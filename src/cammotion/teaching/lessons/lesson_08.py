@@ -444,7 +444,11 @@ EXERCISES = (
                 lambda m: _shaft(m) + m.table.friction_N_m,
                 "The friction on the table was added. The question leaves it out.",
             ),
-            Slip(lambda _: _LESSONS.peak_camshaft_torque_N_m(_LESSONS_DEG), OF_THE_LESSON),
+            Slip(
+                lambda _: _LESSONS.peak_camshaft_torque_N_m(_LESSONS_DEG),
+                "This is what the lesson's table asks, with its friction. Yours has other numbers, "
+                "and the question leaves friction out.",
+            ),
         ),
         hints=(
             "What the shaft gives, the table takes: the power is the same at each moment.",
