@@ -84,7 +84,8 @@ def test_four_digits_are_enough_and_one_percent_off_is_close(exercise: NumberExe
             if any(is_as_typed(off * right, n) for n in exercise.of_the_lesson(machine)):
                 known |= {OF_THE_LESSON, MIXED}
             close = r"This is too" if exercise.is_count else r"Close, but off by 1\.5 %"
-            assert re.match(close, said) or said in known
+            *_, last = those_in(said)  # after a slip that is near, too
+            assert re.match(close, last) or said in known
 
 
 def test_a_count_that_is_one_off_was_not_rounded() -> None:

@@ -139,6 +139,43 @@ def test_a_slip_that_leads_to_the_right_number_does_not_count() -> None:
     assert is_right(simple(0.737, 0.737), 0.74)
 
 
+def test_a_slip_is_claimed_for_certain_only_where_the_digits_that_are_typed_agree() -> None:
+    exercise = simple(1.28062, 1.28252)
+    for typed in (1.28252, 1.282520001, 1.2825, 1.283):
+        assert say(exercise, typed) == "slip 1.28252"
+    said = say(exercise, 1.2831823)
+    assert said.startswith("More than one way leads to this number. slip 1.28252 Or: Close, but")
+    assert "rounded on the way" not in say(simple(1.28062, 5.13), 5.1345)  # far off the right one
+    assert "rounded on the way" not in say(replace(exercise, is_count=True), 1.2831823)
+
+
+@pytest.mark.parametrize(
+    ("number", "who", "per_step", "places"),
+    [("06.3", "Anna", 3600 / 360, 4), ("06.3", "", 3600 / 360, 3), ("09.1", "N17", 60, 3)],
+)
+def test_a_time_that_was_rounded_is_not_taken_for_a_slip_alone(
+    number: str, who: str, per_step: float, places: int
+) -> None:
+    """Its square brings the answer near to a slip, by chance."""
+    machine = machine_for(who)
+    measured = machine.measured
+    rate = measured.per_minute * measured.points if number == "09.1" else machine.rate_per_hour
+    time = per_step / rate
+    power = 2 if number == "09.1" else -2
+    right = EXERCISES[number].solution(machine)
+    given = right * (round(time, places) / time) ** power
+    assert "rounded on the way" in say(EXERCISES[number], given, machine)
+
+
+def test_a_round_number_that_came_out_of_a_rounded_time_is_told_so() -> None:
+    """With 0.02 s from point to point it is 30 to all digits: more of them cannot be given."""
+    machine = machine_for()
+    time = round(60 / machine.measured.per_minute / machine.measured.points, 2)
+    given = machine.measured.limit * time**2 / 2 * 1e6
+    assert given == pytest.approx(30)
+    assert "rounded on the way" in say(EXERCISES["09.1"], given, machine)
+
+
 def test_a_right_answer_that_is_nearly_round_is_right_with_all_its_digits() -> None:
     """109.99947 is no answer to two digits, though it is nearly 110."""
     right = 109.99946558430335

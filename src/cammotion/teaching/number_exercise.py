@@ -40,7 +40,8 @@ _OFF = (
 _SIGN_AND_SIZE = "The sign is wrong, and so is the size. Which way does it go?"
 _IN_G = "This is the acceleration in g. It is asked for in m/s²."
 _TOO_FEW = (
-    "With so few digits this cannot be told from an answer that went wrong: give {} digits at "
+    "With so few digits this cannot be told from an answer that went wrong. If it has no more of "
+    "them, a number was rounded on the way: keep all digits until the end. Else give {} digits at "
     "least."
 )
 WITH_WRONG = "With a wrong answer to {} this would be right."
@@ -133,7 +134,9 @@ class NumberExercise(Exercise):
         if too_few:
             return in_one(too_few)
         if self._is_about(given, slip) and abs(given - slip) < off:
-            return in_one(self._all_that_lead_to(given, slip, machine))
+            known = self._all_that_lead_to(given, slip, machine)
+            agrees = any(is_as_typed(given, slip, more) for more in range(FEWEST, MOST + 1))
+            return in_one(known if agrees else [*known, *self._rounded_on_the_way(given, right)])
         has_other_way = self._mixed_up(given, machine) or self._carried_to(given, machine)
         if self._is(given, right) and not has_other_way:
             return ""
@@ -229,14 +232,18 @@ class NumberExercise(Exercise):
 
     def _far(self, given: float, right: float) -> str:
         """Say what there is to say of a number with no known history."""
-        off = abs(given - right) / abs(right)
-        if off <= NEAR and not self.is_count:
-            return _CLOSE.format(f"{100 * off:.2g}")
-        if off <= NOT_FAR and not self.is_count:
-            return _OFF.format(f"{100 * off:.2g}")
+        if rounded := self._rounded_on_the_way(given, right):
+            return rounded[0]
         if given * right < 0:
             return _SIGN_AND_SIZE
         return self._too("large" if abs(given) > abs(right) else "small")
+
+    def _rounded_on_the_way(self, given: float, right: float) -> list[str]:
+        """Return what is said of a number so near that it may be right but for a rounding."""
+        off = abs(given - right) / abs(right)
+        if off > NOT_FAR or self.is_count:
+            return []
+        return [(_CLOSE if off <= NEAR else _OFF).format(f"{100 * off:.2g}")]
 
     def _too(self, size: str) -> str:
         return (
