@@ -168,8 +168,9 @@ def designs(number: str) -> list[KnownSlip]:
         (
             "the widest die alone",
             lambda m: m.diagram.with_motion(cm.with_angle(m.die, m.widest_deg)),
-            "above what is asked",
+            "above what is asked.*that of the mill",
         ),
+        ("a table", lambda _: "motion;stops\nmill;24", "cm.machine_from_text"),
         ("another rate", lambda m: right_design(m).at_rate(m.rate_per_hour / 2), "machine rate"),
         ("no mill", spoiled(lambda *both: [both[2]]), "two motions"),
         (
@@ -195,7 +196,7 @@ def designs(number: str) -> list[KnownSlip]:
         (
             "the die later",
             spoiled(lambda _, mill, die: [mill, die.shifted(3)]),
-            "stand where they stood",
+            "stand where they stood.*The die moves from",
         ),
         (
             "a jump of the acceleration",

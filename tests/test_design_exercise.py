@@ -134,7 +134,48 @@ def test_the_contest_has_a_limit_to_the_jerk() -> None:
 def test_what_has_no_bound_is_told_by_its_sign() -> None:
     struck = EXAMPLE.diagram.with_motion(EXAMPLE.die.with_law(cm.CONSTANT_VELOCITY))
     said = CONTEST.judge(struck, EXAMPLE).text
-    assert "It is ∞ m/s². The largest jerk is above what is asked for. It is ∞ m/s³." in said
+    assert (
+        "It is ∞ m/s², that of the die. The largest jerk is above what is asked for. It is ∞ m/s³, "
+        "that of the die." in said
+    )
+
+
+def test_who_has_the_largest_peak_is_told() -> None:
+    """With its widest move the die has less than the mill, whose peak is as before."""
+    wide = cm.widest_move(EXAMPLE.diagram, "die", EXAMPLE.rule).diagram
+    mill = 2 * math.pi * 0.1 / (150 / 360 * 1.8) ** 2
+    assert f"It is {mill:.4g} m/s², that of the mill." in OPEN.judge(wide, EXAMPLE).text
+    assert "m/s², that of the die." in OPEN.judge(EXAMPLE.diagram, EXAMPLE).text
+
+
+def test_where_a_part_does_not_stand_is_told() -> None:
+    design = balanced(EXAMPLE)
+    late = design.with_motion(design["die"].shifted(2.5))
+    said = OPEN.judge(late, EXAMPLE).text
+    assert "The die does not. The die moves from 205 to 207.5 degrees." in said
+    both = late.with_motion(design["mill"].shifted(150))
+    assert "The mill and the die do not. The mill moves from " in OPEN.judge(both, EXAMPLE).text
+    low = cm.motion(
+        "die",
+        cm.rise(40, over_deg=100),
+        cm.dwell(100),
+        cm.return_(40, over_deg=100),
+        cm.dwell(60),
+        start_deg=105,
+    )
+    said = OPEN.judge(design.with_motion(low), EXAMPLE).text
+    assert "The die does not. The die stands at 40 mm." in said
+
+
+@pytest.mark.parametrize("exercise", [OPEN, CONTEST])
+def test_a_table_as_text_is_told_what_makes_a_machine_of_it(exercise: Exercise) -> None:
+    table = """
+        motion;from in deg;to in deg;from in mm;to in mm;law;machine rate in pieces/h
+        die;150;205;0;50;cycloidal;2000
+    """
+    said = exercise.judge(table, EXAMPLE).text
+    assert "cm.machine_from_text makes a machine of it" in said
+    assert "machine_from_text" not in exercise.judge(3, EXAMPLE).text
 
 
 @pytest.mark.parametrize("answer", [3, "a design", EXAMPLE.die, [EXAMPLE.diagram], object()])

@@ -12,8 +12,11 @@ from cammotion.exchange.law_text import is_same_law
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.widest import WidestMove
+from cammotion.machine.arcs import Arc, arcs, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
+from cammotion.machine.segments import arcs_of
 from cammotion.own import Machine
 from cammotion.quantities import as_text
 from cammotion.rules.checks import find_violations
@@ -29,7 +32,12 @@ from cammotion.whole.optimise import Optimised, optimise
 _GAP, _SECONDS = 0.1, 5.0  # of the bound, which need not be close to tell how far a design is
 _SAME = 1e-6  # mm, and a share of a peak
 _DECIMALS = 1000  # of a limit in mm that a question tells
+_UNITS = {"peak_acceleration": "m/s²", "peak_jerk": "m/s³"}
 _FAR = 1e12  # m/s3: a jerk beyond it is a jump
+_TEXT = (
+    "This is no design but a text. If it is a table, like that of the lesson, "
+    "cm.machine_from_text makes a machine of it, and cm.read_machine of a file. Give {}."
+)
 
 
 @dataclass(frozen=True)
@@ -81,6 +89,8 @@ class DesignExercise(Exercise):
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return which requirements a design does not meet; "" if it meets all."""
         design = _design(answer)
+        if isinstance(answer, str | bytes):
+            raise OddAnswerError(_TEXT.format(self.wanted))
         if design is None:
             raise OddAnswerError(
                 f"This is no design (it is of type {type(answer).__name__}). Give {self.wanted}."
@@ -99,7 +109,7 @@ class DesignExercise(Exercise):
         """What a design has to keep, in the order in which it is told."""
         too_hard = Requirement(
             "The largest peak acceleration is above what is asked for.",
-            lambda design, machine: _above(largest_peak(design), self.limit(machine), "m/s²"),
+            lambda design, machine: _above(design, "peak_acceleration", self.limit(machine)),
         )
         asked = *_ALWAYS, *([_of_law(self.law)] if self.law else []), too_hard
         if self.jerk_limit is None:
@@ -107,7 +117,7 @@ class DesignExercise(Exercise):
         jerk_limit = self.jerk_limit
         too_sharp = Requirement(
             "The largest jerk is above what is asked for.",
-            lambda design, machine: _above(largest_jerk(design), jerk_limit(machine), "m/s³"),
+            lambda design, machine: _above(design, "peak_jerk", jerk_limit(machine)),
         )
         return (*asked, too_sharp)
 
@@ -212,20 +222,40 @@ def _stroke(design: TimingDiagram, machine: MillAndDie) -> str:
 
 def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
     before = machine.diagram
-    moved = []
-    for name, arcs in _still(machine).items():
-        asked = Asked((), tuple(arcs), (-np.inf, np.inf), np.inf)
+    moved: list[str] = []
+    where: list[str] = []
+    for name, standing in _still(machine).items():
+        asked = Asked((), tuple(standing), (-np.inf, np.inf), np.inf)
         old, new = before[name], design[name]
         if old.is_indexing != new.is_indexing:
             moved.append(name)
             continue
         if new.is_indexing:  # its stops are alike, whichever it begins with
-            off_mm = float(old.position_mm(arcs[0][0]) - new.position_mm(arcs[0][0]))
+            off_mm = float(old.position_mm(standing[0][0]) - new.position_mm(standing[0][0]))
             new = new.shifted(-DEG_PER_TURN * round(off_mm / new.pitch_mm))
         if any(find_faults(before, new, asked)):
             moved.append(name)
+            where += [_where(old, new, arc) for arc in standing]
     names = " and the ".join(moved)
-    return f"The {names} {'do' if len(moved) > 1 else 'does'} not." if moved else ""
+    told = [f"The {names} {'do' if len(moved) > 1 else 'does'} not.", *filter(None, where)]
+    return " ".join(told) if moved else ""
+
+
+def _where(old: Motion, new: Motion, arc: Arc) -> str:
+    """Say where on an arc a motion moves, or stands elsewhere than the old one; "" if it does not.
+
+    >>> from cammotion.teaching.example import EXAMPLE
+    >>> _where(EXAMPLE.die, EXAMPLE.die.shifted(3), (205, 305))
+    'The die moves from 205 to 208 degrees.'
+    """
+    moves = unwrap(intersect(arcs([arc]), arcs_of(new.moves)))
+    moved = [(start, end) for start, end in moves if end - start > _SAME]
+    if moved:
+        told = " and ".join(f"from {start:.6g} to {end:.6g}" for start, end in moved)
+        return f"The {new.name} moves {told} degrees."
+    place = float(new.position_mm(arc[0]))
+    is_there = abs(place - float(old.position_mm(arc[0]))) <= _SAME
+    return "" if is_there else f"The {new.name} stands at {place:.6g} mm."
 
 
 def _rule(design: TimingDiagram, machine: MillAndDie) -> str:
@@ -248,8 +278,12 @@ def _smooth(design: TimingDiagram, _: MillAndDie) -> str:
     return f"It does so in the {' and the '.join(jumps)}." if jumps else ""
 
 
-def _above(value: float, limit: float, unit: str) -> str:
-    return "" if value <= limit * (1 + _SAME) else f"It is {as_text(value, '.4g')} {unit}."
+def _above(design: TimingDiagram, peak: str, limit: float) -> str:
+    """Say whose peak, of acceleration or jerk, is the largest of a design, "" within the limit."""
+    peaks = {name: getattr(design, peak)(name) for name in design.names}
+    whose = max(peaks, key=peaks.__getitem__)
+    told = f"{as_text(peaks[whose], '.4g')} {_UNITS[peak]}"
+    return "" if peaks[whose] <= limit * (1 + _SAME) else f"It is {told}, that of the {whose}."
 
 
 _PARTS = Requirement("The design has to have two motions, 'mill' and 'die'.", _parts)
