@@ -550,6 +550,8 @@ SLIPS = [
         "r = 0|half",
     ),
     KnownSlip("06.2", "a text", lambda _: "4/(1 - 2*r)", "quotes"),
+    KnownSlip("06.2", "a number", lambda _: 4.76, "no r in it"),
+    KnownSlip("06.2", "a round number", lambda _: 5, "no r in it|pause"),
     # The least peak of the die.
     KnownSlip(
         "06.3", "pushed all the way", lambda m: hard(m, later(m), 2, up(m)), "brak|first half|push"

@@ -85,7 +85,7 @@ ODD_FORMULAS: list[tuple[Any, str]] = [
     (sympy.Matrix([FORMULA]), "several values"),
     (sympy.Eq(h_m, FORMULA), "is no formula"),
     (True, "is no formula"),
-    (3.0, "another formula"),
+    (3.0, "one number, .* no t or h_m or t_m in it"),
     (sympy.sqrt(-h_m), "real, finite"),
     (sympy.zoo + t, "divided by zero"),
     (sympy.Derivative(t**2, t), "still to be worked out"),

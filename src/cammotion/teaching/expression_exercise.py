@@ -30,6 +30,10 @@ _ROUNDED = (
     "Keep fractions, like 5/12, or all the digits."
 )
 _NEARLY = 0.005
+_NUMBER = (
+    "This is one number, the same everywhere: there is no {} in it, and what is asked for depends "
+    "on that."
+)
 _ANOTHER = "This is another formula. Put in numbers for which you know the result, and see."
 
 
@@ -76,6 +80,7 @@ class ExpressionExercise(Exercise):
         )
         return (
             known
+            or self._constant(given, right)
             or _rounded(given, right)
             or _constant_factor(given, right)
             or self._at_ends(answer, solution)
@@ -87,7 +92,13 @@ class ExpressionExercise(Exercise):
         """All that `find_fault` may return, with … in the place of a number that it measures."""
         slips = (slip.reason for slip in self.slips)
         said = (each.format("…") for each in (_ROUNDED, _FACTOR))
-        return (*slips, *COMMON_RATIOS.values(), *said, _ENDS_ONLY, _ANOTHER)
+        number = _NUMBER.format(" or ".join(self.variables))
+        return (*slips, *COMMON_RATIOS.values(), number, *said, _ENDS_ONLY, _ANOTHER)
+
+    def _constant(self, given: Floats, right: Floats) -> str:
+        """Say so if a formula is a number, and the right one is none."""
+        is_number = np.all(given == given[0]) and not np.all(right == right[0])
+        return _NUMBER.format(" or ".join(self.variables)) if is_number else ""
 
     def _at_ends(self, answer: Any, solution: sympy.Expr) -> str:
         """Say so if a formula is right at both ends of the move."""
