@@ -167,6 +167,17 @@ SLIPS = [
     KnownSlip("09.2", "weight", lambda m: swings(m) / math.sqrt(9.81), "weight"),
     KnownSlip("09.2", "a minute", lambda m: swings(m) * m.measured.per_minute, "swings a minute"),
     KnownSlip("09.2", "upside down", lambda m: 1 / swings(m), "turns a swing"),
+    KnownSlip(
+        "09.2",
+        "static deflection",
+        lambda m: (
+            math.sqrt(9.81 / (sum(m.measured.gives_mm) / 1000))
+            / (2 * math.pi)
+            * 60
+            / m.measured.per_minute
+        ),
+        "under the weight",
+    ),
     KnownSlip("09.2", "averaged", lambda m: swings(m) * math.sqrt(3), "averaged"),
     # What folds back.
     KnownSlip("09.3", "itself", lambda m: m.measured.folded[1], "limit"),

@@ -32,9 +32,14 @@ def _made(m: MillAndDie, step_um: float) -> float:
     return 4 * step_um / 2 / _UM_PER_M / _dt(m) ** 2
 
 
+def _give(m: MillAndDie) -> float:
+    """Return by how much all three parts give way together under the load, in m."""
+    return sum(m.measured.gives_mm) / MM_PER_M
+
+
 def _stiffness(m: MillAndDie) -> float:
     """Return that of all three parts together, in N/m."""
-    return m.measured.load_N / sum(m.measured.gives_mm) * MM_PER_M
+    return m.measured.load_N / _give(m)
 
 
 def _swings(m: MillAndDie, stiffness: float | None = None) -> float:
@@ -263,6 +268,11 @@ EXERCISES = (
             Slip(
                 lambda m: _swings(m) ** 2 / _turn(m) * 2 * math.pi,
                 "The root is missing: the frequency is the root of stiffness by mass.",
+            ),
+            Slip(
+                lambda m: math.sqrt(STANDARD_GRAVITY / _give(m)) / (2 * math.pi) * _turn(m),
+                "The root of g by the give is for the give under the weight of the follower. This "
+                "give belongs to another load, that of the test: which stiffness follows from it?",
             ),
             Slip(
                 lambda m: _swings(m, 3 * _stiffness(m)),
