@@ -240,6 +240,22 @@ def servo(m: MillAndDie, motor_kg: float, die_kg: float | None = None, a: float 
     return ((m.die_mass_kg if die_kg is None else die_kg) + motor_kg) * a
 
 
+def to_rest(start: float) -> float:
+    """Return the even push, and brake, from a velocity to rest, over a way and a time of 1.
+
+    The brake begins at the share u of the time: start + a u = a (1 - u), and the way of both
+    is 1. So with w = 1 - u it is start (1 - w) + a (1 - w)²/2 + a w²/2 = 1,
+    a = start/(2 w - 1).
+    """
+    low, high = 0.5 + 1e-12, 1.0
+    for _ in range(80):
+        w = (low + high) / 2
+        a = start / (2 * w - 1)
+        way = start * (1 - w) + a * ((1 - w) ** 2 + w**2) / 2
+        low, high = (w, high) if way > 1 else (low, w)
+    return start / (2 * low - 1) if start else 4.0
+
+
 SCREW = 2 * math.pi / 0.01  # how far the screw turns, in rad for a metre
 MOTOR_KG = 1e-4 * SCREW**2
 
@@ -468,7 +484,13 @@ SLIPS = [
     ),
     # The least factor of a hammer.
     KnownSlip("06.1", "at rest at both ends", lambda _: 4.0, "rest|brak|arrive"),
-    KnownSlip("06.1", "has to stop", lambda m: 4 - 2 * m.laws.head_start, "has to stop|at rest"),
+    KnownSlip(
+        "06.1",
+        "has to stop",
+        lambda m: to_rest(m.laws.head_start),
+        "This is for a hammer that has to|rest to rest",
+    ),
+    KnownSlip("06.1", "half from the weight", lambda m: 4 - 2 * m.laws.head_start, "weight 1 - x"),
     KnownSlip("06.1", "half forgotten", lambda m: 1 - m.laws.head_start, "half"),
     KnownSlip("06.1", "half upside down", lambda _: 0.5, "divided by|upside"),
     KnownSlip(
@@ -641,6 +663,9 @@ SLIPS = [
     KnownSlip("06.5", "half of J", lambda m: servo(m, MOTOR_KG / 2), "[Hh]alf of the inertia"),
     KnownSlip("06.5", "the mass", lambda m: m.die_mass_kg + MOTOR_KG, "the mass"),
     KnownSlip("06.5", "the torque", lambda m: servo(m, MOTOR_KG) / SCREW, "torque|lever"),
+    KnownSlip("06.5", "in N mm", lambda m: 1000 * servo(m, MOTOR_KG) / SCREW, "in N mm"),
+    KnownSlip("06.5", "the motor's mass", lambda _: MOTOR_KG, "kg at the die"),
+    KnownSlip("06.5", "in degrees", lambda m: servo(m, 1e-4 * (360 / 0.01) ** 2), "in degrees"),
     KnownSlip(
         "06.5",
         "weight added",

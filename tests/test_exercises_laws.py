@@ -14,7 +14,7 @@ import pytest
 import sympy
 from judging import MACHINES
 from known_slips import die, later, place, stroke, time
-from known_slips_laws import half_turn, hard, least, up
+from known_slips_laws import half_turn, hard, least, to_rest, up
 from long_arrays import assert_near
 from scipy.optimize import linprog
 
@@ -191,6 +191,39 @@ def test_to_have_to_stop_costs_a_hammer_at_least_as_much_again(start: float) -> 
     peak = fastest / (1 - turn)
     assert (fastest - start) / turn == pytest.approx(peak)
     assert peak >= 2 * EXERCISES["06.1"].solution(with_laws(head_start=start)) - 1e-9
+
+
+def least_to_rest(start: float, cells: int = 400) -> float:
+    """Return the least peak from a velocity to rest, over a way and a time of 1.
+
+    The push is even in each cell of the time; what is pushed early takes part in more of the way.
+    """
+    early = 1 - (np.arange(cells) + 0.5) / cells
+    peaks = np.column_stack([np.vstack([np.eye(cells), -np.eye(cells)]), -np.ones(2 * cells)])
+    solved = linprog(
+        np.append(np.zeros(cells), 1),
+        A_ub=peaks,
+        b_ub=np.zeros(2 * cells),
+        A_eq=[np.append(np.full(cells, 1 / cells), 0), np.append(early / cells, 0)],
+        b_eq=[-start, 1 - start],
+        bounds=(None, None),
+    )
+    assert solved.success
+    return float(solved.fun)
+
+
+@pytest.mark.parametrize("start", LAW_CHOICES["head_start"])
+def test_a_hammer_that_has_to_stop_is_told_so_and_no_other(start: float) -> None:
+    """With half taken from the weight the bound is lower, and no law comes down to it."""
+    exercise, machine = EXERCISES["06.1"], with_laws(head_start=start)
+    least = least_to_rest(start)
+    assert to_rest(start) == pytest.approx(least, rel=1e-5)
+    stops = "This is for a hammer that has to stop."
+    assert stops in exercise.judge(to_rest(start), machine).text
+    half = 4 - 2 * start
+    assert half < 0.9999 * least
+    assert stops not in exercise.judge(half, machine).text.split(" Or: ")[0]
+    assert "one half was taken away from the weight" in exercise.judge(half, machine).text
 
 
 def test_no_hammer_has_a_smaller_factor_and_no_move_to_rest() -> None:

@@ -102,6 +102,12 @@ def _left(m: MillAndDie) -> float:
     return 1 - m.laws.head_start
 
 
+def _to_rest(start: float) -> float:
+    """Return the least factor from a velocity at the start to rest at the end."""
+    left = 2 - start
+    return left + math.hypot(left, start)
+
+
 def _sets_off(m: MillAndDie) -> str:
     start = m.laws.head_start
     return f"sets off with {start:g} times its mean velocity" if start else "starts from rest"
@@ -167,9 +173,15 @@ EXERCISES = (
                 "any speed, and can be pushed all the way.",
             ),
             Slip(
-                lambda m: 4 - 2 * m.laws.head_start if m.laws.head_start else math.nan,
+                lambda m: _to_rest(m.laws.head_start) if m.laws.head_start else math.nan,
                 "This is for a hammer that has to stop. It may arrive at any speed, and can be "
                 "pushed all the way.",
+            ),
+            Slip(
+                lambda m: 4 - 2 * m.laws.head_start if m.laws.head_start else math.nan,
+                "Here one half was taken away from the weight 1 - x. That is done for a hammer "
+                "that has to stop, and with a speed at the start even such a one needs more than "
+                "this. Yours may arrive at any speed: take nothing away.",
             ),
             Slip(
                 lambda m: 2.0 if m.laws.head_start else math.nan,
@@ -620,6 +632,19 @@ EXERCISES = (
                 "This is the mass, in kg. The force is this times the acceleration.",
             ),
             Slip(
+                lambda m: _added_mass(),
+                "The motor's inertia counts for so many kg at the die. Add the die's own mass: "
+                "which force gives both that acceleration?",
+            ),
+            Slip(
+                lambda m: (
+                    (m.die_mass_kg + MOTOR_INERTIA * (DEG_PER_TURN / SCREW_LEAD_MM * MM_PER_M) ** 2)
+                    * _ACCELERATION
+                ),
+                "The turn of the screw was counted in degrees. J in kg m² wants radians: a turn is "
+                "2 pi of them.",
+            ),
+            Slip(
                 lambda m: (m.die_mass_kg + _added_mass() / 2) * _ACCELERATION,
                 "Half of the inertia is missing. The 1/2 is in both energies, in J w²/2 and in "
                 "m v²/2, and cancels.",
@@ -643,6 +668,10 @@ EXERCISES = (
             Slip(
                 lambda m: _force(m) / _turned(),
                 "This is the torque of the motor, in N m. The force at the die is asked for.",
+            ),
+            Slip(
+                lambda m: _force(m) / _turned() * MM_PER_M,
+                "This is the torque of the motor, in N mm. The force at the die is asked for.",
             ),
             Slip(
                 lambda m: _force(m) + m.die_mass_kg * STANDARD_GRAVITY,
