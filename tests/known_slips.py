@@ -33,6 +33,11 @@ def lessons(number: float) -> Callable[[MillAndDie], float]:
     return lambda m: math.nan if m == EXAMPLE else number
 
 
+def with_lessons(answer: Callable[[MillAndDie], float]) -> Callable[[MillAndDie], float]:
+    """Return an answer with a number of the lesson in it; for its own machine it is no slip."""
+    return lambda m: math.nan if m == EXAMPLE else answer(m)
+
+
 def stroke(m: MillAndDie) -> float:
     """Return the stroke of the die in mm."""
     return m.wait_mm + m.pocket_mm - m.gap_mm
@@ -478,6 +483,20 @@ SLIPS = [
     KnownSlip("03.5", "percent less", lambda m: 100 * (1 - 1 / gain(m)), "percent"),
     KnownSlip("03.5", "difference", lambda m: peak(m, die(m)) - peak(m, widest(m)), "difference"),
     KnownSlip("03.5", "third power", lambda m: gain(m) ** 1.5, "jerk"),
+    KnownSlip(
+        "04.1",
+        "the lesson's angle",
+        with_lessons(lambda m: stroke(m) * law(1 - 30 / 124.84)),
+        "a number of the lesson|finite",
+    ),
+    KnownSlip(
+        "04.3",
+        "the lesson's angle",
+        with_lessons(
+            lambda m: 1000 * time(m, 110.32 - m.work_deg) if m.work_deg < 110 else math.nan
+        ),
+        "a number of the lesson|finite",
+    ),
     KnownSlip("04.1", "no overlap", lambda m: stroke(m) * law(1 - 30 / die(m)), "without overlap"),
     KnownSlip("04.1", "still to go", lambda m: stroke(m) * law(1 - depth_x(m)), "still has to go"),
     KnownSlip("04.1", "constant velocity", lambda m: stroke(m) * depth_x(m), "constant velocity"),

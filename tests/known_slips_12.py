@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from known_slips import KnownSlip, die, lessons, stroke, time, widest
+from known_slips import KnownSlip, die, lessons, place, stroke, time, widest, with_lessons
 
 import cammotion as cm
 from cammotion.teaching.example import MillAndDie
@@ -44,6 +44,28 @@ def faster(m: MillAndDie, power: float = 0.5) -> float:
 def least(m: MillAndDie, factor: float = 4, angle: float = 0) -> float:
     """Return the least peak of 12.2: half the way is half the push by the square of half a time."""
     return peak(m, m.pitch_mm, angle or m.mill_angle_deg, factor)
+
+
+def balanced(m: MillAndDie) -> float:
+    """Return the rate of 12.1 if the mill's angle is changed, too, until both peaks are alike.
+
+    The mill keeps its middle. The die is as deep as it may be when the mill has a tenth to go.
+    """
+    middle = m.mill_angle_deg / 2
+    to_go = 1 - place((m.wait_mm - m.margin_mm) / stroke(m))
+    low, high = 0.0, 2 * (m.mill_angle_deg + die(m) - middle)
+    for _ in range(80):
+        angle = (low + high) / 2
+        its = (m.mill_angle_deg + die(m) - middle - 0.4 * angle) / to_go
+        of_mill, of_die = peak(m, m.pitch_mm, angle), peak(m, stroke(m), its)
+        low, high = (angle, high) if of_mill > of_die else (low, angle)
+    return m.rate_per_hour * math.sqrt(before(m) / peak(m, m.pitch_mm, low))
+
+
+def with_the_lessons_limit(limit: float) -> KnownSlip:
+    """Let the machine meet the peak that the die of the lesson had, as it is printed there."""
+    answer = with_lessons(lambda m: m.rate_per_hour * math.sqrt(limit / after(m)))
+    return KnownSlip("12.1", f"the lesson's {limit}", answer, "a number of the lesson|finite")
 
 
 def right_design(m: MillAndDie) -> cm.TimingDiagram:
@@ -132,6 +154,23 @@ NUMBER_SLIPS = [
             * math.sqrt((before(m) + mill(m)) / (peak(m, stroke(m), widest(m)) + mill(m)))
         ),
         "added|largest",
+    ),
+    KnownSlip("12.1", "both balanced", balanced, "mill got another angle"),
+    with_the_lessons_limit(4.154),
+    with_the_lessons_limit(4.15),
+    KnownSlip("12.1", "the lesson's die", lessons(4542), "of the lesson: so fast its die|finite"),
+    KnownSlip("12.1", "the lesson's balance", lessons(4198), "when mill and die|finite"),
+    KnownSlip(
+        "12.2",
+        "the sucker's angle",
+        lambda m: least(m, 4, 60),
+        "number of the lesson",
+    ),
+    KnownSlip(
+        "12.2",
+        "the sucker's way",
+        lambda m: peak(m, 90, m.mill_angle_deg, 4),
+        "number of the lesson|finite",
     ),
     KnownSlip("12.2", "mean velocity", lambda m: least(m, 1) * time(m, m.mill_angle_deg), "mean"),
     KnownSlip(

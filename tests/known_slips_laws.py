@@ -9,7 +9,19 @@ from functools import cache
 
 import numpy as np
 import sympy
-from known_slips import G, KnownSlip, die, later, lessons, peak, place, stroke, time, widest
+from known_slips import (
+    G,
+    KnownSlip,
+    die,
+    later,
+    lessons,
+    peak,
+    place,
+    stroke,
+    time,
+    widest,
+    with_lessons,
+)
 from test_laws import FACTORS
 
 from cammotion.teaching.example import MillAndDie
@@ -200,9 +212,14 @@ def half_turn(m: MillAndDie) -> float:
     return (360 - m.work_deg) / 2
 
 
-def least(m: MillAndDie, way: float | None = None, angle: float | None = None) -> float:
-    """Return how hard the die is pushed in 06.3, in m/s²."""
-    push, at = time(m, half_turn(m)) / 2, time(m, angle or later(m))
+def least(
+    m: MillAndDie,
+    way: float | None = None,
+    angle: float | None = None,
+    push: float | None = None,
+) -> float:
+    """Return how hard the die is pushed in 06.3, in m/s², for so many degrees."""
+    push, at = time(m, push or half_turn(m) / 2), time(m, angle or later(m))
     if at <= push:
         per_unit = at**2 / 2
     else:
@@ -467,6 +484,12 @@ SLIPS = [
         lambda m: hard(m, later(m) / (1 - deep(m, trapezoid)), TRAPEZOID),
         "trapezoid",
     ),
+    KnownSlip(
+        "05.5",
+        "the lesson's 70 degrees",
+        with_lessons(lambda m: hard(m, 70 / (1 - deep(m, sine)), SINE)),
+        "a number of the lesson|finite",
+    ),
     KnownSlip("05.5", "in mm", lambda m: 1000 * sine_peak(m), "mm"),
     KnownSlip("05.5", "in g", lambda m: sine_peak(m) / G, r"in g\b"),
     KnownSlip("05.5", "force", lambda m: m.die_mass_kg * sine_peak(m), "force"),
@@ -612,6 +635,18 @@ SLIPS = [
     KnownSlip("06.3", "in g", lambda m: least(m) / G, r"in g\b"),
     KnownSlip("06.3", "the cycloid", lambda m: hard(m, widest(m), CYCLOID), "cycloid"),
     KnownSlip("06.3", "default law", lambda m: hard(m, later(m), CYCLOID, up(m)), "cycloid"),
+    KnownSlip(
+        "06.3",
+        "the lesson's degrees",
+        with_lessons(lambda m: least(m, angle=70)),
+        "number of the lesson|finite",
+    ),
+    KnownSlip(
+        "06.3",
+        "the lesson's push",
+        with_lessons(lambda m: least(m, push=65)),
+        "number of the lesson|finite",
+    ),
     KnownSlip("06.3", "the lesson's height", lambda m: least(m, 31), "lesson|finite"),
     KnownSlip("06.3", "in mm/deg²", lambda m: 1000 * least(m) * time(m, 1) ** 2, "mm/deg²"),
     KnownSlip("06.3", "time not squared", lambda m: least(m) * time(m, 1), "squared"),
@@ -642,6 +677,12 @@ SLIPS = [
         "constant over the turn",
         lambda m: peak(m, widest(m)) / hard(m, half_turn(m), 4),
         "stroke",
+    ),
+    KnownSlip(
+        "06.4",
+        "the lesson's angle",
+        with_lessons(lambda m: peak(m, 124.84) / least(m)),
+        "number of the lesson|finite",
     ),
     # The force of a servo.
     KnownSlip("06.5", "the die alone", lambda m: servo(m, 0), "motor|alone"),

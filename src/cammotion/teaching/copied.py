@@ -1,11 +1,13 @@
 """Numbers of the lesson's machine in the place of a learner's own: the usual slip of a copy."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import fields, is_dataclass, replace
 from functools import lru_cache
 from typing import Any
 
 from cammotion.laws.catalogue import LAWS
+from cammotion.quantities import InputError
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 
 _TOGETHER = (("wait_mm", "pocket_mm", "gap_mm"), ("mill_angle_deg", "work_deg"))
@@ -23,6 +25,20 @@ def with_lessons_numbers(machine: MillAndDie) -> tuple[MillAndDie, ...]:
     """
     groups = [{name: getattr(EXAMPLE, name) for name in names} for names in _TOGETHER]
     return (*_with_one_of(machine, EXAMPLE), *(replace(machine, **group) for group in groups))
+
+
+def with_one_of_the_lesson(
+    of: Callable[..., float], own: Sequence[float], lessons: Sequence[float]
+) -> Iterator[float]:
+    """Yield what follows from numbers if one is the lesson's, in full or to three digits.
+
+    >>> [*with_one_of_the_lesson(lambda way, time: way / time, (6, 3), (8, 2.0004))]
+    [2.6666666666666665, 2.6666666666666665, 2.9994001199760048, 3.0]
+    """
+    for place, number in enumerate(lessons):
+        for typed in (number, float(f"{number:.3g}")):
+            with suppress(InputError):  # with these numbers there is no such machine
+                yield of(*own[:place], typed, *own[place + 1 :])
 
 
 def _with_one_of(own: Any, others: Any) -> Iterator[Any]:

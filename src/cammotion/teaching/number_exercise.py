@@ -1,7 +1,7 @@
 """Exercises that ask for a number, and why a number is wrong."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -71,7 +71,9 @@ class NumberExercise(Exercise):
     """A number with a unit, right within `tolerance`, a share of it, where no slip is nearer.
 
     It is not right by the tolerance alone if the lesson's numbers, or an earlier slip, lead to it.
-    It may be rounded to as few digits as tell it from the slips, see `digits_needed`.
+    It may be rounded to as few digits as tell it from the slips, see `digits_needed`. `mixed` is
+    what it is with numbers of the lesson that are no number of its machine: what follows from
+    several of them and is printed, or belongs to another part.
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
     see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`,
@@ -86,6 +88,7 @@ class NumberExercise(Exercise):
     goes_on_from: Mapping[str, GoingOn] = field(default_factory=dict, hash=False)
     carried: tuple[Carried, ...] = ()
     brought: tuple[Carried, ...] = ()
+    mixed: Callable[[MillAndDie], Iterable[float]] = lambda _: ()
     shows: Shows | None = None
     is_sum: bool = False
     is_count: bool = False
@@ -301,12 +304,16 @@ def _of_the_lesson(exercise: NumberExercise, machine: MillAndDie) -> tuple[float
     """Work out once what the lesson's numbers lead to; see `NumberExercise.of_the_lesson`."""
     right = exercise.solution(machine)
 
-    def wrong(one: MillAndDie) -> float:
+    def solved(one: MillAndDie) -> float:
         try:
-            value = exercise.solution(one)
+            return exercise.solution(one)
         except InputError:  # with these numbers there is no such machine
             return math.nan
-        return math.nan if is_as_typed(value, right) else value
 
-    others = dict.fromkeys(wrong(one) for one in with_lessons_numbers(machine))
-    return (wrong(EXAMPLE), *(value for value in others if math.isfinite(value)))
+    def wrong(value: float) -> float:
+        is_wrong = math.isfinite(value) and not is_as_typed(value, right)
+        return value if is_wrong else math.nan
+
+    mixed = (*map(solved, with_lessons_numbers(machine)), *exercise.mixed(machine))
+    others = dict.fromkeys(map(wrong, mixed))
+    return (wrong(solved(EXAMPLE)), *filter(math.isfinite, others))

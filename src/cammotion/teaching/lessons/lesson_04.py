@@ -1,11 +1,14 @@
 """Exercises of notebook 04, the machine in motion."""
 
 import math
+from collections.abc import Callable, Iterable
+from functools import partial
 
 from cammotion.laws.catalogue import LAWS
 from cammotion.limits.widest import with_angle
 from cammotion.machine.kinematics import DEG_PER_TURN, SECONDS_PER_HOUR, cycle_time, indexing_time
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.copied import with_one_of_the_lesson
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, PLUS, law_in_degrees
 from cammotion.teaching.number_exercise import NumberExercise
@@ -29,6 +32,11 @@ def _x(m: MillAndDie) -> float:
     return 1 - BEFORE_DOWN_DEG / m.widest_deg
 
 
+def _with_lessons_angle(m: MillAndDie, of: Callable[[float], float]) -> Iterable[float]:
+    """Yield what follows from the widest angle of the lesson's die, as it is printed."""
+    return with_one_of_the_lesson(of, (m.widest_deg,), (round(EXAMPLE.widest_deg, 2),))
+
+
 def _from_the_quiet_end(m: MillAndDie) -> float:
     done_deg = m.down_deg - BEFORE_DOWN_DEG - (m.mill_angle_deg - m.quiet_deg)
     return (
@@ -42,6 +50,12 @@ def _rest_deg(m: MillAndDie) -> float:
     return DEG_PER_TURN - m.work_deg - 2 * m.widest_deg
 
 
+def _rest_ms(m: MillAndDie, widest_deg: float) -> float:
+    """Return how long the die rests at the top."""
+    rest_deg = DEG_PER_TURN - m.work_deg - 2 * widest_deg
+    return 1000 * float(indexing_time(rest_deg, m.rate_per_hour))
+
+
 EXERCISES = (
     NumberExercise(
         number="04.1",
@@ -52,6 +66,7 @@ EXERCISES = (
         ),
         unit="mm",
         answer=lambda m: _depth(m, m.widest_deg),
+        mixed=lambda m: _with_lessons_angle(m, partial(_depth, m)),
         shows=depth_before_down(BEFORE_DOWN_DEG),
         right="You can now stop the animation anywhere and say beforehand what it will show.",
         slips=(
@@ -150,7 +165,8 @@ EXERCISES = (
             f"{m.rate_per_hour:g} pieces per hour?"
         ),
         unit="ms",
-        answer=lambda m: 1000 * indexing_time(_rest_deg(m), m.rate_per_hour),
+        answer=lambda m: _rest_ms(m, m.widest_deg),
+        mixed=lambda m: _with_lessons_angle(m, partial(_rest_ms, m)),
         tolerance=0.01,
         shows=rest_in_turn,
         right=(

@@ -14,6 +14,7 @@ from cammotion.machine.kinematics import (
     peak_acceleration,
     peak_velocity,
 )
+from cammotion.teaching.copied import with_one_of_the_lesson
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
@@ -91,6 +92,17 @@ def _with_factor(m: MillAndDie, factor: float) -> float:
 def _overlapped(m: MillAndDie, law: str, of: str = "") -> float:
     """Return the peak of a law over the widest angle of that law, or of another one."""
     return _peak(m, law, _widest(m, LAWS[of or law]))
+
+
+def _limits(m: MillAndDie) -> tuple[float, float]:
+    """Return how deep the die of 05.5 may be, in mm, and what is left then, in deg."""
+    return m.limit_mm, m.overlapped_deg
+
+
+def _sine_within(m: MillAndDie, limit_mm: float, left_deg: float) -> float:
+    """Return the peak of 05.5 with such limits."""
+    law = LAWS["modified sine"]
+    return _later(m, left_deg / (1 - float(law.inverse(limit_mm / m.stroke_mm))))
 
 
 def _later(m: MillAndDie, angle_deg: float) -> float:
@@ -508,6 +520,9 @@ EXERCISES = (
         ),
         unit="m/s²",
         answer=lambda m: _overlapped(m, "modified sine"),
+        mixed=lambda m: with_one_of_the_lesson(
+            partial(_sine_within, m), _limits(m), _limits(EXAMPLE)
+        ),
         shows=peak_of_die(
             angle_deg=lambda m: _widest(m, LAWS["modified sine"]), law="modified sine"
         ),

@@ -1,6 +1,7 @@
 """Exercises of notebook 06, how good it can get."""
 
 import math
+from functools import partial
 
 import sympy
 
@@ -12,6 +13,7 @@ from cammotion.machine.kinematics import (
     cycle_time,
     peak_acceleration,
 )
+from cammotion.teaching.copied import with_one_of_the_lesson
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
@@ -50,15 +52,33 @@ def _seconds(m: MillAndDie) -> float:
     return float(cycle_time(m.rate_per_hour)) / DEG_PER_TURN
 
 
+def _times(m: MillAndDie) -> tuple[float, float, float]:
+    """Return when the die has to be so high and when the brake begins, in deg; a degree in s."""
+    return m.overlapped_deg, _turn_deg(m) / 2, _seconds(m)
+
+
+def _push(m: MillAndDie, high_deg: float, half_deg: float, seconds: float) -> float:
+    """Return the push in m/s2 by which the die of a machine is so high in time."""
+    return _rise_mm(m) / MM_PER_M / _per_acceleration(high_deg, half_deg) / seconds**2
+
+
 def _least(m: MillAndDie) -> float:
     """Return the least peak of the die, in m/s2, free to move as it likes."""
-    way = _per_acceleration(m.overlapped_deg, _turn_deg(m) / 2)
-    return _rise_mm(m) / MM_PER_M / way / _seconds(m) ** 2
+    return _push(m, *_times(m))
 
 
 def _cycloidal(m: MillAndDie, angle_deg: float | None = None) -> float:
     angle = angle_deg or m.widest_deg
     return float(peak_acceleration(m.stroke_mm, angle, m.rate_per_hour))
+
+
+def _times_least(m: MillAndDie, stroke_mm: float, widest_deg: float) -> float:
+    return float(peak_acceleration(stroke_mm, widest_deg, m.rate_per_hour)) / _least(m)
+
+
+def _widest(m: MillAndDie) -> tuple[float, float]:
+    """Return the stroke in mm and the widest angle in deg that 06.4 asks about."""
+    return m.stroke_mm, m.widest_deg
 
 
 def _steady(m: MillAndDie, way_mm: float, angle_deg: float) -> float:
@@ -382,6 +402,7 @@ EXERCISES = (
         ),
         unit="m/s²",
         answer=_least,
+        mixed=lambda m: with_one_of_the_lesson(partial(_push, m), _times(m), _times(EXAMPLE)),
         shows=push_up(
             half_deg=lambda m: _turn_deg(m) / 2,
             seconds_per_deg=_seconds,
@@ -506,7 +527,10 @@ EXERCISES = (
             "possible peak is its peak?"
         ),
         unit="",
-        answer=lambda m: _cycloidal(m) / _least(m),
+        answer=lambda m: _times_least(m, *_widest(m)),
+        mixed=lambda m: with_one_of_the_lesson(
+            partial(_times_least, m), _widest(m), _widest(EXAMPLE)
+        ),
         goes_on_from={"06.3": lambda m, least: _cycloidal(m) / least},
         tolerance=0.002,  # with 0.004 the slip of pi/2 would be right for the source
         shows=peak_of_die(

@@ -1,9 +1,12 @@
 """Exercises of notebook 12, your machine."""
 
 import math
+from collections.abc import Callable, Iterable
+from functools import partial
 
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, indexing_time
+from cammotion.teaching.copied import with_one_of_the_lesson
 from cammotion.teaching.design_exercise import (
     DesignExercise,
     balanced,
@@ -11,13 +14,14 @@ from cammotion.teaching.design_exercise import (
     largest_jerk,
     largest_peak,
 )
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, QUIET_SHARE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 
 _CYCLOID, _HARMONIC = 2 * math.pi, math.pi**2 / 2
-_LESSONS_LEAST = 4.0  # m/s2
+_SUCKER_MM, _SUCKER_DEG = 90, 60
+_LESSONS_LEAST = 4.0  # m/s2, of the sucker of the lesson, which goes so far in so many degrees
 _ROOM, _LESS = 1.02, 0.9  # of the balance by the cycloid, that a design may have
 _SHARPER = 2.0  # times the jerk of the gentle laws, that the contest allows
 _GENTLE = ("modified trapezoid", "modified sine", "cycloidal")
@@ -42,14 +46,65 @@ def _mill(m: MillAndDie) -> float:
     return _peak(m, m.pitch_mm, m.mill_angle_deg)
 
 
+def _at_peak(m: MillAndDie, allowed: float, die: float, mill: float) -> float:
+    """Return the rate at which a machine with these peaks at its rate meets what is allowed."""
+    return m.rate_per_hour * math.sqrt(allowed / max(die, mill))
+
+
+def _peaks(m: MillAndDie) -> tuple[float, float, float]:
+    """Return the peak of today, and those of the die and of the mill after it."""
+    return _before(m), _die(m), _mill(m)
+
+
 def _faster(m: MillAndDie) -> float:
     """Return the rate at which the overlapped machine meets the peak of today."""
-    return m.rate_per_hour * math.sqrt(_before(m) / max(_die(m), _mill(m)))
+    return _at_peak(m, *_peaks(m))
+
+
+def _faster_alone(m: MillAndDie) -> float:
+    """Return the rate to which the die could go on."""
+    return _at_peak(m, _before(m), _die(m), 0)
+
+
+def _faster_balanced(m: MillAndDie) -> float:
+    """Return the rate of the lesson's third machine: the angles of mill and die make peaks alike.
+
+    From the middle of the mill's move until the die is down there is room for the mill to its quiet
+    end, and from there for what the die has to go. NaN where the turn is too short for it.
+    """
+    ratio = math.sqrt(m.stroke_mm / m.pitch_mm)  # of the angles, with peaks alike
+    to_go = 1 - float(LAWS["cycloidal"].inverse(m.limit_mm / m.stroke_mm))
+    room_deg = m.mill_angle_deg / 2 + m.die_angle_deg
+    mill_deg = room_deg / (1 / 2 - QUIET_SHARE + ratio * to_go)
+    if m.work_deg + 2 * ratio * mill_deg > DEG_PER_TURN:
+        return math.nan
+    return _at_peak(m, _before(m), 0, _peak(m, m.pitch_mm, mill_deg))
+
+
+def _unless_lessons(m: MillAndDie, rate: Callable[[MillAndDie], float]) -> float:
+    """Return a rate of the lesson, NaN for its own machine."""
+    return math.nan if m == EXAMPLE else rate(EXAMPLE)
+
+
+def _with_lessons_peak(m: MillAndDie) -> Iterable[float]:
+    """Yield what 12.1 is with a peak of the lesson, or with its widest move."""
+    yield from with_one_of_the_lesson(partial(_at_peak, m), _peaks(m), _peaks(EXAMPLE))
+    widest = _peak(m, m.stroke_mm, EXAMPLE.widest_deg)
+    yield _at_peak(m, _before(m), widest, _mill(m))
+
+
+def _gentlest(m: MillAndDie, way_mm: float, angle_deg: float) -> float:
+    return _peak(m, way_mm, angle_deg, 4)
+
+
+def _carriage(m: MillAndDie) -> tuple[float, float]:
+    """Return the way in mm and the angle in deg of the carriage of 12.2."""
+    return m.pitch_mm, m.mill_angle_deg
 
 
 def _least(m: MillAndDie, factor: float = 4.0) -> float:
     """Return the least peak of the mill's way, or what another factor makes of it."""
-    return _peak(m, m.pitch_mm, m.mill_angle_deg, factor)
+    return _peak(m, *_carriage(m), factor)
 
 
 def _limit(m: MillAndDie) -> float:
@@ -88,11 +143,27 @@ EXERCISES = (
         ),
         unit="pieces/h",
         answer=_faster,
+        mixed=_with_lessons_peak,
         right="The slowest of the mechanisms sets the pace, and it may be another one than before.",
         slips=(
             Slip(
-                lambda m: m.rate_per_hour * math.sqrt(_before(m) / _die(m)),
+                _faster_alone,
                 "So fast the die could go. Who else meets that peak, and at which rate?",
+            ),
+            Slip(
+                _faster_balanced,
+                "Here the mill got another angle, too, so that both have the same peak. In the "
+                "question only the die gets another one, its widest.",
+            ),
+            Slip(
+                lambda m: _unless_lessons(m, _faster_alone),
+                "This is a number of the lesson: so fast its die could go. Yours has other "
+                "numbers, and who else meets that peak?",
+            ),
+            Slip(
+                lambda m: _unless_lessons(m, _faster_balanced),
+                "This is a number of the lesson: so fast its machine is when mill and die are "
+                "balanced. Yours has other numbers, and its mill keeps its angle.",
             ),
             Slip(
                 lambda m: m.rate_per_hour * _before(m) / max(_die(m), _mill(m)),
@@ -153,6 +224,9 @@ EXERCISES = (
         ),
         unit="m/s²",
         answer=_least,
+        mixed=lambda m: with_one_of_the_lesson(
+            partial(_gentlest, m), _carriage(m), (_SUCKER_MM, _SUCKER_DEG)
+        ),
         right="This is the first thing to compute for any move: no law, no solver, one line.",
         slips=(
             Slip(
