@@ -9,6 +9,8 @@ import pytest
 from scipy.optimize import brentq
 from test_claims import says
 
+import cammotion as cm
+
 DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
 TURN_S, CYCLOID, SINE = 1.8, 2 * math.pi, 5.5280  # s, and Ca of the cycloid and modified sine
 ROWS = [row for row in csv.DictReader(DATA.open(encoding="utf-8")) if row["law"] != "dwell"]
@@ -106,3 +108,36 @@ def test_the_bound_of_eight_is_that_of_one() -> None:
     assert pytest.approx(57, abs=0.5) == 100 * (CYCLOID / 4 - 1)
     assert says("12", "So 6.28 is 57 percent above the least there could be")
     assert pytest.approx(22, abs=0.5) == 100 * (4.8881 / 4 - 1)
+
+
+HEAD = "motion;from in deg;to in deg;from in mm;to in mm;law;machine rate in pieces/h;still"
+UP, DOWN = "lift;20;100;0;120;cycloidal;3000;{}", ";110;180;120;0;cycloidal;;"
+
+
+@pytest.mark.parametrize(
+    ("still", "travel", "has_to_go"),
+    [
+        ("100 to 110", {}, False),
+        ("100 to 110", {"travel_mm": {"lift": (0, 120)}}, False),
+        ("100 to 110 and 200 to 350", {}, True),
+    ],
+)
+def test_a_stroke_is_asked_for_by_two_still_arcs_alone(
+    still: str, travel: dict[str, dict[str, tuple[float, float]]], has_to_go: bool
+) -> None:
+    lift = cm.machine_from_text("\n".join([HEAD, UP.format(still), DOWN]))
+    best = cm.least_peak(lift.diagram, lift.rules, still=lift.still, gap=0.05, **travel)
+    time_s = (200 - 110) / 360 * 3600 / 3000
+    expected = 4 * 0.12 / time_s**2 if has_to_go else 0  # up it has longer
+    assert best.reached == pytest.approx(expected, rel=0.05, abs=1e-5)
+    assert says("12", "asks for a stroke only where a part has two still arcs")
+    assert says("12", "limits to its travel do not change that")
+
+
+def test_once_a_dwell_is_written_the_others_have_to_be() -> None:
+    rest = ";100;110;120;120;;;"
+    with pytest.raises(cm.InputError, match="add a dwell"):
+        cm.machine_from_text("\n".join([HEAD, UP.format(""), rest, DOWN]))
+    every = [HEAD, UP.format(""), rest, DOWN, ";180;380;0;0;;;"]
+    assert cm.machine_from_text("\n".join(every)).diagram["lift"].stops is None
+    assert says("12", "once one of them is written, the others must be too")
