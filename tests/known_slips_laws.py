@@ -486,6 +486,12 @@ SLIPS = [
     ),
     KnownSlip(
         "05.5",
+        "the lesson's 19 mm",
+        with_lessons(lambda m: hard(m, later(m) / (1 - place(19 / stroke(m), sine)), SINE)),
+        "a number of the lesson|finite",
+    ),
+    KnownSlip(
+        "05.5",
         "the lesson's 70 degrees",
         with_lessons(lambda m: hard(m, 70 / (1 - deep(m, sine)), SINE)),
         "a number of the lesson|finite",

@@ -117,16 +117,16 @@ UP, DOWN = "lift;20;100;0;120;cycloidal;3000;{}", ";110;180;120;0;cycloidal;;"
 @pytest.mark.parametrize(
     ("still", "travel", "has_to_go"),
     [
-        ("100 to 110", {}, False),
-        ("100 to 110", {"travel_mm": {"lift": (0, 120)}}, False),
-        ("100 to 110 and 200 to 350", {}, True),
+        ("100 to 110", None, False),
+        ("100 to 110", {"lift": (0, 120)}, False),
+        ("100 to 110 and 200 to 350", None, True),
     ],
 )
 def test_a_stroke_is_asked_for_by_two_still_arcs_alone(
-    still: str, travel: dict[str, dict[str, tuple[float, float]]], has_to_go: bool
+    still: str, travel: dict[str, tuple[float, float]] | None, has_to_go: bool
 ) -> None:
     lift = cm.machine_from_text("\n".join([HEAD, UP.format(still), DOWN]))
-    best = cm.least_peak(lift.diagram, lift.rules, still=lift.still, gap=0.05, **travel)
+    best = cm.least_peak(lift.diagram, lift.rules, still=lift.still, travel_mm=travel, gap=0.05)
     time_s = (200 - 110) / 360 * 3600 / 3000
     expected = 4 * 0.12 / time_s**2 if has_to_go else 0  # up it has longer
     assert best.reached == pytest.approx(expected, rel=0.05, abs=1e-5)
