@@ -30,6 +30,7 @@ TYPED = [
     ("11.2", "Chris", 160, "^This is with the grade of the hole for both"),
     ("11.2", "Chris", 138, "^This is with the grade of the shaft for both"),
     ("08.3", "", 167.124, "^The friction on the table was added"),
+    ("08.2", "Ben", 197.21263, "With a wrong answer to 08.1 .* plate alone"),
 ]
 
 

@@ -169,7 +169,8 @@ class NumberExercise(Exercise):
     def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> list[str]:
         """Return why a number is wrong that is a slip's: all reasons that it may have.
 
-        A ratio is among them where it leads to the number exactly, and the slip only near it.
+        A ratio, or what a slip in an earlier exercise leads to, is among them where it leads to the
+        number exactly, and the slip only near it.
         """
         wrong = _known(self, machine).wrong
         alike = [
@@ -184,11 +185,12 @@ class NumberExercise(Exercise):
         brought = self._brought_along(given, machine)
         told = tuple(slip.cause for slip in brought if slip.cause)  # "The mass is right, … " + it
         reasons = [wrong[value] for value in nearest_first if not wrong[value].endswith(told)]
-        exact = {} if is_as_typed(given, slip) else self.ratios
         right = self.solution(machine)
-        ratios = (said for r, said in exact.items() if is_as_typed(given, r * right))
+        ratios = [said for r, said in self.ratios.items() if is_as_typed(given, r * right)]
+        earlier = [one.reason for one in self._carried_to(given, machine)]
+        exact = [] if is_as_typed(given, slip) else [*ratios, *earlier]
         carried = (slip.reason for slip in brought)
-        return [*carried, *reasons, *self._mixed_up(given, machine), *ratios]
+        return [*carried, *reasons, *self._mixed_up(given, machine), *exact]
 
     def _mixed_up(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[str]:
         """Return what is said if numbers of the lesson's machine lead to a number, at most one.
