@@ -233,6 +233,21 @@ def test_what_a_run_refuses() -> None:
 
 
 @pytest.mark.parametrize("ask", [cm.running_residual, cm.running_factor])
+@pytest.mark.parametrize("start_deg", [0, 150, 37.3])
+def test_a_resonance_that_the_motion_leaves_out_is_one(ask: Any, start_deg: float) -> None:
+    """Fifty swings in a turn, five in each move: the integral of A over the turn is 0 there.
+
+    So nothing says how much it swings already, and 0/0 of rounding was the answer.
+    """
+    up, down = (make(50, over_deg=36) for make in (cm.rise, cm.return_))
+    table = cm.motion("table", up, cm.dwell(60), down, cm.dwell(228), start_deg=start_deg)
+    with pytest.raises(cm.InputError, match=r"period ratio 5 .* may swing more with each: give"):
+        ask(table, [4.93, 5], 0)
+    near = [ask(table, ratio, 0) for ratio in (5 - 1e-5, 5 + 1e-5)]  # what it comes to there
+    assert near[0] == pytest.approx(near[1], rel=1e-3)
+
+
+@pytest.mark.parametrize("ask", [cm.running_residual, cm.running_factor])
 def test_where_nothing_moves_nothing_swings(ask: Any) -> None:
     with pytest.raises(cm.InputError, match="The motion 'table' has no move"):
         ask(cm.motion("table", cm.dwell(360)), [1, 2.5])

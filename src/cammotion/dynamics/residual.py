@@ -22,7 +22,6 @@ from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
 
 RATIO = Quantity("period ratio tm/Tn", "", example=4, low=1e-6, high=1000, low_included=True)
-_RESONANT = 1e8  # times the stroke
 _MOST = 5_000_000  # masses times ways at once, which take some hundred MB
 
 Asked = Callable[[Swing, Complexes, int, int], Floats]
@@ -137,16 +136,14 @@ def _running(motion: Motion, ratios: ArrayLike, damping_ratio: float, asked: Ask
     def answer(block: Floats) -> Floats:
         damping = UNDERDAMPED.number(damping_ratio)
         swing = Swing(motion.curve, block, damping, move.angle_deg, abs(move.change_mm))
-        v = swing.steady
-        endless = ~(np.abs(v).max(axis=0) < _RESONANT * swing.roots.imag)
-        if endless.any():
+        if swing.endless.any():
             raise InputError(
-                f"At the period ratio {block[endless][0]:g} the mass swings a whole number of "
-                "times in a turn and nothing damps it, so that it swings more with each turn: "
-                "give a damping ratio, or leave this ratio out."
+                f"At the period ratio {block[swing.endless][0]:g} the mass swings a whole number "
+                "of times in a turn and nothing damps it, so that no turn settles how it swings, "
+                "and it may swing more with each: give a damping ratio, or leave this ratio out."
             )
         ends = (np.argmin(np.abs(swing.joints - end)) for end in (move.from_deg, move.to_deg))
-        return asked(swing, v, *map(int, ends))
+        return asked(swing, swing.steady, *map(int, ends))
 
     return _in_blocks(answer, ratios, DEG_PER_TURN / move.angle_deg)
 

@@ -19,6 +19,7 @@ from cammotion.dynamics.chain import Chain
 from cammotion.dynamics.course import Course, Spots
 from cammotion.dynamics.forcing import Forcing, accelerations, check_velocity
 from cammotion.dynamics.peaks import Peak, extremes, ordered
+from cammotion.dynamics.swing import is_endless
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, Move, cycle_time
 from cammotion.machine.motions import Motion
@@ -26,7 +27,6 @@ from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain, shorten
 
 _TIME = Quantity("time", "s", example=0.1, low=-1e9, high=1e9)
-_RESONANT = 1e-8  # of what swings that a turn leaves as it is
 _MOST_TURNS = 100_000
 _ROUNDING = 1e-9  # by so much deg a place may be before the start
 
@@ -295,18 +295,19 @@ class SteadyResponse(_TurnResponse):
     """A follower in a machine that has run for long: each turn is as the one before.
 
     `at` is any cam angle in deg. Raises InputError where nothing damps the follower and it swings
-    a whole number of times in a turn: then it swings more with each turn, without end; and where it
-    is damped so strongly that a turn brings it back by less than 1e-8 of its deflection.
+    a whole number of times in a turn: then no turn settles how it swings, and it may swing more
+    with each; and where it is damped so strongly that a turn brings it back by less than 1e-8 of
+    its deflection.
     """
 
     @checked
     def __init__(self, chain: Chain, motion: Motion, rate_per_hour: float) -> None:
         super().__init__(chain, motion, rate_per_hour)
         matrix, row = self._course.passage
-        left = np.eye(len(row)) - matrix
-        if np.linalg.svd(left, compute_uv=False)[-1] < _RESONANT:
+        taken = np.eye(len(row)) - matrix
+        if is_endless(taken):
             raise InputError(f"At {self.rate_per_hour:g} pieces/h the follower {self._endless()}")
-        self._repeated = np.linalg.solve(left.T, row)
+        self._repeated = np.linalg.solve(taken.T, row)
 
     def _endless(self) -> str:
         """Return in words why no turn is as the one before, and what to give."""
@@ -320,8 +321,8 @@ class SteadyResponse(_TurnResponse):
         swings = abs(root.imag) / (2 * np.pi) * turn_s
         what = "hardly anything" if any(self.chain.dampings_N_s_per_mm) else "nothing"
         return (
-            f"swings {swings:.9g} times in a turn and {what} damps it, so that it swings more with "
-            "each turn: give it some damping, or another rate."
+            f"swings {swings:.9g} times in a turn and {what} damps it, so that no turn settles how "
+            "it swings, and it may swing more with each: give it some damping, or another rate."
         )
 
     def _start(self, turn: int) -> Floats:  # noqa: ARG002 - all turns are alike

@@ -26,12 +26,22 @@ _PER_SWING = 12  # ways
 _FEWEST = 32  # ways in a move
 _GAUSS = leggauss(6)
 _PLACES, _WEIGHTS = (_GAUSS[0] + 1) / 2, _GAUSS[1] / 2  # for a way from 0 to 1
+_RESONANT = 1e-8  # of what swings that a turn takes away
 Complexes = NDArray[np.complex128]
 
 
 def ways_for(ratio: float) -> float:
     """Return how many ways a move has at least for all ratios up to this one."""
     return max(_FEWEST, _PER_SWING * ratio)
+
+
+def is_endless(taken: NDArray[Any]) -> NDArray[np.bool_]:
+    """Return whether a turn leaves something of what swings as it is, so that no turn repeats.
+
+    `taken` is what a turn takes of the states, a square matrix or many of them: the states at the
+    start less what the turn makes of them. What is left as it is but for 1e-8 counts.
+    """
+    return np.asarray(np.linalg.svd(taken, compute_uv=False)[..., -1] < _RESONANT)
 
 
 class Swing:
@@ -76,12 +86,22 @@ class Swing:
     def steady(self) -> Complexes:
         """The number v at each joint where the curve has been repeated without end.
 
-        It is not finite where nothing damps a mass that swings a whole number of times in it.
+        It is of no use for the masses that are `endless`.
         """
         since = (self.joints - self.joints[0])[:, None] / self._width
         with np.errstate(all="ignore"):
-            start = self.from_rest[-1] / -np.expm1(self.roots * since[-1])
+            start = self.from_rest[-1] / self._taken
             return np.asarray(self.from_rest + start * np.exp(self.roots * since))
+
+    @property
+    def endless(self) -> NDArray[np.bool_]:
+        """Which masses nothing damps that swing a whole number of times over the curve."""
+        return is_endless(self._taken[:, None, None])
+
+    @property
+    def _taken(self) -> Complexes:
+        """How much of a mass's swing is gone after the whole curve."""
+        return np.asarray(-np.expm1(self.roots * (self.joints[-1] - self.joints[0]) / self._width))
 
     def furthest(self, v: Complexes) -> Floats:
         """Return the largest deflection of masses that begin with v and are left alone."""
