@@ -143,8 +143,9 @@ def _points(law: SampledLaw) -> str:
     ends = fit.slopes if isinstance(fit, Through | Monotone) else ()
     slopes = f", end_slopes={tuple(map(float, ends))}" if ends else ""
     smoothing = f", smoothing={float(fit.amount)}" if fit.is_smooth else ""
+    rounded = f", step={float(law.step)}" + ", rounded_ends=True" * law.rounded_ends
     points = f"{[*law.sampled_at]}, {[*law.ways]}"
-    return f"law_from_points({points}{slopes}, fit={kind!r}{smoothing}, step={float(law.step)})"
+    return f"law_from_points({points}{slopes}, fit={kind!r}{smoothing}{rounded})"
 
 
 def _sccas(pieces: tuple[Piece, ...]) -> Iterator[str]:

@@ -5,6 +5,10 @@ points' positions. So what an error of each does is known without trying: at mos
 shares' magnitudes, and for random ones the root of the sum of their squares. On even points far
 from the ends, h apart, the spline through them has the bound 12 e/h^2 (errors of alternating sign)
 and the root mean square 6 e/h^2, exactly.
+
+A law goes from 0 to 1, and so its ends are exact. In a table of positions they are not: what the
+first and the last one are off shifts and scales all the others, so that each end has shares of its
+own.
 """
 
 from typing import Protocol
@@ -29,8 +33,11 @@ class Fit(Protocol):
     def curve(self, ways: Floats) -> Curve:
         """Return the curve over x."""
 
-    def effects(self, ways: Floats, most: float, /) -> tuple[Floats, Floats]:
-        """Return what errors up to `most` do to A: at most, and as a root mean square."""
+    def effects(self, ways: Floats, most: float, rounded_ends: bool, /) -> tuple[Floats, Floats]:
+        """Return what errors up to `most` do to A: at most, and as a root mean square.
+
+        With `rounded_ends` the positions are off at both ends, too, from which the law is made.
+        """
 
 
 class Through:
@@ -52,12 +59,15 @@ class Through:
             ways = self._smoother.smoothed(ways, self.amount)
         return Curve([Spline(self.places, self._spline(ways, self.slopes))])
 
-    def effects(self, _: Floats, most: float) -> tuple[Floats, Floats]:
+    def effects(self, ways: Floats, most: float, rounded_ends: bool, /) -> tuple[Floats, Floats]:
         """Return what errors up to `most` do to A: at most, and as a root mean square."""
+        ends = _of_ends(ways, rounded_ends)
         if self._smoother is not None:
-            return _sizes(self._smoother.shares(self.amount), most)
+            shares = self._smoother.shares(self.amount)
+            return _sizes(np.hstack([shares, shares @ ends[1:-1]]), most)
         units = _units(self.places.size)
-        units[[0, -1]] = 0  # the ends are exact
+        units[[0, -1]] = 0
+        units = np.hstack([units, ends])
         rows = self._spline(units, (np.zeros(units.shape[1]),) * 2)
         return _sizes(_bends(rows, self.places), most)
 
@@ -86,11 +96,17 @@ class Periodic:
         rows[-1] += self.places[:-1]
         return Curve([Spline(self.places, rows)])
 
-    def effects(self, _: Floats, most: float) -> tuple[Floats, Floats]:
+    def effects(self, ways: Floats, most: float, rounded_ends: bool, /) -> tuple[Floats, Floats]:
         """Return what errors up to `most` do to A: at most, and as a root mean square."""
+        ends = _of_ends(ways, rounded_ends)[1:-1]
         if self._smoother is not None:
-            return _sizes(self._smoother.shares(self.amount), most)
-        rows = self._spline(_units(self.places.size - 1))
+            shares = self._smoother.shares(self.amount)
+            inner = shares[:, 1:]
+            return _sizes(np.hstack([inner, inner @ ends] if rounded_ends else [shares]), most)
+        units = _units(self.places.size - 1)
+        if rounded_ends:  # and not both by the same
+            units[0] = 0
+        rows = self._spline(np.hstack([units, np.pad(ends, ((1, 0), (0, 0)))]))
         return _sizes(_bends(rows, self.places), most)
 
     def _spline(self, beside: Floats) -> Floats:
@@ -115,7 +131,7 @@ class Monotone:
             Spline(self.places[n : n + 2], rows[:, n : n + 1]) for n in range(rows.shape[1])
         )
 
-    def effects(self, ways: Floats, most: float) -> tuple[Floats, Floats]:
+    def effects(self, ways: Floats, most: float, rounded_ends: bool, /) -> tuple[Floats, Floats]:
         """Return what errors up to `most` do to A: the most of many draws, and their mean square.
 
         The first has errors up and down in turn, and counts for the most alone. PCHIP takes
@@ -124,8 +140,10 @@ class Monotone:
         count = self.places.size
         draws = np.clip(_DRAWN // count, *_DRAWS)
         errors = np.random.default_rng(0).uniform(-most, most, (count, draws))
+        errors[:, 0] = -most * (-1) ** np.arange(count)
+        shifts = _of_ends(ways, True) @ errors[[0, -1]] if rounded_ends else 0.0
         errors[[0, -1]] = 0
-        errors[1:-1, 0] = most * (-1) ** np.arange(count - 2)
+        errors += shifts
         off = self._bends(ways[:, None] + errors) - self._bends(ways[:, None])
         return np.max(np.abs(off), axis=1), np.sqrt(np.mean(off[:, 1:] ** 2, axis=1))
 
@@ -141,6 +159,16 @@ class Monotone:
         slopes = PchipInterpolator(self.places, ways).derivative()(self.places)
         slopes[0], slopes[-1] = self.slopes
         return np.asarray(CubicHermiteSpline(self.places, ways, slopes).c)
+
+
+def _of_ends(ways: Floats, rounded_ends: bool) -> Floats:
+    """Return by how much each point of a law is off where the first or the last position is, by 1.
+
+    A column for each of them, and none for exact ends.
+    """
+    off = np.column_stack([ways - 1, -ways])
+    off[[0, -1]] = 0
+    return off if rounded_ends else off[:, :0]
 
 
 def _units(number: int) -> Floats:

@@ -40,6 +40,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     fit: Kind = "through",
     smoothing: float | None = None,
     step: float | None = None,
+    rounded_ends: bool = False,
 ) -> SampledLaw:
     """Return a law from points, in polynomials of the third degree, one between any two points.
 
@@ -61,8 +62,10 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
 
     `step` is the step to which s is rounded. None takes it from the digits of s; where they are
     more than 9, or the points fewer than 12, s is taken for exact. So give it where s was divided
-    by a stroke. What the rounding does to the acceleration is `law.rounding`; where that may be
-    more than a fifth of Ca, a UserWarning says so.
+    by a stroke. With `rounded_ends` that stroke is the difference of two rounded positions, of a
+    table say, whose own rounding shifts and scales all the others; without, 0 and 1 are exact. What
+    the rounding does to the acceleration is `law.rounding`; where that may be more than a fifth of
+    Ca, a UserWarning says so.
 
     S and V are continuous inside, and A, but with "monotone". Where A is not 0 at an end it jumps
     there, from or to the rest: then Cj is infinite, and `jerk_impulses` lists it. A spline through
@@ -103,7 +106,7 @@ def law_from_points(  # noqa: PLR0913 - all but the points are given by name
     found = _fitted(kind, places, ways, (float(slopes[0]), float(slopes[1])), amount)
     told = step_of(ways) if ways.size >= _TABLE else 0.0
     grain = told if step is None else _STEP.number(step)
-    law = SampledLaw(name, places, ways, found, grain)
+    law = SampledLaw(name, places, ways, found, grain, rounded_ends=bool(rounded_ends))
     _warn(law)
     return law
 
@@ -119,8 +122,9 @@ def law_from_table(
 ) -> SampledLaw:
     """Return the law of a table that is one rise or one return, and knows its own rounding.
 
-    The other arguments are those of `law_from_points`. Raises InputError for a cycle, and for a
-    table that ends where it begins, or goes beyond its ends by more than what lies between them.
+    All its positions are rounded to its `step_mm`, those at both ends, too. The other arguments are
+    those of `law_from_points`. Raises InputError for a cycle, and for a table that ends where it
+    begins, or goes beyond its ends by more than what lies between them.
 
     >>> angles = np.arange(0, 61.0)
     >>> rise = CamTable(angles, 25 - 25 * np.cos(np.radians(3 * angles)))
@@ -147,6 +151,7 @@ def law_from_table(
         fit=fit,
         smoothing=smoothing,
         step=table.step_mm / abs(stroke),
+        rounded_ends=True,
     )
 
 

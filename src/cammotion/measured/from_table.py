@@ -19,9 +19,9 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.measured.cam_table import CamTable
+from cammotion.measured.fits import Periodic
 from cammotion.measured.from_points import FEWEST, MUCH, NARROW, law_from_points
 from cammotion.measured.resting import Stay, eased
-from cammotion.measured.sampled_law import SampledLaw
 from cammotion.measured.smoothing import SmoothedTable
 from cammotion.quantities import Floats, InputError, Quantity
 
@@ -46,9 +46,11 @@ def motion_from_table(
     more stay the same over `least_dwell_deg`, to one and a half of the table's step, it dwells, and
     rests at both ends. Of a table that `smoothed` returned, it dwells where the positions stay the
     same to six times its error, and goes over to that over ten degrees at most. Its moves have laws
-    from points, so that it is checked, drawn and written like any motion. Raises InputError for a
-    table that is no cycle, that stays where it is, or that turns back too often, as one of measured
-    noise does.
+    from points, so that it is checked, drawn and written like any motion; the `rounding` of such a
+    law is too large where the table turns close beside a point, as it takes both for readings. What
+    the table's rounding does is reckoned from all of it, and warned of above a fifth of the peak.
+    Raises InputError for a table that is no cycle, that stays where it is, or that turns back too
+    often, as one of measured noise does.
 
     >>> angles = np.arange(0.0, 360.0, 5)
     >>> table = CamTable(angles, 25 - 25 * np.cos(np.radians(angles)), is_cycle=True)
@@ -202,7 +204,8 @@ def _moves(spline: Spline, table: CamTable, swing: float) -> Iterator[Segment]:
         x, s = (at - low) / (high - low), (spline.over(at) - start) / (end - start)
         s[0], x[-1], s[-1] = 0.0, 1.0, 1.0
         step = table.step_mm / abs(end - start)
-        law = law_from_points(x, s, name=f"table, {low % DEG_PER_TURN:.6g} deg", step=min(step, 1))
+        name = f"table, {low % DEG_PER_TURN:.6g} deg"
+        law = law_from_points(x, s, name=name, step=min(step, 1), rounded_ends=True)
         yield Segment(from_deg=low, to_deg=high, from_mm=start, to_mm=end, law=law)
 
 
@@ -250,9 +253,17 @@ def _turns(corners: Sequence[tuple[float, float]], swing: float) -> list[tuple[f
 
 
 def _warn(motion: Motion, table: CamTable) -> None:
-    """Say it where the rounding of the positions may be much of what the acceleration is."""
-    laws = [law for move in motion.moves if isinstance(law := move.law, SampledLaw)]
-    share = max(law.rounding.bound / law.curve.derived(2).largest for law in laws)
+    """Say it where the rounding of the positions may be much of what the acceleration is.
+
+    All positions lie on one spline. That of a single move would take its own turn for exact, or for
+    another reading, and what lies beside it for free to be off by itself.
+    """
+    since = np.append(table.angle_deg - table.angle_deg[0], DEG_PER_TURN) / DEG_PER_TURN
+    bound, _ = Periodic(since, 0.0).effects(since, table.step_mm / 2, False)  # by the turn
+    angles = table.angle_deg[:, None]
+    moves = np.array([(move.from_deg, move.angle_deg) for move in motion.moves])
+    is_moving = np.any(np.mod(angles - moves[:, 0], DEG_PER_TURN) <= moves[:, 1], axis=1)
+    share = bound[:-1][is_moving].max(initial=0.0) / DEG_PER_TURN**2 / motion.peak(2)
     if share > MUCH:
         much = f"up to {share:.0%}" if share < 1 else "more than all"
         warn(

@@ -28,19 +28,30 @@ class SampledLaw(MotionLaw):
     """A law from points. `law_from_points` makes it.
 
     `sampled_at` are the places of the points in x and `ways` their S, `step` the step to which S is
-    rounded, 0 for exact ones, and `amount` how much they were smoothed. Reversed, or with a share
-    of constant velocity, it is a law like any other and no longer one of points.
+    rounded, 0 for exact ones, and `amount` how much they were smoothed. With `rounded_ends` the
+    positions at both ends are rounded, too. Reversed, or with a share of constant velocity, it is a
+    law like any other and no longer one of points.
     """
 
     sampled_at: tuple[float, ...]
     ways: tuple[float, ...]
     step: float
+    rounded_ends: bool
     fit: Fit
 
-    def __init__(self, name: str, places: Floats, ways: Floats, fit: Fit, step: float) -> None:
+    def __init__(  # noqa: PLR0913 - all that is known of the points
+        self,
+        name: str,
+        places: Floats,
+        ways: Floats,
+        fit: Fit,
+        step: float,
+        *,
+        rounded_ends: bool = False,
+    ) -> None:
         super().__init__(name, fit.curve(ways))
         points = {"sampled_at": tuple(places.tolist()), "ways": tuple(ways.tolist())}
-        self.__dict__.update(points | {"fit": fit, "step": step})
+        self.__dict__.update(points | {"fit": fit, "step": step, "rounded_ends": rounded_ends})
 
     @property
     def amount(self) -> float:
@@ -51,12 +62,12 @@ class SampledLaw(MotionLaw):
     def rounding(self) -> Rounding:
         """What the rounding of the points does to the acceleration A.
 
-        It is largest beside the ends; amid many even points, h apart, rounded to a step and not
-        smoothed, it is 6 step/h^2 at most.
+        Amid many even points, h apart, rounded to a step and not smoothed, it is 6 step/h^2 at
+        most, and its root mean square sqrt(3) step/h^2; beside the ends both are others.
         """
         if not self.step:
             return Rounding(0.0, 0.0, 0.0)
-        bound, rms = self.fit.effects(np.array(self.ways), self.step / 2)
+        bound, rms = self.fit.effects(np.array(self.ways), self.step / 2, self.rounded_ends)
         return Rounding(self.step, float(rms.max()), float(bound.max()))
 
     def __repr__(self) -> str:
