@@ -1,6 +1,7 @@
 """A follower that leaves its cam: closed forms, published cases, and integration step by step."""
 
 import math
+import time
 from typing import Any
 
 import numpy as np
@@ -146,6 +147,39 @@ def test_a_flight_without_a_spring_is_a_throw() -> None:
     assert first.lands_at_deg == pytest.approx(70 + lands * rate / 10, abs=1e-9)
     assert first.lands_at_deg < 35 + 120  # on the upper dwell
     assert first.impact_m_per_s == pytest.approx(math.sqrt(2 * fall * (top - 0.020)), rel=1e-12)
+
+
+@pytest.mark.parametrize("preload", [1.0, 30.0])
+def test_a_flight_over_many_turns_is_a_throw_too(preload: float) -> None:
+    """It was stepped over turn by turn, and too far away it could not arrive."""
+    die, turn_s = cm.EXAMPLE.die, 0.1
+    load, began = cm.FollowerLoad(mass_kg=12, preload_N=preload), time.perf_counter()
+    found = cm.follower_flights(die, load, 36000)
+    assert time.perf_counter() - began < 2
+    (flight,) = found
+    start, pull = flight.leaves_at_deg, 1000 * preload / 12
+    speed = die.derivative(1, start, 36000) * 1000
+
+    def over(angle: Any) -> Any:
+        since = (angle - start) / 360 * turn_s
+        thrown = die.position_mm(start) + speed * since - pull * since**2 / 2
+        return thrown - die.position_mm(angle)
+
+    lands = flight.lands_at_deg
+    assert lands - start > 360 * 50
+    assert over(lands) == pytest.approx(0, abs=1e-6)
+    assert np.all(over(np.linspace(lands - 720, lands - 1e-3, 20001)) > 0)
+    top = start + speed / pull / turn_s * 360
+    about = over(np.linspace(top - 360, top + 360, 20001)).max()
+    assert flight.gap_mm == pytest.approx(about, rel=1e-6)
+
+
+@pytest.mark.parametrize("rate", [36000, 360000])
+def test_a_follower_that_hardly_anything_presses_is_refused_soon(rate: float) -> None:
+    began = time.perf_counter()
+    with pytest.raises(cm.InputError, match=r"leaves its cam at .* flies for .* turns, so weakly"):
+        cm.follower_flights(cm.EXAMPLE.die, cm.FollowerLoad(mass_kg=12, preload_N=0.01), rate)
+    assert time.perf_counter() - began < 2
 
 
 def test_energy_is_kept_in_flight() -> None:

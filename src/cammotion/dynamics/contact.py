@@ -197,8 +197,8 @@ def follower_flights(
     become ever smaller, or that are a thousand without a rest, are taken as at an end, and
     `stuck_at_deg` says where; jumps of less than 1e-11 of the travel are none. Angles are exact to
     1e-9 of a turn, and every flight is checked. Raises InputError for an indexing motion, for one
-    whose velocity jumps, for a follower that does not rest on its cam when the machine stands, and
-    for numbers out of range.
+    whose velocity jumps, for a follower that does not rest on its cam when the machine stands, for
+    one that is pressed so weakly that it flies for 20 000 turns, and for numbers out of range.
 
     >>> import cammotion as cm
     >>> load = FollowerLoad(mass_kg=12, stiffness_N_per_mm=0.2, preload_N=10)

@@ -9,7 +9,8 @@ frequency, both are one formula,
 No landing is stepped over. In a smooth piece of the motion the gap cannot be pulled together faster
 than the mass can fall and the cam can rise at most; from a gap and its rate of change follows how
 long it certainly stays open. So long a step is made, and another from there, until a step is less
-than rounding. Near a landing each of them has twice as many right digits as the one before.
+than rounding. Near a landing each of them has twice as many right digits as the one before. While
+the mass is higher than the cam ever gets, the turns beneath it are stepped over.
 """
 
 import math
@@ -24,12 +25,14 @@ from cammotion.dynamics.loads import FollowerLoad
 from cammotion.laws.piece import Piece
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, cycle_time
 from cammotion.machine.motions import Motion
-from cammotion.quantities import Floats, Numbers, WrongAnswerError
+from cammotion.quantities import Floats, InputError, Numbers, WrongAnswerError
 
 _CLOSE_DEG = 1e-10  # a step that is no longer has arrived
 _MOST_STEPS = 100_000
 _FINE_DEG = 0.25  # between places of a flight that are looked at for the widest gap
 _FEWEST = 65
+_MOST_TURNS = 20_000  # of a flight; after more of them a float is no longer exact enough
+_OVER = 1e-6  # of the travel: surely higher than the cam ever gets
 
 
 class Fall:
@@ -40,6 +43,27 @@ class Fall:
         self._pull = load.standing_N(lift_mm) * MM_PER_M / load.mass_kg
         self.swing = math.sqrt(load.stiffness_N_per_mm * MM_PER_M / load.mass_kg)
         self.hardest = math.hypot(self._pull, velocity * self.swing)
+
+    @property
+    def top_s(self) -> float:
+        """When it is at its highest; 0 if it only falls."""
+        rise = max(self._velocity, 0.0)
+        if not self.swing:
+            return rise / self._pull
+        return math.atan2(rise * self.swing, self._pull) / self.swing
+
+    def down_s(self, height_mm: float) -> float:
+        """Return when it is down at a height again; 0 if it does not get over it.
+
+        About its top it swings too, by hardest/w^2.
+        """
+        over = float(self(self.top_s)) - height_mm
+        if over <= 0:
+            return 0.0
+        root = math.sqrt(over / (2 * self.hardest))
+        if not self.swing:
+            return self.top_s + 2 * root
+        return self.top_s + 2 * math.asin(min(self.swing * root, 1.0)) / self.swing
 
     def __call__(self, time_s: Numbers, order: int = 0) -> Numbers:
         """Return the height in mm, or the velocity (order 1) in mm/s, a time after the start."""
@@ -93,14 +117,17 @@ class Cam:
     def landing(self, fall: Fall, since: float, free: float) -> float:
         """Return where a flight that began at a place ends; for `free` deg it certainly lasts."""
         place, steps = since + free, 0
+        over, down = self._over(fall, since)
         for part, back in self._from(place):
             end, most = part.high + back, fall.hardest + part.hardest
             while place < end:
                 height, velocity = self._at(part, place - back)
                 time = (place - since) / self.per_s
+                if fall(time) > over and down > place + DEG_PER_TURN:
+                    return self.landing(fall, since, down - since)
                 gap, opens = fall(time) - height, fall(time, 1) - velocity
                 step = _certainly_open(gap, opens, most) * self.per_s
-                if step < _CLOSE_DEG:
+                if step < max(_CLOSE_DEG, math.ulp(place)):
                     return float(place)
                 place, steps = place + step, steps + 1
                 if steps > _MOST_STEPS:
@@ -109,8 +136,14 @@ class Cam:
         raise AssertionError  # turns have no end
 
     def widest(self, fall: Fall, since: float, end: float) -> float:
-        """Return the largest gap in mm of a flight."""
-        places = np.linspace(since, end, max(_FEWEST, math.ceil((end - since) / _FINE_DEG) + 1))
+        """Return the largest gap in mm of a flight, which is within a turn of its top.
+
+        For the cam is at its lowest once within half a turn of that.
+        """
+        highest = since + fall.top_s * self.per_s
+        first, last = max(since, highest - DEG_PER_TURN), min(end, highest + DEG_PER_TURN)
+        length = last - first
+        places = np.linspace(first, last, max(_FEWEST, math.ceil(length / _FINE_DEG) + 1))
         gaps = self.gap(fall, since, places)
         top = int(np.argmax(gaps))
         beside = places[max(top - 1, 0)], places[min(top + 1, len(places) - 1)]
@@ -120,6 +153,19 @@ class Cam:
     def gap(self, fall: Fall, since: float, places: Floats) -> Floats:
         """Return the gaps in mm at places of a flight."""
         return np.asarray(fall((places - since) / self.per_s) - self.lift(places))
+
+    def _over(self, fall: Fall, since: float) -> tuple[float, float]:
+        """Return a height over all of the cam, and where a flight is down at it again."""
+        low, high = self.motion.range_mm
+        over = (high - low) * (1 + _OVER)
+        turns = fall.down_s(over) * self.per_s / DEG_PER_TURN
+        if turns > _MOST_TURNS:
+            raise InputError(
+                f"At {10 * self.per_s:g} pieces/h the follower leaves its cam at {since:.5g} deg "
+                f"and flies for {turns:.3g} turns, so weakly is it pressed; up to {_MOST_TURNS} "
+                "are followed: give it a stronger spring, or a lower rate."
+            )
+        return over, since + turns * DEG_PER_TURN
 
     def _from(self, place: float) -> Iterator[tuple[_Part, float]]:
         """Yield the parts from a place on, and by how much their angles are behind."""
