@@ -273,6 +273,18 @@ def test_a_flat_face_is_one_in_any_case() -> None:
     assert lifts[0] == lifts[1]
 
 
+@pytest.mark.parametrize("follower", [FLAT, cm.TranslatingRoller(15)])
+@pytest.mark.parametrize("probe", [30, 40])
+def test_a_probe_inside_of_which_no_cam_is_left(follower: Any, probe: float) -> None:
+    """Its centres go round on 30 mm: a circle of -10 mm was returned."""
+    x, y = 30 * CIRCLE.real, 30 * CIRCLE.imag
+    with pytest.raises(InputError, match="leaves a cam whose radius would be -"):
+        lift_from_profile(x, y, follower=follower, probe_radius_mm=probe)
+    smaller = lift_from_profile(x, y, follower=follower, probe_radius_mm=29)
+    roller = 0 if follower == FLAT else 15
+    assert smaller.prime_radius_mm - roller == pytest.approx(1, abs=1e-3)
+
+
 def test_what_is_given_wrongly() -> None:
     x, y = 50 * CIRCLE.real, 50 * CIRCLE.imag
     with pytest.raises(InputError, match="arrays of shape"):

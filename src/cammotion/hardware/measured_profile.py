@@ -80,8 +80,9 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
 
     Exact but for what a curve through the points leaves open between them; noise is not smoothed
     away, and lowers what is taken as 0, as ProfileLift says. Raises InputError for points that are
-    not once round the axis, for a hollow into which the probe or the follower does not reach, and
-    for steps so uneven that noise would sway the curve over a long one by ten times as much.
+    not once round the axis, for a hollow into which the probe or the follower does not reach, for a
+    probe so large that nothing is left of the cam, and for steps so uneven that noise would sway
+    the curve over a long one by ten times as much.
 
     >>> import cammotion as cm
     >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=160)
@@ -117,12 +118,20 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     if off > allowed:
         traced.refuse_cut(off)
     lowest = float(position.min())
-    return ProfileLift(
-        degrees,
-        position - lowest,
-        traced.prime_of(lowest),
-        off,
-    )
+    circle = traced.prime_of(lowest)
+    _check_circle(circle, radius, 0.0 if isinstance(follower, str) else follower.radius_mm)
+    return ProfileLift(degrees, position - lowest, circle, off)
+
+
+def _check_circle(circle_mm: float, probe_mm: float, roller_mm: float) -> None:
+    """Raise InputError where the probe is so large that nothing is left of the cam."""
+    cam = circle_mm - roller_mm
+    if cam <= _ROUNDING * probe_mm:
+        raise InputError(
+            f"A probe of {probe_mm:g} mm on these points leaves a cam whose radius would be "
+            f"{as_text(cam, '.4g')} mm at its lowest: give the centres of the probe about the axis "
+            "of the cam, and its radius."
+        )
 
 
 def _checked(x_mm: ArrayLike, y_mm: ArrayLike, *, clockwise: bool) -> Places:
