@@ -219,6 +219,22 @@ def is_good(cam: cm.RollerCam, steepest_deg: float, radius_mm: float) -> bool:
     return bool(steep.max() <= steepest_deg + 1e-4 and least >= radius_mm - 1e-3)
 
 
+@pytest.mark.parametrize("law", ["cycloidal", "modified sine", "3-4-5 polynomial"])
+def test_a_flat_faced_cam_that_is_as_small_as_can_be_is_not_undercut(law: str) -> None:
+    """Some of them had a radius of -3.5e-15 mm and were called undercut."""
+    for angle in np.arange(40.0, 80):
+        up, down = cm.rise(10, over_deg=angle, law=law), cm.return_(10, over_deg=angle - 7, law=law)
+        motion = cm.motion("m", up, cm.dwell(33), down, cm.dwell(334 - 2 * angle))
+        least = cm.smallest_base_radius(motion)
+        assert cm.FlatFacedCam(motion, least).undercuts == ()
+        (*_, worst) = sorted(cm.FlatFacedCam(motion, least - 0.01).undercuts, key=_missing)
+        assert worst.missing_mm == pytest.approx(0.01)
+
+
+def _missing(cut: cm.Undercut) -> float:
+    return cut.missing_mm
+
+
 def test_undercut_arcs_end_where_the_pitch_curve_is_as_sharp_as_the_roller() -> None:
     cam = cm.RollerCam(DIE, cm.TranslatingRoller(14), prime_radius_mm=15)
     assert len(cam.undercuts) == 2

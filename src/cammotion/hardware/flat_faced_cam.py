@@ -13,6 +13,7 @@ from cammotion.hardware.disc_cam import (
     Undercut,
     check_motion,
     lift_of,
+    travel_mm,
     undercuts_of,
 )
 from cammotion.hardware.envelope import Lift, points
@@ -20,6 +21,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, Numbers, Quantity, keep_numbers, plain
 
 _BASE = Quantity("radius of the base circle", "mm", example=50)
+_SHARP = 1e-9  # of the largest radius: so little too sharp is rounding
 
 
 @checked
@@ -78,10 +80,11 @@ class FlatFacedCam(DiscCam):
     @cached_property
     def undercuts(self) -> tuple[Undercut, ...]:
         """Where the profile's radius would be below 0; the ends are bracketed to 1e-9 deg."""
+        allowed = _SHARP * (self.base_radius_mm + travel_mm(self.motion))
         return undercuts_of(
-            lambda piece, at: -self._radius(lift_of(self.motion, piece, at)),
+            lambda piece, at: -self._radius(lift_of(self.motion, piece, at)) - allowed,
             self.motion.curve.pieces,
-            float,
+            lambda worst: worst + allowed,
         )
 
     def _radius(self, lift: Lift) -> Floats:
