@@ -209,6 +209,17 @@ def test_what_is_refused_later() -> None:
         cm.OneMass("cycloidal", n)(0.5)
 
 
+@pytest.mark.parametrize(("law", "swings"), [("cycloidal", 1), ("simple harmonic", 0.5)])
+def test_in_resonance_an_undamped_mass_has_numbers_and_no_formula(law: str, swings: float) -> None:
+    """There the formula is 0/0, and what was written was nan; the numbers are its limit."""
+    exact, near = cm.OneMass(law, swings, 0), cm.OneMass(law, swings + 1e-6, 0)
+    for written in ("z", "a"):
+        with pytest.raises(cm.InputError, match=r"formula is 0/0: call it for numbers"):
+            getattr(exact, written)
+    assert exact(0.3, 2) == pytest.approx(float(near.a.subs(cm.x, 0.3)), rel=1e-4)
+    assert not cm.OneMass(law, swings, 0.02).z.has(sp.nan)
+
+
 def test_a_number_of_sympys_is_a_number() -> None:
     """It was told to have symbols; and what is nearly no swing is refused at once."""
     assert cm.OneMass("cycloidal", sp.Integer(4)).peak == cm.OneMass("cycloidal", 4).peak

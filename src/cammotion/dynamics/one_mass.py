@@ -59,7 +59,8 @@ class OneMass(Alike):
     1e-6 to 1000. `damping_ratio` is dimensionless, from 0 (none) to 0.99. Each may be a symbol
     instead; then there are expressions and no numbers. Cam and mass rest before the move.
     Raises InputError for other numbers, for an unknown law, for one that does not go from 0 to 1,
-    for one whose velocity jumps, and for one that is not made of polynomials and waves.
+    for one whose velocity jumps, and for one that is not made of polynomials and waves; and, asked
+    for `z` or `a`, where nothing damps a mass that swings as a wave of its law.
 
     >>> soft = OneMass("cycloidal", swings=1.25)
     >>> print(f"{soft.peak:.3f}, {soft.amplification:.2f} times the cam's")
@@ -155,7 +156,14 @@ class OneMass(Alike):
 
     def _written(self, derivative: int) -> sympy.Expr:
         values = {s: v if isinstance(v, sympy.Expr) else exact(v) for s, v in self._of.items()}
-        return _response(self.law, derivative).xreplace(values)
+        written = _response(self.law, derivative).xreplace(values)
+        if written.has(sympy.nan, sympy.zoo):
+            raise InputError(
+                f"{self!r} swings just as a wave of its law, and undamped, where its formula is "
+                "0/0: call it for numbers, which have a limit there, or "
+                "give some damping, or other swings."
+            )
+        return written
 
 
 class _Forced(NamedTuple):
