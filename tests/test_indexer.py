@@ -167,10 +167,12 @@ def test_a_rotor_and_a_geneva_wheel_fit_in() -> None:
     assert found.torque_N_m(0.0) == pytest.approx(38.5 * math.tan(math.pi / 8) * speed**2)
 
 
+WEIGHTLESS = cm.OwnInertia(mass_kg=8, inertia_kg_m2=0)
 ANY: Any = cm  # what a learner may type, unseen by a type checker
 BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: ANY.Indexer(-38.5, 8, 0.75), r"inertia is -38.5 kg m2.*for example 38.5 kg m2"),
     (lambda: ANY.Indexer(0, 8, 0.75), r"inertia is 0 kg m2"),
+    (lambda: ANY.Indexer(cm.Rotor({"hub": WEIGHTLESS}), 8, 0.75), r"inertia is 0 kg m2"),
     (lambda: ANY.Indexer(38.5, 1, 0.75), r"number of stops is 1.*at least 2.*for example 8"),
     (lambda: ANY.Indexer(38.5, 7.5, 0.75), r"stops is 7.5; it has to be a whole number.*8"),
     (lambda: ANY.Indexer(38.5, 8, 0), r"indexing time is 0 s.*for example 0.75 s"),

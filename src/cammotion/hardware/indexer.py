@@ -64,6 +64,7 @@ class Indexer:
     def __post_init__(self) -> None:
         if not isinstance(self.turns, Rotor):
             keep_numbers(self, turns=_INERTIA.number)
+        _INERTIA.number(self.inertia_kg_m2)  # that of a rotor may be 0
         keep_numbers(
             self,
             stops=_STOPS.whole,
