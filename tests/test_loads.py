@@ -56,6 +56,16 @@ def test_a_light_follower_under_a_third_of_a_newton() -> None:
     assert load.lift_off_rate(CYCLOID) == pytest.approx(3600 / (3 * tm))
 
 
+@pytest.mark.parametrize("times", [1e-15, 1e9])
+def test_a_follower_of_another_size_leaves_at_the_same_rate(times: float) -> None:
+    """Mass and spring so many times as large: below 1e-12 N a force counted as so much."""
+    usual = cm.FollowerLoad(mass_kg=12, preload_N=10, stiffness_N_per_mm=0.1)
+    other = cm.FollowerLoad(
+        mass_kg=12 * times, preload_N=10 * times, stiffness_N_per_mm=0.1 * times
+    )
+    assert other.lift_off_rate(CYCLOID) == pytest.approx(usual.lift_off_rate(CYCLOID))
+
+
 def test_a_follower_that_nothing_holds_leaves_at_once() -> None:
     assert cm.FollowerLoad(mass_kg=1).lift_off_rate(CYCLOID) == 0
     assert cm.FollowerLoad(mass_kg=1, weight_N=-20, preload_N=10).lift_off_rate(CYCLOID) == 0

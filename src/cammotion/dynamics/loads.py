@@ -21,7 +21,7 @@ PRELOAD = Quantity("preload of the spring", "N", example=100, low_included=True)
 LIFT = Quantity("height over the lowest position", "mm", example=10, low=-math.inf)
 WEIGHT = Quantity("weight on the cam", "N", example=117.7, low=-math.inf)
 
-_LEAST_N = 1e-12
+_LEAST = 1e-12  # of what presses at most: less is nothing, where only rounding pulls
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,7 +117,7 @@ class FollowerLoad:
 
         def share(piece: Piece, places: Floats) -> Floats:
             standing = self._standing_at(motion, piece, places)
-            return pull(piece, places) / np.maximum(standing, _LEAST_N)
+            return pull(piece, places) / np.maximum(standing, _LEAST * most)
 
         self._check(motion)
         low, high = motion.range_mm
