@@ -55,7 +55,7 @@ def test_a_spline_is_drawn_within_its_band() -> None:
     smooth = cm.smoothed(CAM, 1e-4)
     ax = cm.plot_measured({"cam": CAM, "spline": smooth}, RATE, error_mm=0.02)
     x, values = (np.asarray(each) for each in ax.lines[-2].get_data())
-    assert values == pytest.approx(np.asarray(smooth.at(x, RATE, 2)))
+    assert values == pytest.approx(np.asarray(smooth.at(x, 2, rate_per_hour=RATE)))
     (band,) = [one for one in ax.collections if "FillBetween" in type(one).__name__] or [
         ax.collections[-1]
     ]

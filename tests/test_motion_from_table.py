@@ -155,7 +155,7 @@ def test_a_measured_cam_moves_as_its_smoothed_table(law: str, noise: float) -> N
     assert np.abs(cam.position_mm(AT) - lift(AT, 150, (75, 60, 55), law)).max() < 4 * noise
     diagram = cm.TimingDiagram([cam], 900)
     assert diagram.peak_acceleration("die") == pytest.approx(
-        np.abs(np.asarray(smooth.at(AT, 900, 2))).max(), rel=0.01
+        np.abs(np.asarray(smooth.at(AT, 2, rate_per_hour=900))).max(), rel=0.01
     )
 
 
@@ -167,7 +167,7 @@ def test_a_table_that_turns_back_by_a_little_just_before_it_dwells(seed: int) ->
     smooth = cm.smoothed(table(lift(ANGLES, 0, widths, "3-4-5") + noise))
     cam = cm.motion_from_table("die", smooth)
     assert all(abs(move.change_mm) > 6 * smooth.error_mm for move in cam.moves)
-    off = cam.position_mm(AT) - np.asarray(smooth.at(AT, 900))
+    off = cam.position_mm(AT) - np.asarray(smooth.at(AT))
     assert np.abs(off).max() < 12 * smooth.error_mm
 
 

@@ -237,8 +237,15 @@ def test_velocity_and_angles_between_the_points() -> None:
     found = cm.smoothed(CAM, 1e-4)
     d, omega = 1e-4, 90.0  # deg, deg/s
     slope = (found.at(33 + d) - found.at(33 - d)) / (2 * d) * omega / 1000
-    assert found.at(33, RATE, 1) == pytest.approx(slope, rel=1e-6)
-    assert found.at([-10, 350, 710], RATE, 2) == pytest.approx([found.at(350, RATE, 2)] * 3)
+    assert found.at(33, 1, rate_per_hour=RATE) == pytest.approx(slope, rel=1e-6)
+    bends = found.at([-10, 350, 710], 2, rate_per_hour=RATE)
+    assert bends == pytest.approx([found.at(350, 2, rate_per_hour=RATE)] * 3)
+    for order in (1, 2):  # a second number was taken for a rate, and the position returned
+        with pytest.raises(
+            cm.InputError, match=rf"derivative {order} by the time .* give the rate"
+        ):
+            found.at(33, order)
+    assert found.at(33, rate_per_hour=RATE) == found.at(33)
     assert found.acceleration(2 * RATE) == pytest.approx(4 * found.acceleration(RATE))
 
 
@@ -252,11 +259,14 @@ def test_velocity_and_angles_between_the_points() -> None:
             "cam angle is 181 deg; .* at least 0 and at most 18",
         ),
         (
-            lambda: cm.smoothed(CAM, 1).at(0, RATE, 3),
+            lambda: cm.smoothed(CAM, 1).at(0, 3, rate_per_hour=RATE),
             "derivative is 3; it has to be a whole",
         ),
-        (lambda: cm.smoothed(CAM, 1).at(0, RATE, PAIR), "derivative has to be a sing"),
-        (lambda: cm.smoothed(CAM, 1).at(0, 0, 1), "machine rate is 0"),
+        (
+            lambda: cm.smoothed(CAM, 1).at(0, PAIR, rate_per_hour=RATE),
+            "derivative has to be a sing",
+        ),
+        (lambda: cm.smoothed(CAM, 1).at(0, 1, rate_per_hour=0), "machine rate is 0"),
         (
             lambda: cm.smoothed(cm.CamTable(np.arange(1001.0), np.arange(1001.0))),
             "There are 1001 points to be smoothed; .* at most 1000",

@@ -167,9 +167,9 @@ def noisy(machine: Machine) -> None:
     cam = cm.motion_from_table("cam", smooth)
     assert cam.steps(1) == [], "a jump"
     at, rate = np.arange(0, 360, 0.05), 900.0
-    _same(cam.position_mm(at), smooth.at(at, rate), 1, "height", 6 * smooth.error_mm)
+    _same(cam.position_mm(at), smooth.at(at), 1, "height", 6 * smooth.error_mm)
     peak = cm.TimingDiagram([cam], rate).peak_acceleration("cam")
-    wanted = np.abs(np.asarray(smooth.at(at, rate, 2))).max()
+    wanted = np.abs(np.asarray(smooth.at(at, 2, rate_per_hour=rate))).max()
     _same(peak, wanted, wanted, "peak", 0.32)
 
 

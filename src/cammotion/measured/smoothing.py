@@ -13,7 +13,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_tim
 from cammotion.measured.cam_table import ANGLE, DERIVATIVE, CamTable
 from cammotion.measured.differences import ERROR
 from cammotion.measured.smoother import AnyPoints, EvenCycle, Smoother, chosen_amount
-from cammotion.quantities import Floats, Numbers, Quantity, plain
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain
 
 AMOUNT = Quantity("amount of smoothing", "", example=1e-6, high=1e12, low_included=True)
 
@@ -42,26 +42,36 @@ class SmoothedTable(Alike):
         """The table with the smoothed positions in place of its own."""
         return replace(self.table, position_mm=self.position_mm, step_mm=0.0)
 
-    def at(self, angle_deg: ArrayLike, rate_per_hour: float = 900, derivative: int = 0) -> Numbers:
+    def at(
+        self, angle_deg: ArrayLike, derivative: int = 0, *, rate_per_hour: float | None = None
+    ) -> Numbers:
         """Return the position in mm (or velocity in m/s, acceleration in m/s2) at a cam angle.
 
-        `derivative` is 0, 1 or 2; `rate_per_hour`, the turns of the camshaft in an hour, matters
-        for 1 and 2. The result has the shape of `angle_deg`. Raises InputError for another
-        derivative, and for angles outside of a table that is no cycle.
+        `derivative` is 0, 1 or 2, and for 1 and 2 `rate_per_hour` says how often the camshaft turns
+        in an hour. The result has the shape of `angle_deg`. Raises InputError for another
+        derivative, for a velocity or an acceleration without a rate, and for angles outside of a
+        table that is no cycle.
         """
         order = DERIVATIVE.whole(derivative)
+        if order and rate_per_hour is None:
+            raise InputError(
+                f"The derivative {order} by the time goes by how fast the cam turns: give the rate "
+                "in turns an hour, for example rate_per_hour=900."
+            )
         low, high = float(self.table.angle_deg[0]), float(self.table.angle_deg[-1])
         if self.table.is_cycle:
             angle = low + np.mod(ANGLE.array(angle_deg) - low, DEG_PER_TURN)
         else:
             angle = Quantity("cam angle", "deg", low, low, high, True).array(angle_deg)
+        values = self._spline(angle, order)
+        if rate_per_hour is None:
+            return plain(values)
         per_second = DEG_PER_TURN / cycle_time(RATE.number(rate_per_hour))
-        scale = per_second**order / (MM_PER_M if order else 1)
-        return plain(self._spline(angle, order) * scale)
+        return plain(values * (per_second**order / (MM_PER_M if order else 1)))
 
     def acceleration(self, rate_per_hour: float) -> Floats:
         """Return the acceleration in m/s2 at the table's angles, at a rate in turns an hour."""
-        return np.asarray(self.at(self.table.angle_deg, rate_per_hour, 2))
+        return np.asarray(self.at(self.table.angle_deg, 2, rate_per_hour=rate_per_hour))
 
     def acceleration_rms(self, rate_per_hour: float, error_rms_mm: float | None = None) -> Floats:
         """Return the error bars in m/s2 of the acceleration at the table's angles.

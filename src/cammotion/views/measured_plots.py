@@ -263,7 +263,8 @@ def _spline(
     if found.table.is_cycle:
         places, bars = _closed(places), _closed(bars, 0)
     angle = np.linspace(places[0], places[-1], _PLACES)
-    return angle, np.asarray(found.at(angle, rate, 2)), np.interp(angle, places, bars)
+    values = np.asarray(found.at(angle, 2, rate_per_hour=rate))
+    return angle, values, np.interp(angle, places, bars)
 
 
 def _closed(values: Floats, more: float = DEG_PER_TURN) -> Floats:
