@@ -1,6 +1,8 @@
 """Inertias, against published tables, integrals over small cells, and each other."""
 
+import dataclasses
 import math
+import pickle
 import re
 from collections.abc import Callable
 from typing import Any
@@ -110,6 +112,28 @@ def test_two_ways_to_the_printed_739() -> None:
 def test_its_misprints_do_not_lead_to_its_results() -> None:
     assert example(station_kg=15).mass_kg == pytest.approx(171.04)
     assert example(divided_by=2).inertia_kg_m2 == pytest.approx(5.38 + (32.4 + 0.72) / 4)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        cm.Disc(radius_mm=500, mass_kg=43.04),
+        cm.Disc(radius_mm=500, thickness_mm=20, density_kg_per_m3=2740),
+        cm.Ring(radius_mm=500, inner_mm=400, thickness_mm=20, density_kg_per_m3=2740),
+        cm.Cuboid(length_mm=300, width_mm=100, thickness_mm=20, density_kg_per_m3=2740),
+        cm.Cross(length_mm=300, width_mm=100, thickness_mm=20, density_kg_per_m3=2740),
+    ],
+)
+def test_a_body_is_copied_and_read_back(body: Any) -> None:
+    """One given by density had its mass beside it and was refused; the copy has its own mass."""
+    assert eval(repr(body), vars(cm).copy()) == body  # noqa: S307 - its own text
+    assert dataclasses.replace(body) == pickle.loads(pickle.dumps(body)) == body  # noqa: S301
+    if body.thickness_mm is not None:
+        thicker = dataclasses.replace(body, thickness_mm=60)
+        assert thicker.mass_kg == pytest.approx(3 * body.mass_kg)
+        assert thicker.inertia_kg_m2 == pytest.approx(3 * body.inertia_kg_m2)
+        with pytest.raises(cm.InputError, match="weighed in one way"):
+            dataclasses.replace(body, mass_kg=1)
 
 
 def test_a_rotor_as_a_table() -> None:

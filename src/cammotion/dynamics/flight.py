@@ -49,7 +49,7 @@ class Fall:
         """When it is at its highest; 0 if it only falls."""
         rise = max(self._velocity, 0.0)
         if not self.swing:
-            return rise / self._pull
+            return float(rise / self._pull)
         return math.atan2(rise * self.swing, self._pull) / self.swing
 
     def down_s(self, height_mm: float) -> float:

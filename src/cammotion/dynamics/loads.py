@@ -117,7 +117,7 @@ class FollowerLoad:
 
         def share(piece: Piece, places: Floats) -> Floats:
             standing = self._standing_at(motion, piece, places)
-            return pull(piece, places) / np.maximum(standing, _LEAST * most)
+            return np.asarray(pull(piece, places) / np.maximum(standing, _LEAST * most))
 
         self._check(motion)
         low, high = motion.range_mm

@@ -6,8 +6,7 @@ by its thickness along the axis and its density. Lengths are in mm, masses in kg
 """
 
 import math
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, fields
 
 from cammotion.machine.kinematics import MM_PER_M
 from cammotion.quantities import InputError, Quantity, keep_numbers
@@ -19,42 +18,60 @@ _LENGTH = Quantity("length", "mm", example=300)
 _WIDTH = Quantity("width", "mm", example=25)
 _THICKNESS = Quantity("thickness", "mm", example=10)
 _DENSITY = Quantity("density", "kg/m3", example=7850)
+_WEIGHED = ("mass_kg", "thickness_mm", "density_kg_per_m3")
 _COUNT = Quantity("number of masses", "", example=8, low=1, low_included=True)
 _INERTIA = Quantity("inertia", "kg m2", example=5.38, low_included=True)
 
 
-@dataclass(frozen=True, kw_only=True)
-class _Body:
-    """A flat body about its own axis; what each kind adds are its area and its square of gyration.
+class _Reckoned(float):
+    """A mass that follows from thickness and density."""
 
-    `mass_kg` is filled in where thickness and density were given.
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class _Body:
+    """A flat body about its own axis: its area, and its square of gyration.
+
+    Each kind adds these two. `mass_kg` is filled in where thickness and density were given, as a
+    number that knows so: a copy with other sizes, by dataclasses.replace, reckons it anew.
     """
 
-    mass_kg: Any = None
-    thickness_mm: Any = None
-    density_kg_per_m3: Any = None
+    mass_kg: float = None  # type: ignore[assignment]  # filled in
+    thickness_mm: float | None = None
+    density_kg_per_m3: float | None = None
 
     def __post_init__(self) -> None:
         self._read_sizes()
-        ways = (self.mass_kg, self.thickness_mm, self.density_kg_per_m3)
-        by_mass, *by_density = (way is not None for way in ways)
-        if by_density != [not by_mass] * 2:
+        has_mass, has_thickness, has_density = (
+            way is not None for way in (self.mass_kg, self.thickness_mm, self.density_kg_per_m3)
+        )
+        by_density = has_thickness and has_density
+        by_mass = has_mass and not (by_density and isinstance(self.mass_kg, _Reckoned))
+        if by_mass == by_density or has_thickness != has_density:
             kind = type(self).__name__
             raise InputError(
                 f"A {kind} is weighed in one way: give its mass_kg, or its thickness_mm and its "
                 "density_kg_per_m3, for example 10 mm and 7850 kg/m3."
             )
-        if not by_mass:
-            keep_numbers(self, thickness_mm=_THICKNESS.number, density_kg_per_m3=_DENSITY.number)
-            mass = self._area_m2 * _m(self.thickness_mm) * self.density_kg_per_m3
-            object.__setattr__(self, "mass_kg", mass)
-        else:
+        if by_mass:
             keep_numbers(self, mass_kg=_MASS.number)
+            return
+        thickness = _THICKNESS.number(self.thickness_mm)
+        density = _DENSITY.number(self.density_kg_per_m3)
+        mass = _Reckoned(self._area_m2 * _m(thickness) * density)
+        for name, value in zip(_WEIGHED, (mass, thickness, density), strict=True):
+            object.__setattr__(self, name, value)
+
+    def __repr__(self) -> str:
+        """Return it as it was made: a mass that was reckoned is not given."""
+        given = {each.name: getattr(self, each.name) for each in fields(self)}
+        if isinstance(self.mass_kg, _Reckoned):
+            given["mass_kg"] = None
+        return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in given.items())})"
 
     @property
     def inertia_kg_m2(self) -> float:
         """The moment of inertia about the axis, in kg m2."""
-        return float(self.mass_kg) * self._gyration_m2
+        return self.mass_kg * self._gyration_m2
 
     def _read_sizes(self) -> None:
         """Raise InputError for sizes that make no sense."""
@@ -70,7 +87,7 @@ class _Body:
         raise NotImplementedError
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Disc(_Body):
     """A round plate of a radius in mm: m r^2 / 2.
 
@@ -96,7 +113,7 @@ class Disc(_Body):
         return _m(self.radius_mm) ** 2 / 2
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Ring(_Body):
     """A round plate with a round hole, radii in mm: m (r_outer^2 + r_inner^2) / 2.
 
@@ -128,7 +145,7 @@ class Ring(_Body):
         return (_m(self.radius_mm) ** 2 + _m(self.inner_mm) ** 2) / 2
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Cuboid(_Body):
     """A bar of a length and a width in mm, which turns about its middle: m (l^2 + w^2) / 12.
 
@@ -153,7 +170,7 @@ class Cuboid(_Body):
         return (_m(self.length_mm) ** 2 + _m(self.width_mm) ** 2) / 12
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Cross(_Body):
     """Two equal bars that cross in the middle, length and width in mm.
 
