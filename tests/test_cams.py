@@ -235,6 +235,13 @@ def _missing(cut: cm.Undercut) -> float:
     return cut.missing_mm
 
 
+def test_the_largest_cutter_of_a_tiny_groove_is_told_with_its_digits() -> None:
+    """A groove of 0.0004567 mm: the advice was a cutter of at most 0 mm."""
+    cam = cm.RollerCam(DIE, cm.TranslatingRoller(4.567e-4), prime_radius_mm=60)
+    with pytest.raises(cm.InputError, match=r"give a cutter of at most 0\.0004567 mm"):
+        cam.cutter_mm(0, 1e-3, outer=True)
+
+
 def test_undercut_arcs_end_where_the_pitch_curve_is_as_sharp_as_the_roller() -> None:
     cam = cm.RollerCam(DIE, cm.TranslatingRoller(14), prime_radius_mm=15)
     assert len(cam.undercuts) == 2

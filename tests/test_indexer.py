@@ -168,6 +168,14 @@ def test_a_rotor_and_a_geneva_wheel_fit_in() -> None:
 
 
 WEIGHTLESS = cm.OwnInertia(mass_kg=8, inertia_kg_m2=0)
+
+
+def test_a_cycle_that_is_the_index_but_for_the_last_digit_is_one() -> None:
+    """0.1 + 0.2 s are more than 0.3."""
+    all_of_it = cm.Indexer(38.5, stops=8, time_s=0.1 + 0.2)
+    assert all_of_it.rms_torque_N_m(0.3) == pytest.approx(all_of_it.rms_torque_N_m(0.1 + 0.2))
+
+
 ANY: Any = cm  # what a learner may type, unseen by a type checker
 BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: ANY.Indexer(-38.5, 8, 0.75), r"inertia is -38.5 kg m2.*for example 38.5 kg m2"),

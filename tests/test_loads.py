@@ -134,6 +134,11 @@ def test_hertz_between_steel_cylinders() -> None:
         assert pressure == pytest.approx(textbook, rel=1e-3)
     assert cm.hertz_pressure([-5, 0], 60, roller_radius_mm=10, width_mm=12).tolist() == [0, 0]
     straight = cm.hertz_pressure(500, 1e12, roller_radius_mm=10, width_mm=12)
+    for flat in (math.inf, -math.inf):  # as profile_radius_mm says of a straight flank
+        both = cm.hertz_pressure([500, 0], [flat, -9], roller_radius_mm=10, width_mm=12)
+        assert both == pytest.approx([straight, 0])
+    with pytest.raises(cm.InputError, match="profile is nan"):
+        cm.hertz_pressure(500, [math.inf, math.nan], roller_radius_mm=10, width_mm=12)
     assert straight == pytest.approx(0.418 * math.sqrt(500 * 210_000 / 120), rel=1e-3)
     with pytest.raises(cm.InputError, match="-9 mm, which the roller of 10 mm cannot touch"):
         cm.hertz_pressure(500, [60, -9], roller_radius_mm=10, width_mm=12)

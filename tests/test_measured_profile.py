@@ -76,7 +76,9 @@ def test_a_stray_among_uneven_points_is_one() -> None:
     cam = RollerCam(DIE, cm.TranslatingRoller(10), 160)
     angles = np.sort(UNEVEN["dense in moves"])
     x, y = cam.profile_mm(angles).T * np.where(angles == 250, 1.001, 1)  # a fifth of a mm
-    with pytest.raises(InputError, match=r"The point at 250 deg lies about 0\.2 mm off"):
+    with pytest.raises(
+        InputError, match=r"The point at 250 deg of cam angle lies about 0\.2 mm off"
+    ):
         lift_from_profile(x, y, follower=cam.follower)
 
 
@@ -84,7 +86,9 @@ def test_a_stray_among_uneven_points_is_one() -> None:
 def test_a_stray_among_dense_points_is_no_hollow(up_mm: float) -> None:
     cam, angles = RollerCam(DIE, cm.TranslatingRoller(10), 160), np.arange(3600) / 10
     x, y = cam.profile_mm(angles).T * np.where(angles == 250, 1 + up_mm / 200, 1)
-    with pytest.raises(InputError, match=r"The point at 250 deg lies about [\d.]+ mm off"):
+    with pytest.raises(
+        InputError, match=r"The point at 250 deg of cam angle lies about [\d.]+ mm off"
+    ):
         lift_from_profile(x, y, follower=cam.follower)
 
 
@@ -250,7 +254,7 @@ REFUSED: list[tuple[Any, str]] = [
     (50 * np.insert(CIRCLE, 7, CIRCLE[6]), "at positions 6 and 7 are one"),
     (
         50 * CIRCLE * np.where(np.arange(90) == 40, 1.02, 1),
-        "The point at 70 deg lies about 1 mm off",
+        "The point at 70 deg of cam angle lies about 1 mm off",
     ),
     (
         50 * CIRCLE[[*range(30), 34, 33, 32, 31, *range(35, 90)]],
@@ -283,6 +287,21 @@ def test_a_probe_inside_of_which_no_cam_is_left(follower: Any, probe: float) -> 
     smaller = lift_from_profile(x, y, follower=follower, probe_radius_mm=29)
     roller = 0 if follower == FLAT else 15
     assert smaller.prime_radius_mm - roller == pytest.approx(1, abs=1e-3)
+
+
+@pytest.mark.parametrize(("clockwise", "told"), [(True, 40), (False, 320)])
+@pytest.mark.parametrize(
+    "follower", [cm.TranslatingRoller(10), cm.SwingingRoller(10, arm_mm=80, pivot_mm=120)]
+)
+def test_a_point_is_told_by_the_cam_angle_at_which_it_is_above_the_axis(
+    follower: Any, clockwise: bool, told: int
+) -> None:
+    """An arm's cam that turns the other way counted against its own cam angles."""
+    angles = np.arange(0, 360.0, 2)
+    points = 50 * np.exp(1j * np.radians(angles + 90))
+    points[20] *= 1.01  # 40 deg against the clock from the top
+    with pytest.raises(InputError, match=rf"The point at {told} deg of cam angle lies about"):
+        lift_from_profile(points.real, points.imag, follower=follower, clockwise=clockwise)
 
 
 def test_what_is_given_wrongly() -> None:

@@ -31,7 +31,7 @@ class Spots(NamedTuple):
 class Course:
     """How a `system` goes over `forcings`, which follow one another; both by one unit of time.
 
-    The last one may have no end: its `high` is infinite then, and the course has no `passage`.
+    The last one may have no end: its `high` is infinite then, and `passage` goes to its beginning.
     """
 
     def __init__(self, system: System, forcings: Sequence[Forcing]) -> None:
@@ -64,7 +64,7 @@ class Course:
 
     @cached_property
     def passage(self) -> tuple[Floats, Floats]:
-        """What the whole course does to a state: state @ matrix + row."""
+        """What the course does to a state, up to a piece without end: state @ matrix + row."""
         size = len(self.system.input)
         whole, shift = np.eye(size), np.zeros(size)
         for passed, pushed in zip(*self._passages, strict=True):

@@ -65,7 +65,7 @@ class Forcing(NamedTuple):
 
 
 class Generator:
-    """The linear system that brings forth all forcings of one kind, no wider than `width`."""
+    """The linear system that brings forth all of some forcings of one kind."""
 
     def __init__(self, forcings: Sequence[Forcing]) -> None:
         self._forcings = forcings

@@ -69,8 +69,8 @@ def polydyne(law: str | MotionLaw, swings: float, damping_ratio: float = 0.0) ->
     """Return the cam whose mass moves by a law at one rate of the machine, without swinging on.
 
     `law` is a name or a law whose third derivative goes on without a jump, from rest to rest, as
-    that of the 4-5-6-7 polynomial does. `swings` is the period ratio tm/Tn at that rate, above 0
-    and at most 1000; `damping_ratio` is from 0 to 0.99. The cam is a law, so that motions
+    that of the 4-5-6-7 polynomial does. `swings` is the period ratio tm/Tn at that rate, from 1e-6
+    to 1000; `damping_ratio` is from 0 to 0.99. The cam is a law, so that motions
     and cams can be made of it; it may go below 0 and above 1, and ends at both. Raises InputError
     for a law that is not so smooth, and for numbers out of range.
 

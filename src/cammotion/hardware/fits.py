@@ -301,7 +301,9 @@ def _not_confirmed(diameter_mm: float, letter: str) -> str:
     known = [at for at, value in enumerate(LOWER[letter]) if value is not None]
     low = f"over {STEPS_MM[known[0] - 1]} " if known[0] else ""
     high = STEPS_MM[known[-1]]
+    nearest = min((STEPS_MM[at] for at in known), key=lambda size: abs(size - diameter_mm))
     return (
         f"The diameter is {diameter_mm:g} mm, and the letter {letter} is confirmed here only for "
-        f"diameters {low}up to {high} mm: give for example {high} mm, or look it up in ISO 286-2."
+        f"diameters {low}up to {high} mm: give for example {nearest} mm, or look it up in "
+        "ISO 286-2."
     )

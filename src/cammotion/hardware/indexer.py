@@ -35,6 +35,7 @@ _FRICTION = Quantity("friction torque", "N m", example=10, low_included=True)
 _WORK = Quantity("work torque", "N m", example=0, low_included=True)
 _SAFETY = Quantity("safety factor", "", example=1.5, low=1, low_included=True)
 _BACKLASH = Quantity("backlash", "deg", example=0.02)
+_SAME = 1e-12  # of the index: 0.1 + 0.2 s are a cycle of 0.3
 _NODES = 24  # with which a smooth part is integrated
 
 
@@ -183,7 +184,7 @@ class Indexer:
         135.6 N m
         """
         cycle = _CYCLE.number(cycle_s)
-        if cycle < self.time_s:
+        if cycle < self.time_s * (1 - _SAME):
             raise InputError(
                 f"The cycle time is {cycle:g} s, and the index alone takes {self.time_s:g} s: give "
                 f"a cycle of at least {self.time_s:g} s."

@@ -82,7 +82,8 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     away, and lowers what is taken as 0, as ProfileLift says. Raises InputError for points that are
     not once round the axis, for a hollow into which the probe or the follower does not reach, for a
     probe so large that nothing is left of the cam, and for steps so uneven that noise would sway
-    the curve over a long one by ten times as much.
+    the curve over a long one by ten times as much; a place of the cam is told by the cam angle at
+    which it is above the axis.
 
     >>> import cammotion as cm
     >>> cam = cm.RollerCam(cm.EXAMPLE.die, cm.TranslatingRoller(10), prime_radius_mm=160)
@@ -105,7 +106,7 @@ def lift_from_profile(  # noqa: PLR0913 - what is known of a measurement
     places, way = COUNT.whole(count), 1
     if not clockwise and isinstance(follower, SwingingRoller):  # its pivot stays on the right
         clockwise, way = True, -1
-    traced = Traced(_checked(x_mm, y_mm, clockwise=clockwise), away, follower)
+    traced = Traced(_checked(x_mm, y_mm, clockwise=clockwise), away, follower, way)
     allowed = _NOISE * traced.noise_mm + _ROUNDING * traced.size_mm
     traced.refuse_gaps(allowed)
     traced.refuse_kinks()

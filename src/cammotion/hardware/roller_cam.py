@@ -103,7 +103,7 @@ class RollerCam(DiscCam):
             )
             raise InputError(
                 f"The radius of the cutter is {radius:.7g} mm, and {where}, of {most:.6g} mm: give "
-                f"a cutter of at most {math.floor(1e3 * most) / 1e3:.7g} mm."
+                f"a cutter of at most {_floored(most):.7g} mm."
             )
         return self._beside(
             angle_deg, self.roller_radius_mm - radius if outer else radius - self.roller_radius_mm
@@ -206,3 +206,9 @@ class RollerCam(DiscCam):
 
     def _curvature(self, lift: Lift) -> Floats:
         return curvature(self.follower, lift, self.prime_radius_mm)
+
+
+def _floored(length_mm: float) -> float:
+    """Return a length with a thousandth of a mm, or four digits if it is small, but no longer."""
+    scale = 10.0 ** max(3, 3 - math.floor(math.log10(length_mm)))
+    return math.floor(scale * length_mm) / scale

@@ -31,10 +31,14 @@ _MEDIAN = 0.6745  # of a normal scatter is the median of its magnitude
 class Traced:
     """Points round a cam, in order against the clock, and the follower that is to go over them.
 
-    `away_mm` is how far outside them the pitch curve lies, or the profile for a flat face.
+    `away_mm` is how far outside them the pitch curve lies, or the profile for a flat face; `way` is
+    -1 for a cam that turns the other way.
     """
 
-    def __init__(self, points: Places, away_mm: float, follower: RollerFollower | str) -> None:
+    def __init__(
+        self, points: Places, away_mm: float, follower: RollerFollower | str, way: int = 1
+    ) -> None:
+        self._way = way
         self.points, self.away_mm, self.follower = points, away_mm, follower
         ends = np.append(points, points[0])
         self.along = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
@@ -148,8 +152,9 @@ class Traced:
         )
 
     def _where(self, number: int) -> str:
-        angle = math.degrees(float(np.angle(self.points[number] / 1j))) % DEG_PER_TURN
-        return f"at {angle:.4g} deg"
+        """Return in words at which cam angle a point is above the axis."""
+        angle = self._way * math.degrees(float(np.angle(self.points[number] / 1j))) % DEG_PER_TURN
+        return f"at {angle:.4g} deg of cam angle"
 
     def _tangents(self, window: int) -> Places:
         """Return the direction of the curve at each point, from so many on either side."""
