@@ -104,6 +104,25 @@ def test_a_cam_that_is_as_small_as_can_be_is_not_undercut() -> None:
             assert cm.RollerCam(lift, roller, prime).undercuts == ()
 
 
+@pytest.mark.parametrize("steepest_deg", [80, 84])
+def test_the_smallest_prime_circle_leaves_all_of_the_profile(steepest_deg: float) -> None:
+    """It had no undercut, and yet half a roller was cut away where it is used elsewhere.
+
+    So no centre of the roller comes nearer to a point of the profile than its radius.
+    """
+    lift = cm.motion("lift", cm.rise(10, over_deg=30), cm.return_(10, over_deg=30), cm.dwell(300))
+    prime = cm.smallest_prime_radius(lift, cm.TranslatingRoller(1), pressure_angle_deg=steepest_deg)
+
+    def nearest(radius: float) -> float:
+        cam, angles = cm.RollerCam(lift, cm.TranslatingRoller(1), radius), np.arange(0, 360, 0.2)
+        around, touched = cam.pitch_mm(angles), cam.profile_mm(angles)
+        return min(float(np.hypot(*(around - point).T).min()) for point in touched)
+
+    assert nearest(prime) > 1 - 2e-3
+    if steepest_deg == 84:  # else the pressure angle asks for more
+        assert nearest(prime - 0.05) < 1 - 2e-3
+
+
 def test_an_arm_that_is_too_short_for_its_travel_is_told_so() -> None:
     """It was asked for a radius of more than 30 and less than 30 mm."""
     far = cm.motion("far", cm.rise(188.5, over_deg=180), cm.return_(188.5, over_deg=180))

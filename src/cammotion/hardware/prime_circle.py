@@ -14,7 +14,9 @@ from cammotion.hardware.disc_cam import check_motion, lift_of, travel_mm
 from cammotion.hardware.envelope import Lift, curvature, pressure_angle
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.followers import RollerFollower
+from cammotion.hardware.roller_cam import RollerCam
 from cammotion.laws.piece import Piece
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError
 
@@ -26,6 +28,8 @@ _HALVINGS = 36
 _ROUNDS = 30  # of the worst place and the least radius there, by turns
 _ENOUGH = 1e-11  # a share of the pressure angle, or of the curvature, that is rounding
 _CLOSE_MM = 1e-11
+_CUT_HALVINGS = 14  # what cut_away sees is no finer
+_AROUND_DEG = np.arange(0, DEG_PER_TURN, 0.1)
 
 
 @checked
@@ -39,10 +43,12 @@ def smallest_prime_radius(
     """Return the radius in mm of the smallest prime circle for a motion, solved for.
 
     With it the pressure angle is nowhere larger than `pressure_angle_deg`, and the profile, where
-    it bulges outwards, has at least `profile_radius_mm` of radius, so that it is nowhere undercut.
-    Of a slide, a pressure angle of 90 asks for the second alone. The usual rules are 30 deg for a
-    slide, and for the pitch curve a radius of two to three times the roller's. What lies between
-    two of 64 prime circles that are tried, and is good in between alone, is missed.
+    it bulges outwards, has at least `profile_radius_mm` of radius, so that it is nowhere undercut;
+    and nothing of it is cut away elsewhere in the turn, as `RollerCam.cut_away` says, which large
+    pressure angles and narrow hollows bring about. Of a slide, a pressure angle of 90 asks for the
+    last two alone. The usual rules are 30 deg for a slide, and for the pitch curve a radius of two
+    to three times the roller's. What lies between two of 64 prime circles that are tried, and is
+    good in between alone, is missed.
 
     Raises InputError for a motion that no disc cam can give, and where no prime circle will do.
 
@@ -56,7 +62,8 @@ def smallest_prime_radius(
     check_motion(motion)
     steepest = STEEPEST.number(pressure_angle_deg)
     sharpest = follower.radius_mm + SHARPEST.number(profile_radius_mm)
-    return _Asked(motion, follower, steepest, sharpest).solved()
+    asked = _Asked(motion, follower, steepest, sharpest)
+    return asked.not_cut_away(asked.solved())
 
 
 @checked
@@ -96,7 +103,7 @@ class _Asked:
 
         radius, step = self._among_samples()
         for _ in range(_ROUNDS):
-            (worst, place), piece = summit(partial(self._excess_of, prime=radius), self._pieces)
+            (worst, place), piece = self._worst(radius)
             if worst <= _ENOUGH:
                 return radius
             excess = partial(self._excess_at, piece, place)
@@ -107,6 +114,39 @@ class _Asked:
         raise WrongAnswerError(
             "smallest_prime_radius", f"at {place:g} deg {radius:g} mm is off by {worst:.2g} of it"
         )
+
+    def not_cut_away(self, radius: float) -> float:
+        """Return a good radius, or the next one with which nothing is cut away elsewhere."""
+        if self._is_left(radius):
+            return radius
+        low = radius
+        for high in self._wider(radius, radius / _RADII):
+            if self._is_left(high) and self._worst(high)[0][0] <= _ENOUGH:
+                return self._between(low, float(high))
+            low = float(high)
+        raise InputError(
+            f"With no prime circle of this follower the roller reaches all of its profile; with "
+            f"that of {radius:.5g} mm some of it is cut away, as RollerCam.cut_away says. Give the "
+            "moves more angle or less stroke, or take a smaller roller."
+        )
+
+    def _between(self, low: float, high: float) -> float:
+        """Return the least radius that will do between one that will not and one that will."""
+        for _ in range(_CUT_HALVINGS):
+            middle = (low + high) / 2
+            will_do = self._is_left(middle) and self._worst(middle)[0][0] <= _ENOUGH
+            low, high = (low, middle) if will_do else (middle, high)
+        return high
+
+    def _is_left(self, radius: float) -> bool:
+        """Tell whether all of the profile is left; one that goes round evenly does not cross."""
+        cam = RollerCam(self.motion, self.follower, float(radius))
+        points = cam.profile_mm(_AROUND_DEG) @ np.array([1, 1j])
+        turned = np.angle(np.roll(points, -1) / points)
+        return bool(np.all(turned > 0) or np.all(turned < 0)) or not cam.cut_away()
+
+    def _worst(self, radius: float) -> tuple[Any, Piece]:
+        return summit(partial(self._excess_of, prime=radius), self._pieces)
 
     def _wider(self, radius: float, step: float) -> Floats:
         """Return larger radii, first by steps that double, of an arm also evenly to its largest."""
