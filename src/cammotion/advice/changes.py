@@ -5,7 +5,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from cammotion.advice.widening import stops, wider
+from cammotion.advice.widening import WORTH, stops, wider
+from cammotion.advice.worse import faults_in, faults_of, noted, worsened
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.limits.frame import hands_over
 from cammotion.machine.diagram import TimingDiagram
@@ -13,13 +14,10 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.own import Machine
 from cammotion.quantities import WrongAnswerError, in_decimals, plural, rate_as_text
-from cammotion.rules.checks import find_violations
-from cammotion.rules.rule import Rule, Violation
+from cammotion.rules.rule import Rule
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
-_WORTH = 1e-3  # of a peak: less is no gain
 _SAME_DEG = 0.005
-_USED_MM, _USED = 1e-3, 1e-4  # of a rule that has no more room; and of the ways in it at most
 
 
 @dataclass(frozen=True, repr=False)
@@ -63,17 +61,20 @@ class Improvement:
         return f"{self.said}: {before} to {after} m/s²{mends}"
 
 
-def changes_of(machine: Machine, name: str, laws: Sequence[str]) -> Iterator[Improvement]:
+def changes_of(
+    machine: Machine, name: str, laws: Sequence[str], failed: list[str]
+) -> Iterator[Improvement]:
     """Yield what can be changed of one mechanism with a gain, or so that a broken rule is kept.
 
-    What makes a broken rule worse is left out.
+    What makes a broken rule worse is left out. What cannot be told, since a check has failed, is
+    put among the `failed`.
     """
     if not machine.diagram[name].moves:
         return
     rules = [rule for rule in machine.rules if name in rule.motions]
-    for one in (*_wider(machine, name, rules), *_other_law(machine, name, rules, laws)):
-        if not one.worsens:
-            yield one
+    yield from _wider(machine, name, rules, failed)
+    with noted(failed, f"other laws of the {name}"):
+        yield from _other_law(machine, name, rules, laws)
 
 
 def improvement(
@@ -82,9 +83,10 @@ def improvement(
     """Return what a changed diagram brings; raise WrongAnswerError if it breaks a rule anew."""
     after = machine.with_diagram(changed)
     touched = [r for r in machine.rules if {*r.motions} & {*names}]
-    broken = _faults(v for v in machine.violations if v.rule in touched)
-    now = _faults(find_violations(changed, touched) if touched else ())
-    if anew := [rule for rule in now if rule not in broken]:
+    broken = faults_of(v for v in machine.violations if v.rule in touched)
+    now = faults_in(changed, touched)
+    worse = worsened(broken, changed, touched)
+    if anew := [rule for rule in worse if rule not in broken]:
         raise WrongAnswerError("improvements", f"'{said}' breaks the rule '{anew[0]}'")
     peaks = {**machine.peaks, **{name: changed.peak_acceleration(name) for name in names}}
     most, largest = max(machine.peaks.values()), max(peaks.values())
@@ -99,35 +101,31 @@ def improvement(
         largest=largest,
         rate_per_hour=machine.diagram.rate_per_hour * faster,
         mends=len(broken) - len(now),
-        worsens=sum(
-            _is_worse(broken[rule], fault, _used_mm(changed, rule)) for rule, fault in now.items()
-        ),
+        worsens=len(worse),
     )
 
 
-def _faults(violations: Iterable[Violation]) -> dict[Rule, tuple[float, float]]:
-    """Return how far each broken rule is broken at the worst, in mm, and for how long, in deg."""
-    found: dict[Rule, tuple[float, float]] = {}
-    for one in violations:
-        most, long = found.get(one.rule, (0.0, 0.0))
-        found[one.rule] = max(most, one.excess_mm), long + one.end_deg - one.start_deg
-    return found
+def _wider(
+    machine: Machine, name: str, rules: Sequence[Rule], failed: list[str]
+) -> Iterator[Improvement]:
+    """Yield the other angles that mend most; if these cost something, also the gentlest ones."""
+    tried: list[Improvement] = []
+    for changed in wider(machine, name, rules, failed):
+        with noted(failed, f"other angles of the {name}"):
+            tried.append(_with_angles(machine, changed, name, rules))
+    tried = [one for one in tried if not one.worsens]
+    gentler = [one for one in tried if one.after < one.before * (1 - WORTH)]
+    most = max((one.mends for one in tried), default=0)
+    if most > max((one.mends for one in gentler), default=0):
+        mending = (one for one in tried if one.mends == most)
+        yield replace(min(mending, key=lambda one: one.after), kind=NARROW)
+    if gentler:
+        yield min(gentler, key=lambda one: (-one.mends, one.after))
 
 
-def _is_worse(before: tuple[float, float], after: tuple[float, float], used_mm: float) -> bool:
-    return after[0] > before[0] + used_mm or after[1] > before[1] + _SAME_DEG
-
-
-def _used_mm(diagram: TimingDiagram, rule: Rule) -> float:
-    """Return what a rule may have left, in mm, and be used up."""
-    ranges = (diagram[name].range_mm for name in rule.motions)
-    return min(_USED_MM, _USED * max(high - low for low, high in ranges))
-
-
-def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Improvement]:
-    changed = wider(machine, name, rules)
-    if changed is None:
-        return
+def _with_angles(
+    machine: Machine, changed: TimingDiagram, name: str, rules: Sequence[Rule]
+) -> Improvement:
     stopped = dict.fromkeys(stops(machine, changed, name, rules))
     held = f" (then: {'; '.join(stopped)})" if stopped else ""
     if _dwells(machine.diagram[name]) and not _dwells(changed[name]):
@@ -138,12 +136,9 @@ def _wider(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[Impro
         for before, after in pairs
         if abs(before.angle_deg - after.angle_deg) > _SAME_DEG
     )
-    said = f"{_verb(pairs)} {what} of the {name}{held}"
-    one = improvement(WIDEN, said, machine, changed, [name])
-    if one.after < one.before * (1 - _WORTH):
-        yield one
-    elif one.mends:
-        yield replace(one, kind=NARROW)
+    return improvement(
+        WIDEN, f"{_verb(pairs)} {what} of the {name}{held}", machine, changed, [name]
+    )
 
 
 def _verb(pairs: Iterable[tuple[Segment, Segment]]) -> str:
@@ -161,19 +156,28 @@ def _dwells(motion: Motion) -> bool:
 def _other_law(
     machine: Machine, name: str, rules: Sequence[Rule], laws: Sequence[str]
 ) -> Iterator[Improvement]:
-    """Yield the change to the first of these laws, the gentlest first, that keeps the rules."""
+    """Yield the change to the first of these laws, the gentlest first, that breaks no rule more.
+
+    After it come those that mend more of the broken rules, and are still gentler than today's.
+    """
     motion, before = machine.diagram[name], machine.peaks[name]
     if hands_over(motion):  # it would get a stop from a law that rests at its ends
         return
     broken = {violation.rule for violation in machine.violations}
+    old = " and ".join(dict.fromkeys(as_law(move.law).name for move in motion.moves))
+    mended = -1
     for law in laws:
         changed = machine.diagram.with_motion(motion.with_law(law))
-        if changed.peak_acceleration(name) >= before * (1 - _WORTH):
+        if changed.peak_acceleration(name) >= before * (1 - WORTH):
             return  # the others are no gentler
-        if {one.rule for one in find_violations(changed, rules)} <= broken:
-            old = " and ".join(dict.fromkeys(as_law(move.law).name for move in motion.moves))
-            said = f"give the {name} the law {law} (now: {old})"
-            yield improvement(LAW, said, machine, changed, [name])
+        if not faults_in(changed, rules).keys() <= broken:
+            continue
+        said = f"give the {name} the law {law} (now: {old})"
+        one = improvement(LAW, said, machine, changed, [name])
+        if not one.worsens and one.mends > mended:
+            mended = one.mends
+            yield one
+        if mended == len(broken.intersection(rules)):
             return
 
 

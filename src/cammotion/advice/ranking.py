@@ -7,14 +7,19 @@ from typing import Any
 
 from cammotion.advice.changes import (
     BALANCE,
+    NARROW,
     Improvement,
     changes_of,
     gentle_laws,
     improvement,
 )
+from cammotion.advice.widening import is_usual
+from cammotion.advice.worse import noted
 from cammotion.arguments import checked
+from cammotion.limits.frame import hands_over
+from cammotion.machine.motions import Motion
 from cammotion.own import Machine
-from cammotion.quantities import InputError, Quantity, in_decimals
+from cammotion.quantities import InputError, Quantity, in_decimals, rate_as_text
 from cammotion.shown import as_table
 from cammotion.whole.optimise import optimise
 
@@ -28,6 +33,7 @@ _HEADING = (
 _SECONDS = Quantity("time", "s", example=5)
 _SHOWN = 8  # lines of a text
 _NEXT = 2
+_LEAST_RATE = 0.5  # of today's: what leaves less at today's largest peak is no machine
 
 
 @dataclass(frozen=True, repr=False)
@@ -35,12 +41,18 @@ class Improvements(Sequence[Improvement]):
     """What to change first in a machine, the best first; made by `improvements`.
 
     It is a sequence, so that `found[0]` is the first to do and `found[0].machine` the machine once
-    that is done. The mechanisms `unasked` were not asked to be wider, for want of still arcs.
+    that is done. The mechanisms `unasked` were not asked to be wider, for want of still arcs, and
+    those in `handing` not at all, since their moves hand over a velocity. `left_out` are narrow
+    moves that mend a rule, and would leave less than half of today's pieces at today's largest
+    peak. `failed` says what could not be told, since a check failed.
     """
 
     machine: Machine
     changes: tuple[Improvement, ...]
     unasked: tuple[str, ...] = ()
+    handing: tuple[str, ...] = ()
+    left_out: tuple[Improvement, ...] = ()
+    failed: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return len(self.changes)
@@ -72,23 +84,43 @@ class Improvements(Sequence[Improvement]):
         if broken and max((one.mends for one in self.changes), default=0) < broken:
             many, them = (f"{broken} rules are", "all") if broken > 1 else ("1 rule is", "it")
             said.append(f"{many} broken, and no change here mends {them}.")
+        said += [
+            f"Left out, since it leaves {rate_as_text(one.rate_per_hour)} pieces/h at today's "
+            f"largest peak, less than half of today's: {one}."
+            for one in self.left_out
+        ]
         if self.unasked:
             names = " and the ".join(self.unasked)
             said.append(f"Not asked to be wider, for want of still arcs: the {names}.")
-        return tuple(said)
+        if self.handing:
+            names = " and the ".join(self.handing)
+            said.append(f"Not asked, since its moves hand over a velocity: the {names}.")
+        return (*said, *self.failed)
+
+    @property
+    def none(self) -> str:
+        """What was tried in vain, in a sentence; empty where there is a change, or no push."""
+        if self.changes or not any(self.machine.peaks.values()):
+            return ""
+        worse = " without making a broken rule worse" if self.machine.violations else ""
+        return (
+            "Tried for each mechanism that was asked, by itself: wider moves, and the laws of the "
+            f"catalogue with a finite jerk. None makes its peak smaller{worse}."
+        )
 
     def __repr__(self) -> str:
         """Say what is hardest, what is broken, and the first changes."""
         shown = [f"{number}. {one}" for number, one in enumerate(self.changes[:_SHOWN], 1)]
         left = len(self.changes) - len(shown)
         more = [f"and {left} more"] if left > 0 else []
-        worse = " without making a broken rule worse" if self.machine.violations else ""
-        none = [] if self.changes else [f"No single change makes a peak smaller{worse}."]
+        none = [self.none] if self.none else []
         return "\n".join([self.hardest, *self.notes, *shown, *more, *none])
 
     def _repr_html_(self) -> str:
-        notes = "".join(f"<p>{escape(note)}</p>" for note in (self.hardest, *self.notes))
-        return f"{notes}{as_table(_HEADING, [one.row for one in self.changes])}"
+        said = (self.hardest, *self.notes, *([self.none] if self.none else []))
+        notes = "".join(f"<p>{escape(note)}</p>" for note in said)
+        rows = [one.row for one in self.changes]
+        return f"{notes}{as_table(_HEADING, rows)}" if rows else notes
 
 
 @checked
@@ -124,20 +156,44 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     >>> print(f"{found[0].rate_per_hour:.0f} pieces/h with the largest peak of today")
     3857 pieces/h with the largest peak of today
     """
-    laws = gentle_laws()
-    found = [one for name in machine.diagram.names for one in changes_of(machine, name, laws)]
+    laws, failed = gentle_laws(), list[str]()
+    names = machine.diagram.names
+    found = [one for name in names for one in changes_of(machine, name, laws, failed)]
     limit = None if seconds is None else _SECONDS.number(seconds)
     if limit is not None and machine.free:
-        found += _balance(machine, limit)
+        with noted(failed, "a balance of all moves"):
+            found += _balance(machine, limit)
     ordered = sorted(found, key=lambda one: (-one.mends, one.largest, -one.gain))
-    return Improvements(machine, tuple(ordered), tuple(_unasked(machine)))
+    left_out = [one for one in ordered if _is_too_slow(one, machine)]
+    return Improvements(
+        machine,
+        tuple(one for one in ordered if not _is_too_slow(one, machine)),
+        unasked=tuple(_unasked(machine)),
+        handing=tuple(_handing(machine)),
+        left_out=tuple(left_out),
+        failed=tuple(dict.fromkeys(failed)),
+    )
+
+
+def _is_too_slow(one: Improvement, machine: Machine) -> bool:
+    """Tell whether a move was made so narrow that hardly any machine is left."""
+    return one.kind == NARROW and one.rate_per_hour < _LEAST_RATE * machine.diagram.rate_per_hour
+
+
+def _handing(machine: Machine) -> Iterator[str]:
+    """Yield whose moves go on with a velocity: with another angle or law it would jump."""
+    yield from (motion.name for motion in machine.diagram.motions if _hands_over(motion))
+
+
+def _hands_over(motion: Motion) -> bool:
+    return bool(motion.moves) and hands_over(motion)
 
 
 def _unasked(machine: Machine) -> Iterator[str]:
     """Yield who has several moves, of which nothing says where they have to stand."""
     for motion in machine.diagram.motions:
-        usual = 1 if motion.is_indexing else 2
-        if len(motion.moves) > usual and motion.name not in machine.still:
+        is_other = bool(motion.moves) and not is_usual(motion) and not _hands_over(motion)
+        if is_other and motion.name not in machine.still:
             yield motion.name
 
 

@@ -2,9 +2,10 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 
+from cammotion.advice.worse import Faults, faults_in, noted, worsened
 from cammotion.limits.frame import hands_over
 from cammotion.limits.widest import widest_move
 from cammotion.machine.arcs import Arc, arcs, complement, intersect
@@ -14,38 +15,37 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, arcs_of, with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError
-from cammotion.rules.checks import find_violations
 from cammotion.rules.rule import Rule
 from cammotion.whole.optimise import optimise
+
+WORTH = 1e-3
+"""Of a peak: less is no gain."""
 
 _SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _SHARES = (0.5, 0.5, 0.5, 1)  # of its room that an end may take at a time, and leave to others
 _HALVINGS = 20  # of that, until it is known where it stops
 _HAIR_DEG, _HAIR = 0.1, 0.01  # by which an end is moved to see what stops it; of its move at most
-_RISE_AND_RETURN = 2
+_SAME_DEG = 0.005
 _STILL_ARC = "its still arc"
 
 Place = tuple[int, int]  # of an end: the number of its move, and 0 for its beginning, 1 for its end
 
 
-def wider(machine: Machine, name: str, rules: Sequence[Rule]) -> TimingDiagram | None:
-    """Return the diagram with the gentlest moves found of a mechanism by their angles alone.
+def wider(
+    machine: Machine, name: str, rules: Sequence[Rule], failed: list[str]
+) -> Iterator[TimingDiagram]:
+    """Yield diagrams with other angles of a mechanism's moves, wider ones or such that mend a rule.
 
-    Of those that break fewest rules it is the one with the smallest peak.
+    What cannot be told, since a check has failed, is put among the `failed`.
     """
-    found = [
-        diagram
-        for diagram in _found(machine, name, rules)
-        if _stands(diagram[name], machine.still.get(name, ()))
-    ]
-    if not found:
-        return None
+    search = _Search(machine, name, rules, failed)
+    yield from (found for found in search.found() if _stands(found[name], search.still))
 
-    def merit(diagram: TimingDiagram) -> tuple[int, float]:
-        return len(_broken(diagram, rules)), diagram.peak_acceleration(name)
 
-    return min(found, key=merit)
+def is_usual(motion: Motion) -> bool:
+    """Tell whether a motion is of the build that can be widened about what stays of it."""
+    return len(motion.moves) == (1 if motion.is_indexing else 2)
 
 
 def stops(
@@ -56,14 +56,14 @@ def stops(
     Each end of a move is put out by a hair, to see what that breaks; not so the ends at work.
     """
     motion, still = changed[name], machine.still.get(name, ())
-    broken = _broken(changed, rules)
-    for place in _ends(motion, still if len(motion.moves) > _RISE_AND_RETURN else ()):
+    faults = faults_in(changed, rules)
+    for place in _ends(motion, _at_work(motion, still)):
         put_out = _by_a_hair(motion, place)
         if not _stands(put_out, still):
             yield _STILL_ARC
         else:
-            now = _broken(changed.with_motion(put_out), rules) - broken
-            yield from (str(rule) for rule in rules if rule in now)
+            there = changed.with_motion(put_out)
+            yield from map(str, worsened(faults, there, rules, strict=True))
 
 
 def _by_a_hair(motion: Motion, place: Place) -> Motion:
@@ -78,67 +78,117 @@ def _by_a_hair(motion: Motion, place: Place) -> Motion:
     return _put_out(motion, place, hair)
 
 
-def _found(machine: Machine, name: str, rules: Sequence[Rule]) -> Iterator[TimingDiagram]:
-    """Yield diagrams with wider moves of a motion: about what stays of it, and within still arcs.
+@dataclass(frozen=True)
+class _Search:
+    """A mechanism whose moves are to be wider: about what stays of it, and within still arcs.
 
     A part that has to stand less long than it does now may also stand elsewhere.
     """
-    about = _about(machine, name, rules)
-    if about:
-        yield about
-    motion, still = machine.diagram[name], machine.still.get(name, ())
-    if still and not (about and _stands(about[name], still) and _is_held(motion, still)):
-        try:
-            yield optimise(machine.diagram, rules, still={name: still}, seconds=_SECONDS).design
-        except InputError:  # no moves of it keep the rules, or one of them is of another kind
-            for start in (motion, *([about[name]] if about else ())):
-                yield from _put_out_all(machine, start, rules)
 
+    machine: Machine
+    name: str
+    rules: Sequence[Rule]
+    failed: list[str]
 
-def _about(machine: Machine, name: str, rules: Sequence[Rule]) -> TimingDiagram | None:
-    """Return the diagram with the widest move about what stays of a motion.
+    @cached_property
+    def still(self) -> Sequence[Arc]:
+        return self.machine.still.get(self.name, ())
 
-    Rise and return of the three hardest get two angles. Where that is no gain, it is the other way
-    round; a distance rule, for one, allows one angle.
-    """
-    is_hard = name in [*machine.peaks][:_HARDEST]
-    found = None
-    for each_way in (None, False) if is_hard else (False, None):
-        with suppress(InputError):  # not of this build, or no move of it keeps the rules
-            widest = widest_move(machine.diagram, name, rules, each_way=each_way)
-            found = found or widest.diagram
-            if widest.peak_acceleration < machine.peaks[name]:
-                return widest.diagram
-    return found
+    @cached_property
+    def motion(self) -> Motion:
+        return self.machine.diagram[self.name]
 
+    @cached_property
+    def faults(self) -> Faults:
+        return faults_in(self.machine.diagram, self.rules)
 
-def _is_held(motion: Motion, still: Iterable[Arc]) -> bool:
-    """Tell whether a part has to stand wherever `widest_move` lets it stand."""
-    work = arcs([(motion.moves[0].to_deg, motion.moves[-1].from_deg)])
-    return not motion.is_indexing and not intersect(work, complement(arcs(still)))
+    def found(self) -> Iterator[TimingDiagram]:
+        """Yield all that is found; where that is no gain, also what puts out each end by itself."""
+        about, best = self._about(), None
+        starts: list[Motion] = []
+        if self.still and not (about and self._stands_where_it_has_to(about)):
+            best = self._best()
+            starts = [] if best else [self.motion, *([about[self.name]] if about else ())]
+        found = [each for each in (about, best) if each]
+        yield from found
+        if not starts and self._is_stuck(found):
+            starts = [self.motion]
+        for start in starts:
+            yield from self._put_out_all(start)
 
+    def _is_stuck(self, found: Sequence[TimingDiagram]) -> bool:
+        """Tell whether nothing that was found is a gain, though not every move was looked at."""
+        before = self.machine.peaks[self.name] * (1 - WORTH)
+        standing = (each for each in found if _stands(each[self.name], self.still))
+        if any(each.peak_acceleration(self.name) < before for each in standing):
+            return False
+        is_asked = bool(self.still) or is_usual(self.motion)
+        return is_asked and (bool(self.faults) or not found or self.motion.is_indexing)
 
-def _put_out_all(
-    machine: Machine, motion: Motion, rules: Sequence[Rule]
-) -> Iterator[TimingDiagram]:
-    """Yield the diagram in which each end of the moves is put out as far as it goes.
+    def _about(self) -> TimingDiagram | None:
+        """Return the diagram with the widest move about what stays of a motion.
 
-    No rule breaks that is kept in the machine, and over its still arcs the part stands.
-    """
-    still = machine.still[motion.name]
-    broken = _broken(machine.diagram, rules)
+        Where no such move keeps all rules, what is broken and cannot be kept is only to get no
+        worse.
+        """
+        if (found := self._widest(self.rules)) or not self.faults:
+            return found
+        kept = [r for r in self.rules if r not in self.faults or self._widest([r], once=True)]
+        found = self._widest(kept) if len(kept) < len(self.rules) else None
+        return found if found and not worsened(self.faults, found, self.rules) else None
 
-    def keeps(motion: Motion) -> bool:
-        changed = machine.diagram.with_motion(motion)
-        return _stands(motion, still) and _broken(changed, rules) <= broken
+    def _widest(self, rules: Sequence[Rule], *, once: bool = False) -> TimingDiagram | None:
+        """Return the diagram with the widest move beside some rules, None if none keeps them.
 
-    if not keeps(motion) or hands_over(motion):
-        return
-    for share in _SHARES:
-        for place in _ends(motion, still):
-            most = share * _room(motion, place)
-            motion = _furthest(partial(_put_out, motion, place), keeps, most)
-    yield machine.diagram.with_motion(motion)
+        Rise and return of the three hardest get two angles. Where that is no gain, it is the other
+        way round; a distance rule, for one, allows one angle. With `once` any move will do.
+        """
+        is_hard = self.name in [*self.machine.peaks][:_HARDEST]
+        found = None
+        for each_way in (None, False) if is_hard else (False, None):
+            with suppress(InputError), noted(self.failed, f"wider moves of the {self.name}"):
+                widest = widest_move(self.machine.diagram, self.name, rules, each_way=each_way)
+                found = found or widest.diagram
+                if once or widest.peak_acceleration < self.machine.peaks[self.name]:
+                    return widest.diagram
+        return found
+
+    def _best(self) -> TimingDiagram | None:
+        """Return the best of all moves within still arcs, None if rules or moves forbid the search.
+
+        Then no moves of it keep the rules, or one of these is of another kind.
+        """
+        still = {self.name: self.still}
+        with suppress(InputError), noted(self.failed, f"all moves of the {self.name}"):
+            found = optimise(self.machine.diagram, self.rules, still=still, seconds=_SECONDS)
+            return found.design
+        return None
+
+    def _stands_where_it_has_to(self, about: TimingDiagram) -> bool:
+        """Tell whether it stands there, and has to stand wherever `widest_move` lets it stand."""
+        moves = self.motion.moves
+        is_held = _is_still((moves[0].to_deg, moves[-1].from_deg), self.still)
+        return is_held and not self.motion.is_indexing and _stands(about[self.name], self.still)
+
+    def _put_out_all(self, motion: Motion) -> Iterator[TimingDiagram]:
+        """Yield the diagram in which each end of the moves is put out as far as it goes.
+
+        No rule is worse off than in the machine of today, and over its still arcs the part stands.
+        """
+
+        def keeps(motion: Motion) -> bool:
+            changed = self.machine.diagram.with_motion(motion)
+            return _stands(motion, self.still) and not worsened(
+                self.faults, changed, self.rules, strict=True
+            )
+
+        if not keeps(motion) or hands_over(motion):
+            return
+        for share in _SHARES:
+            for place in _ends(motion, () if self.still else _works(motion)):
+                most = share * _room(motion, place)
+                motion = _furthest(partial(_put_out, motion, place), keeps, most)
+        yield self.machine.diagram.with_motion(motion)
 
 
 def _furthest(
@@ -154,16 +204,42 @@ def _furthest(
     return put_out(reached)
 
 
-def _ends(motion: Motion, still: Iterable[Arc]) -> list[Place]:
-    """Return the ends of the moves that may be put out, those of the hardest move first.
+def _ends(motion: Motion, fixed: Iterable[Place]) -> list[Place]:
+    """Return the ends of the moves but for the fixed ones, those of the hardest move first.
 
-    Between rise and return a part whose still arcs are not known is taken to work.
+    Of moves that are as hard the one that begins first comes first, in whatever order they are.
     """
-    hardest = sorted(range(len(motion.moves)), key=lambda number: -_push(motion.moves[number]))
+    pushes = [float(f"{_push(move):.9g}") for move in motion.moves]
+    starts = [move.from_deg % DEG_PER_TURN for move in motion.moves]
+    hardest = sorted(range(len(pushes)), key=lambda number: (-pushes[number], starts[number]))
     places = [(number, end) for number in hardest for end in (0, 1)]
-    last = len(motion.moves) - 1
-    works = () if still or motion.is_indexing else ((0, 1), (last, 0))
-    return [place for place in places if place not in works]
+    return [place for place in places if place not in fixed]
+
+
+def _works(motion: Motion) -> tuple[Place, ...]:
+    """Return the ends at work of a part whose still arcs are not known: between rise and return."""
+    return () if motion.is_indexing else ((0, 1), (len(motion.moves) - 1, 0))
+
+
+def _at_work(motion: Motion, still: Sequence[Arc]) -> tuple[Place, ...]:
+    """Return the ends of the dwell over which a part with one more dwell has to stand all along."""
+    if not still:
+        return _works(motion)
+    if motion.is_indexing or not is_usual(motion):
+        return ()
+    first, last = motion.moves
+    dwells = {
+        ((0, 1), (1, 0)): (first.to_deg, last.from_deg),
+        ((1, 1), (0, 0)): (last.to_deg, first.from_deg + DEG_PER_TURN),
+    }
+    held = [ends for ends, arc in dwells.items() if _is_still(arc, still)]
+    return held[0] if len(held) == 1 else ()
+
+
+def _is_still(dwell: Arc, still: Iterable[Arc]) -> bool:
+    """Tell whether a part has to stand all along a dwell."""
+    over, free = arcs([dwell]), complement(arcs(still))
+    return bool(over) and sum(end - start for start, end in intersect(over, free)) < _SAME_DEG
 
 
 def _push(move: Segment) -> float:
@@ -193,7 +269,3 @@ def _put_out(motion: Motion, place: Place, by_deg: float) -> Motion:
 def _stands(motion: Motion, still: Iterable[Arc]) -> bool:
     """Tell whether a motion stands over its still arcs."""
     return not intersect(arcs_of(motion.moves), arcs(still))
-
-
-def _broken(diagram: TimingDiagram, rules: Sequence[Rule]) -> set[Rule]:
-    return {violation.rule for violation in find_violations(diagram, rules)} if rules else set()

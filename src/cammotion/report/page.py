@@ -214,8 +214,8 @@ def _mechanisms(found: Findings) -> str:
 def _ranking(found: Findings) -> str:
     machine = found.machine
     if not found.ranking:
-        none = "No change of one mechanism alone makes its peak smaller."
-        return "".join(map(paragraph, (*found.ranking.notes, none)))
+        said = (*found.ranking.notes, found.ranking.none)
+        return "".join(paragraph(one) for one in said if one)
     today = machine.peaks[machine.hardest]
     rows: list[tuple[bool, Sequence[Cell]]] = []
     for one in found.ranking:
@@ -281,7 +281,7 @@ def _sentences(found: Findings) -> Iterator[str]:
     )
     yield (
         "What to change first: each mechanism by itself gets wider moves beside the others, or a "
-        "gentler law with a finite jerk. Its moves are the widest about what stays of it, or the "
+        "gentler law with a finite jerk; narrower moves only where they mend a broken rule. Its moves are the widest about what stays of it, or the "
         "best that was found of all that stand where the table says; where rules of a distance, or "
         "of what moves or stands, forbid that search, each end is put out as far as it goes, and "
         "there may be better ones. Each change was checked again by the rules."
