@@ -94,7 +94,12 @@ def bounded(solve: Any) -> Callable[..., Any]:
 
 def harsher(ask: Any) -> Callable[..., Any]:
     """Break what to change first: each gain is told larger than it is."""
-    return lambda machine: [replace(one, after=0.99 * one.after) for one in ask(machine)]
+
+    def more(machine: cm.Machine) -> cm.Improvements:
+        found = ask(machine)
+        return replace(found, changes=tuple(replace(o, after=0.99 * o.after) for o in found))
+
+    return more
 
 
 def unchanged(solve: Any) -> Callable[..., Any]:

@@ -112,6 +112,41 @@ def test_a_part_that_could_stand_all_the_turn_has_no_bound(tmp_path: Path) -> No
     assert "below 0.0000 m/s²" not in page.partition("The conditions of this bound")[0]
 
 
+@pytest.mark.parametrize(
+    ("die", "arm", "said"),
+    [
+        ("205 to 305", "0 to 20", "of the die and the arm: the table holds each of them"),
+        ("205 to 305", "0 to 20 and 250 to 260", "of the die: the table holds it at one"),
+        (
+            "205 to 305 and 20 to 90",
+            "250 to 260",
+            "of the arm: the table holds it at one",
+        ),
+        ("205 to 305 and 20 to 90", "0 to 20 and 250 to 260", ""),
+    ],
+)
+def test_a_part_that_is_held_at_one_height_is_said_to_be_asked_no_stroke(
+    die: str, arm: str, said: str, tmp_path: Path
+) -> None:
+    """The mill goes on by a pitch in each turn, wherever it has to stand."""
+    machine = cm.machine_from_text(
+        f"""
+motion;stops;from in deg;to in deg;from in mm;to in mm;law;machine rate in pieces/h;still;rule
+mill; 24; 0; 150; 0; 100; cycloidal; 2000; 205 to 305; die beyond 19 only while mill within 0.65
+die; ; 150; 205; 0; 50; cycloidal; ; {die};
+; ; 305; 360; 50; 0; cycloidal; ; ;
+arm; ; 100; 200; 0; 9; cycloidal; ; {arm};
+; ; 270; 330; 9; 0; cycloidal; ; ;
+""",
+        "three",
+    )
+    page = cm.write_report(machine, tmp_path, seconds=1).page.read_text("utf-8")
+    assert "No motions of these parts can have a largest peak below" in page
+    assert ("The bound asks no stroke of the" in page) == bool(said)
+    assert said in page
+    assert "one height only. Say of more than one dwell" in page or not said
+
+
 def test_the_checker_sees_a_wrong_peak(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     report = cm.write_report(PRESS, tmp_path, seconds=1)
     assert check(report.folder / "tables.xlsx") == []

@@ -1,6 +1,5 @@
 """The page of a report: one HTML file that needs no network and no second file."""
 
-import math
 from collections.abc import Iterator, Sequence
 from datetime import date
 from html import escape
@@ -9,7 +8,8 @@ from pathlib import Path
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.own import Machine
-from cammotion.quantities import outward, rate_as_text
+from cammotion.quantities import rate_as_text
+from cammotion.report.bound import bound_said, free_parts, one_height_said, stays_most
 from cammotion.report.findings import Findings
 from cammotion.report.live import live_figure
 from cammotion.report.markup import Cell, Opened, opened, paragraph, short, table
@@ -52,7 +52,7 @@ def _summary(found: Findings) -> str:
         today, then = machine.peaks[machine.hardest], max(found.improved.peaks.values())
         faster = of_rate(machine.diagram.rate_per_hour, today, then)
         rate = faster.rpartition(" = ")[2]
-        whose = f" of {free}" if (free := _free(machine, "")) else ""
+        whose = f" of {free}" if (free := free_parts(machine, "")) else ""
         said_rate = f" At the peak of today that is {rate}" if " = " in faster else ""
         said.append(
             paragraph(
@@ -62,8 +62,9 @@ def _summary(found: Findings) -> str:
             )
         )
     if found.least:
-        said.append(paragraph(_bound(found)))
-    if (found.best or found.least) and (left_out := _left_out(machine)):
+        said.append(paragraph(bound_said(found)))
+        said += [paragraph(held)] if (held := one_height_said(found)) else []
+    if (found.best or found.least) and (left_out := stays_most(machine)):
         said.append(
             paragraph(
                 f"The {left_out} stays as it is: the table does not say where it has to stand."
@@ -71,39 +72,6 @@ def _summary(found: Findings) -> str:
         )
     said += [paragraph(note) for note in found.notes]
     return "".join(said)
-
-
-def _free(machine: Machine, all_of_them: str) -> str:
-    """Return the parts that have still arcs by name, or in words if these are all that move."""
-    moving = (motion.name for motion in machine.diagram.motions if motion.moves)
-    names = " and the ".join(machine.free)
-    return all_of_them if {*moving} == {*machine.free} else f"the {names}"
-
-
-def _left_out(machine: Machine) -> str:
-    """Return the part with the largest peak of those that move and have no still arcs, or ""."""
-    moving = (name for name in machine.peaks if machine.diagram[name].moves)
-    return next((name for name in moving if name not in machine.free), "")
-
-
-def _bound(found: Findings) -> str:
-    """Return in a sentence how near the design is to what no motions can be below."""
-    least = found.least
-    if least is None:
-        return ""
-    whose = _free(found.machine, "these parts")
-    if least.can_stand:
-        return (
-            f"Nothing in the table makes {whose} move, so that no bound is above 0: say of more "
-            "than one dwell in the column 'still' that a part has to stand there."
-        )
-    reached = max(found.improved.peaks[name] for name in least.parts)
-    low, high = outward(least.bound, reached)
-    sentence = f"No motions of {whose} can have a largest peak below {low} m/s²"
-    if least.bound > 0 and math.isfinite(reached):
-        above = math.ceil(100 * (reached / least.bound - 1))
-        sentence += f", so that the design, with {high}, is at most {above} % above the best"
-    return f"{sentence}."
 
 
 def _rules(found: Findings) -> str:
@@ -260,7 +228,7 @@ def _design(found: Findings) -> str:
         heading = ["mechanism", "move", "from, deg", "over, deg", "law"]
         parts.append(table("Starts and angles of all moves", heading, rows))
     if found.least:
-        parts.append(paragraph(_bound(found)))
+        parts.append(paragraph(bound_said(found)))
         parts.append(opened(Opened("The conditions of this bound", f"{found.least!r}")))
     return "".join(parts)
 
@@ -281,10 +249,12 @@ def _sentences(found: Findings) -> Iterator[str]:
     )
     yield (
         "What to change first: each mechanism by itself gets wider moves beside the others, or a "
-        "gentler law with a finite jerk; narrower moves only where they mend a broken rule. Its moves are the widest about what stays of it, or the "
-        "best that was found of all that stand where the table says; where rules of a distance, or "
-        "of what moves or stands, forbid that search, each end is put out as far as it goes, and "
-        "there may be better ones. Each change was checked again by the rules."
+        "gentler law with a finite jerk; narrower moves only where they mend a broken rule. Its "
+        "moves are the widest about what stays of it, or the best that was found of all that stand "
+        "where the table says. Where rules of a distance, or of what moves or stands, forbid that "
+        "search, or no moves of it keep a rule that is broken today, each end is put out as far as "
+        "it goes, and there may be better ones. Each change was checked again by the rules: it "
+        "breaks none, and none that is broken by more or for longer."
     )
     if found.best:
         yield (

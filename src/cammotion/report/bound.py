@@ -1,0 +1,64 @@
+"""What a report says of its bound: of whose motions it is true, and what it does not ask for."""
+
+import math
+
+from cammotion.own import Machine
+from cammotion.quantities import outward
+from cammotion.report.findings import Findings
+
+_SAME = 1e-6  # of its way, two heights of a part
+
+
+def free_parts(machine: Machine, all_of_them: str) -> str:
+    """Return the parts that have still arcs by name, or in words if these are all that move."""
+    moving = (motion.name for motion in machine.diagram.motions if motion.moves)
+    names = " and the ".join(machine.free)
+    return all_of_them if {*moving} == {*machine.free} else f"the {names}"
+
+
+def stays_most(machine: Machine) -> str:
+    """Return the part with the largest peak of those that move and have no still arcs, or ""."""
+    moving = (name for name in machine.peaks if machine.diagram[name].moves)
+    return next((name for name in moving if name not in machine.free), "")
+
+
+def bound_said(found: Findings) -> str:
+    """Return in a sentence how near the design is to what no motions can be below."""
+    least = found.least
+    if least is None:
+        return ""
+    whose = free_parts(found.machine, "these parts")
+    if least.can_stand:
+        return (
+            f"Nothing in the table makes {whose} move, so that no bound is above 0: say of more "
+            "than one dwell in the column 'still' that a part has to stand there."
+        )
+    reached = max(found.improved.peaks[name] for name in least.parts)
+    low, high = outward(least.bound, reached)
+    sentence = f"No motions of {whose} can have a largest peak below {low} m/s²"
+    if least.bound > 0 and math.isfinite(reached):
+        above = math.ceil(100 * (reached / least.bound - 1))
+        sentence += f", so that the design, with {high}, is at most {above} % above the best"
+    return f"{sentence}."
+
+
+def one_height_said(found: Findings) -> str:
+    """Return in a sentence of which parts no stroke was asked, or "" if of each one was."""
+    held = [name for name in found.machine.free if _has_one_height(found.machine, name)]
+    if not held or found.least is None or found.least.can_stand:
+        return ""
+    return (
+        f"The bound asks no stroke of the {' and the '.join(held)}: the table holds "
+        f"{'each of them' if len(held) > 1 else 'it'} at one height only. Say of more than one "
+        "dwell in the column 'still' that a part has to stand there, if it has to go all its way."
+    )
+
+
+def _has_one_height(machine: Machine, name: str) -> bool:
+    """Tell whether a part that comes back stands at one height wherever it has to stand."""
+    motion = machine.diagram[name]
+    if motion.is_indexing:  # it has a pitch to go in each turn
+        return False
+    low, high = motion.range_mm
+    heights = [float(motion.position_mm((start + end) / 2)) for start, end in machine.free[name]]
+    return max(heights) - min(heights) <= _SAME * (high - low)
