@@ -15,6 +15,7 @@ from fresh.sampling import tracks_of
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, TimingDiagram
+from cammotion.advice import widening
 from cammotion.limits import frame
 from cammotion.measured.fits import Through
 from cammotion.teaching import again
@@ -96,7 +97,7 @@ def harsher(ask: Any) -> Callable[..., Any]:
     """Break what to change first: each gain is told larger than it is."""
 
     def more(machine: cm.Machine) -> cm.Improvements:
-        found = ask(machine)
+        found: cm.Improvements = ask(machine)
         return replace(found, changes=tuple(replace(o, after=0.99 * o.after) for o in found))
 
     return more
@@ -193,6 +194,27 @@ def test_a_planted_fault_is_found(monkeypatch: pytest.MonkeyPatch, check: str) -
     monkeypatch.undo()
     found = examine(SEED, number, (check,))
     assert not found, found[0]
+
+
+@pytest.mark.parametrize("kind", ["law", "widen"])
+def test_advice_that_is_kept_back_is_found(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    ask = cm.improvements
+
+    def silent(machine: cm.Machine) -> cm.Improvements:
+        found = ask(machine)
+        return replace(found, changes=tuple(one for one in found if one.kind != kind))
+
+    monkeypatch.setattr(cm, "improvements", silent)
+    assert any(examine(SEED, number, ("advised",)) for number in SOUND)
+
+
+def test_moves_beside_a_broken_rule_that_are_not_widened_are_found(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(widening._Search, "_is_stuck", lambda *_: False)
+    assert "nothing wider is offered" in str(examine("mut", 7, ("advised",))[0])
+    monkeypatch.undo()
+    assert not examine("mut", 7, ("advised",))
 
 
 def test_moves_that_are_torn_apart_are_found(monkeypatch: pytest.MonkeyPatch) -> None:

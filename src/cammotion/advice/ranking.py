@@ -44,7 +44,7 @@ class Improvements(Sequence[Improvement]):
     that is done. The mechanisms `unasked` were not asked to be wider, for want of still arcs, and
     those in `handing` not at all, since their moves hand over a velocity. `left_out` are narrow
     moves that mend a rule, and would leave less than half of today's pieces at today's largest
-    peak. `failed` says what could not be told, since a check failed.
+    peak. `failed` says what could not be told, and why.
     """
 
     machine: Machine
@@ -130,16 +130,19 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     Each mechanism is asked by itself, all others as they are: how wide can its moves be
     (`widest_move`), and does a gentler law of the catalogue, one with a finite jerk, keep the
     rules? Where still arcs leave it more room than its dwells do, and with more than a rise and a
-    return, starts and angles are free between these arcs (`optimise`; with rules that this does
-    not know each end of a move is put out as far as it goes, which need not be the best). What
-    mends a broken rule comes first, then what makes the largest peak of the machine smaller, then
-    what makes that of its own mechanism smaller by most. (Rise and return of the three hardest may
-    get two angles; of the others one, unless only two are a gain.) With `seconds` the balance of
-    all moves at once is sought for so long (`optimise`; the parts with still arcs are free). Each
-    change is checked before it is returned: it breaks no rule that was kept and makes none worse
-    that is broken, and its peak is that of the changed diagram. A motion that hands a velocity from
-    move to move keeps its laws.
-    Raises InputError for what is no Machine, and WrongAnswerError if a check fails.
+    return, starts and angles are free between these arcs (`optimise`). With rules that this does
+    not know, and where no moves of a part keep a rule that is broken, each end of a move is put out
+    as far as it goes, which need not be the best. What mends a broken rule comes first, then what
+    makes the largest peak of the machine smaller, then what makes that of its own mechanism smaller
+    by most. What mends a rule only by a move so narrow that at today's largest peak the machine
+    makes less than half of today's pieces, is told as `left_out`. (Rise and return of the three
+    hardest may get two angles; of the others one, unless only two are a gain.) With `seconds` the
+    balance of all moves at once is sought for so long (`optimise`; the parts with still arcs are
+    free). Each change is checked before it is returned: it breaks no rule that was kept and makes
+    none worse that is broken, and its peak is that of the changed diagram. Where a check fails, it
+    is told what cannot be known, and the other changes are there. A motion that hands a velocity
+    from move to move is not asked.
+    Raises InputError for what is no Machine.
 
     >>> import cammotion as cm
     >>> both = {"mill": [(205, 305)], "die": [(205, 305)]}
@@ -162,7 +165,7 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
     limit = None if seconds is None else _SECONDS.number(seconds)
     if limit is not None and machine.free:
         with noted(failed, "a balance of all moves"):
-            found += _balance(machine, limit)
+            found += _balance(machine, limit, failed)
     ordered = sorted(found, key=lambda one: (-one.mends, one.largest, -one.gain))
     left_out = [one for one in ordered if _is_too_slow(one, machine)]
     return Improvements(
@@ -197,12 +200,13 @@ def _unasked(machine: Machine) -> Iterator[str]:
             yield motion.name
 
 
-def _balance(machine: Machine, seconds: float) -> Iterator[Improvement]:
+def _balance(machine: Machine, seconds: float, failed: list[str]) -> Iterator[Improvement]:
     """Yield the best diagram of all moves at once, if it is better than what there is."""
     names = [*machine.free]
     try:
         found = optimise(machine.diagram, machine.rules, still=machine.free, seconds=seconds)
-    except InputError:  # a part of another build, or no moves keep the rules
+    except InputError as refusal:  # a part of another build, or no moves keep the rules
+        failed.append(f"There is no balance of all moves. {refusal}")
         return
     said = f"balance all moves of {len(names)} mechanisms at once"
     one = improvement(BALANCE, said, machine, found.design, names)
