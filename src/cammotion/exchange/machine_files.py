@@ -79,9 +79,10 @@ def machine_from_text(text: str, name: str = "my machine") -> Machine:
 def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False) -> Path:
     """Write a machine into one table that `read_machine` reads back; return its path.
 
-    A name that ends in .xlsx makes a workbook, one of another spreadsheet's is refused, any other
-    makes a CSV file. Nothing is written over a file that is there, unless `overwrite` is True, and
-    nothing that cannot be read back; raises InputError.
+    Its name stands nowhere in the table: read back, it is called as the file is. A name that ends
+    in .xlsx makes a workbook, one of another spreadsheet's is refused, any other makes a CSV file.
+    Nothing is written over a file that is there, unless `overwrite` is True, and nothing that
+    cannot be read back; raises InputError.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm
