@@ -1,5 +1,6 @@
 """Motions from tables of whole turns, against the motions and functions that the tables are of."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -186,6 +187,21 @@ def test_a_dwell_that_creeps_is_one() -> None:
     creep = np.interp(ANGLES, [0, 80, 110, 111, 200, 280, 360], [0, 40, 40, 40.01, 40, 0, 0])
     cam = cm.motion_from_table("cam", table(creep, step=0.01))
     assert [segment.kind for segment in cam.segments] == ["rise", "dwell", "return", "dwell"]
+
+
+def test_the_table_of_a_turret_is_one_by_the_way_that_is_told(tmp_path: Path) -> None:
+    index = cm.rise(80, over_deg=120, law="modified sine")
+    dial = cm.indexing_motion("dial", cm.dwell(240), index, stops=12)
+    machine = cm.TimingDiagram([dial], 5400)
+    read = cm.read_cam_table(cm.write_cam_tables(machine, tmp_path)["dial"])
+    with pytest.raises(cm.InputError, match=r"indexing_motion") as refused:
+        cm.motion_from_table("dial", read)
+    (told,) = re.findall(r"rise\(.*\)(?=, that)", str(refused.value))
+    move = eval(told, {"rise": cm.rise, "law_from_table": cm.law_from_table, "table": read})  # noqa: S307 - our own words
+    again = cm.TimingDiagram([cm.indexing_motion("dial", move, stops=12)], 5400)
+    assert again.peak_acceleration("dial") == pytest.approx(
+        machine.peak_acceleration("dial"), rel=1e-3
+    )
 
 
 def test_what_is_no_motion() -> None:

@@ -203,3 +203,5 @@ def test_a_distance_bears_few_errors_often() -> None:
     for off_mm in (1e-3, 1e-6, 1e-9):
         (left,) = cm.reserves(diagram, rule, off_mm=off_mm)
         assert left.times == pytest.approx(37 / 2 / off_mm, rel=1e-6)
+    assert "∞ deg early, ∞ deg late, 37 mm of the high" in str(left)
+    assert "Reserve(∞ deg: " in repr(left)

@@ -208,8 +208,8 @@ def of_places(
         if not isinstance(rule, ClearanceRule) or isinstance(own[0], Moving):
             raise InputError(
                 f"The rule '{rule}' does not say between which positions the {motion} may be, and "
-                "here all depends on that: give the dwells that it needs as still arcs, or the "
-                "rule as a ClearanceRule of beyond or within."
+                "here all depends on that: leave it out, and give the dwells that it needs as "
+                "still arcs or what it asks as a ClearanceRule of beyond or within."
             )
         found.append(rule)
     return tuple(found)

@@ -52,15 +52,16 @@ class Reserve:
         return min(self.early_deg, self.late_deg)
 
     def __repr__(self) -> str:
-        return f"Reserve({self.deg:.4g} deg: {shorten(self.rule, of=str)})"
+        return f"Reserve({as_text(self.deg, '.4g')} deg: {shorten(self.rule, of=str)})"
 
     def __str__(self) -> str:
         """Say it in words."""
         when, other = self.rule.motions
-        when_mm, other_mm = (as_text(room, ".3g") for room in (self.when_mm, self.other_mm))
+        rooms = (self.early_deg, self.late_deg, self.when_mm, self.other_mm)
+        early, late, when_mm, other_mm = (as_text(room, ".3g") for room in rooms)
         left = (
-            f"{self.early_deg:.3g} deg early, {self.late_deg:.3g} deg late, {when_mm} mm of the "
-            f"{when}, {other_mm} mm of the {other}"
+            f"{early} deg early, {late} deg late, {when_mm} mm of the {when}, {other_mm} mm of the "
+            f"{other}"
         )
         return f"{self.rule}: {'broken' if self.deg < 0 else 'kept'}; left are {left}"
 

@@ -64,11 +64,7 @@ def motion_from_table(
     if isinstance(table, SmoothedTable):
         noise, table = _NOISE * table.error_mm, table.as_table
     if not table.is_cycle:
-        raise InputError(
-            "The table is no whole turn, and a motion fills one: give CamTable(..., "
-            "is_cycle=True), mirror a table of its rise with table.mirrored(), or make a law with "
-            "law_from_table."
-        )
+        raise InputError(_no_cycle(table))
     travel = float(np.ptp(table.position_mm))
     swing = max(table.step_mm, noise, _SWING * travel)
     within = max(_STEPS * table.step_mm, noise, 1e-9 * travel)
@@ -86,6 +82,18 @@ def motion_from_table(
         found = Motion(name, _from_lowest(list(moves)))
     _warn(found, table)
     return found.shifted(-(found.start_deg // DEG_PER_TURN) * DEG_PER_TURN)
+
+
+def _no_cycle(table: CamTable) -> str:
+    """Say what becomes of a table of a part of the turn, or of a turret's, which goes on."""
+    way = float(table.position_mm[-1] - table.position_mm[0])
+    kind, over = "rise" if way > 0 else "return_", float(np.ptp(table.angle_deg))
+    return (
+        "The table is no whole turn, and a motion fills one: give CamTable(..., is_cycle=True), "
+        "mirror a table of its rise with table.mirrored(), or make a move of it, "
+        f"{kind}({abs(way):g}, over_deg={over:g}, law=law_from_table(table)), that of a turret for "
+        "indexing_motion."
+    )
 
 
 def _dwells(table: CamTable, within_mm: float, alike_mm: float, shortest: float) -> list[Stay]:
