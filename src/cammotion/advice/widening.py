@@ -24,6 +24,7 @@ WORTH = 1e-3
 _SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _SHARES = (0.5, 0.5, 0.5, 1)  # of its room that an end may take at a time, and leave to others
+_LEAST_DEG = 1e-3  # by which an end is put out, if it is
 _HALVINGS = 20  # of that, until it is known where it stops
 _HAIR_DEG, _HAIR = 0.1, 0.01  # by which an end is moved to see what stops it; of its move at most
 _SAME_DEG = 0.005
@@ -194,9 +195,11 @@ class _Search:
 def _furthest(
     put_out: Callable[[float], Motion], keeps: Callable[[Motion], bool], most: float
 ) -> Motion:
-    """Return what is put out all the way, or to where it is seen to stop."""
+    """Return what is put out all the way, or to where it is seen to stop, be it at once."""
     if keeps(furthest := put_out(most)):
         return furthest
+    if not keeps(put_out(min(most / 2, _LEAST_DEG))):
+        return put_out(0.0)
     reached = 0.0
     for _ in range(_HALVINGS):
         middle = (reached + most) / 2
