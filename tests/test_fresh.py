@@ -113,6 +113,16 @@ def unchanged(solve: Any) -> Callable[..., Any]:
     return leave
 
 
+def as_it_was(solve: Any) -> Callable[..., Any]:
+    """Break the optimiser of peaks: it leaves the machine as it is."""
+
+    def leave(*given: Any, **named: Any) -> Any:
+        found = solve(*given, **named)
+        return found if found.shaft else replace(found, design=found.diagram)
+
+    return leave
+
+
 def shifted(read: Any) -> Callable[..., Any]:
     """Break the reader of cam tables, or of profiles: it takes a row for the one before."""
 
@@ -172,6 +182,7 @@ FAULTS: dict[str, Patch] = {
     "turrets": (cm, "least_acceleration", bounded),
     "whole": (cm, "least_peak", bounded),
     "crowds": (cm, "least_peak", bounded),
+    "rests": (cm, "optimise", as_it_was),
     "torques": (cm, "optimise", unchanged),
     "cams": (cm, "smallest_prime_radius", scaled(0.9)),
     "followers": (cm, "smallest_base_radius", scaled(0.9)),

@@ -9,7 +9,6 @@ off, is a whole number.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +16,8 @@ import numpy as np
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
-from cammotion.whole.crossings import End, Span
+from cammotion.whole.crossings import Place
+from cammotion.whole.free_moves import Apart, Mover, Placed
 from cammotion.whole.mixed import Mixed, Rows
 
 _NARROWEST_DEG = 1e-3
@@ -25,41 +25,6 @@ _APART_DEG = 4e-6  # so far arcs are kept apart, for what the solver rounds
 _MORE_TURNS = 4  # than its start is one part ahead of another
 _HELD = 1e-8  # of what is held
 _SAME = 1e-6  # what differs by less of it, is one
-
-
-class Begin(NamedTuple):
-    """A range in deg in which a move begins, in one of the turns from the first to the last."""
-
-    range_deg: tuple[float, float]
-    turns: tuple[int, int]
-
-
-@dataclass(frozen=True)
-class Mover:
-    """A part whose moves are free in these ranges, from the least to the largest, in deg.
-
-    Each move has `laws` to choose from, and for each of them what its peak is, weighted, if it
-    takes 1 deg (`costs`, all 0 if it does not count), and the least angle that its limit allows.
-    Some have to begin in a range of the turn besides, and `ends` are the angles by which it has to
-    have ended.
-    """
-
-    laws: tuple[tuple[MotionLaw, ...], ...]
-    costs: tuple[tuple[float, ...], ...]
-    narrowest: tuple[tuple[float, ...], ...]
-    starts: tuple[tuple[float, float], ...]
-    begins: tuple[Begin | None, ...]
-    angles: tuple[tuple[float, float], ...]
-    ends: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class Placed:
-    """A move that was found: where it begins, its indexing angle, and which law it has."""
-
-    start_deg: float
-    angle_deg: float
-    law: MotionLaw
 
 
 class Inside(NamedTuple):
@@ -73,14 +38,6 @@ class Inside(NamedTuple):
     low: Floats
     high: Floats
     ends: tuple[Floats, Floats]
-
-
-@dataclass(frozen=True)
-class Apart:
-    """Two spans, each of a part or of one that stays as it is (None), that may not overlap."""
-
-    parts: tuple[int | None, int | None]
-    spans: tuple[Span, Span]
 
 
 def place(
@@ -111,6 +68,7 @@ class MoveProgram:
         self.starts: list[list[int]] = []
         self.widths: list[list[list[int]]] = []
         self.whole: list[int] = []
+        self.none_after: dict[tuple[int, int], int | None] = {}
         starts = [start for mover in movers for ends in mover.starts for start in ends]
         farthest = 2 * max(map(abs, starts), default=0.0)
         self.most_turns = _MORE_TURNS + math.ceil(farthest / DEG_PER_TURN)
@@ -174,29 +132,55 @@ class MoveProgram:
         return width
 
     def _keep_apart(self, pair: Apart) -> None:
-        """Let the second span lie between the end of the first and its next beginning."""
+        """Let the second span lie between the end of the first and its next beginning.
+
+        Or let one of both be a dwell that is none.
+        """
         turns = self.rows.unknowns([-self.most_turns], [self.most_turns], whole=True)
         self.whole += turns
-        (a, b), (c, d) = (
-            tuple(self._angle(part, end) for end in span)
-            for part, span in zip(pair.parts, pair.spans, strict=True)
-        )
+        (a, b), (c, d) = ((self._angle(span.start), self._angle(span.end)) for span in pair)
+        none = [self._none_after(*span.after) for span in pair if span.after]
+        waived = [(one, 2.0 * DEG_PER_TURN) for one in none if one is not None]
         shift = [(turns[0], float(DEG_PER_TURN))]
         for later, earlier, turned in ((c, b, shift), (a, d, [(turns[0], -float(DEG_PER_TURN))])):
             known = earlier[1] - later[1] + _APART_DEG
             if earlier is d:
                 known -= DEG_PER_TURN
             minus = [(column, -factor) for column, factor in earlier[0]]
-            self.rows.row(_summed([*later[0], *minus, *turned]), known, np.inf)
+            self.rows.row(_summed([*later[0], *minus, *turned, *waived]), known, np.inf)
 
-    def _angle(self, part: int | None, end: End) -> tuple[list[tuple[int, float]], float]:
+    def _none_after(self, part: int, move: int) -> int | None:
+        """Return the unknown that is 1 only where there is no dwell after a move.
+
+        None if there is always one, with a still arc in it.
+        """
+        key = part, move
+        if key not in self.none_after:
+            self.none_after[key] = self._add_none(part, move)
+        return self.none_after[key]
+
+    def _add_none(self, part: int, move: int) -> int | None:
+        mover, starts = self.movers[part], self.starts[part]
+        on = (move + 1) % len(starts)
+        turn = 0 if on else DEG_PER_TURN
+        if mover.starts[on][0] + turn > mover.ends[move] + _APART_DEG:
+            return None
+        none = self.rows.unknowns([0.0], [1.0], whole=True)
+        self.whole += none
+        gone = [starts[move], *self.widths[part][move]]
+        dwell = [(starts[on], 1.0), *((one, -1.0) for one in gone)]
+        longest = (none[0], float(DEG_PER_TURN))
+        self.rows.row(_summed([*dwell, longest]), -np.inf, DEG_PER_TURN - turn)
+        return none[0]
+
+    def _angle(self, end: Place | float) -> tuple[list[tuple[int, float]], float]:
         """Return an end of a span as unknowns with factors, and what is known of it."""
-        if part is None or end.move is None:
-            return [], end.fixed_deg
-        width = self.widths[part][end.move]
+        if not isinstance(end, Place):
+            return [], end
+        width = self.widths[end.part][end.move]
         shares = [end.shares[min(n, len(end.shares) - 1)] for n in range(len(width))]
-        terms = [(self.starts[part][end.move], 1.0), *zip(width, shares, strict=True)]
-        return terms, end.turns * DEG_PER_TURN
+        terms = [(self.starts[end.part][end.move], 1.0), *zip(width, shares, strict=True)]
+        return terms, float(end.turns * DEG_PER_TURN)
 
     def solved(self, seconds: float) -> Mixed:
         """Return what the solver finds; raise InputError where the time was too short to tell."""

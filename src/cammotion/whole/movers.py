@@ -15,7 +15,7 @@ from cammotion.rules.conditions import Condition
 from cammotion.whole.asked_of_all import Task
 from cammotion.whole.asked_of_moves import read_laws, read_ranges
 from cammotion.whole.crossings import Span, fixed_spans, spans
-from cammotion.whole.move_program import Apart, Begin, Mover, Placed
+from cammotion.whole.free_moves import Apart, Begin, Mover, Placed
 from cammotion.whole.parts import Part
 
 _ROUNDING_DEG = 1e-6  # so near to where a part has to stand a move ends there
@@ -114,16 +114,16 @@ def _apart(task: Task, laws: Sequence[list[list[MotionLaw]]]) -> Iterator[Apart]
     """Yield all arcs that may not overlap: where a half holds, and where the other does not."""
     names = [part.motion.name for part in task.parts]
 
-    def held(condition: Condition) -> tuple[int | None, list[Span]]:
+    def held(condition: Condition) -> list[Span]:
         motion = task.diagram[condition.motion]
         if condition.motion in names and motion.moves:
             part = names.index(condition.motion)
-            return part, spans(motion, laws[part], condition)
-        return None, fixed_spans(motion, condition)
+            return spans(part, motion, laws[part], condition)
+        return fixed_spans(motion, condition)
 
     for rule in task.rules:
-        (one, these), (other, those) = held(rule.when), held(rule.only_while.opposite)
-        yield from (Apart((one, other), pair) for pair in product(these, those))
+        these, those = held(rule.when), held(rule.only_while.opposite)
+        yield from (Apart(*pair) for pair in product(these, those))
 
 
 def _built(part: Part, placed: Sequence[Placed]) -> Motion:

@@ -19,7 +19,8 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Floats
 from cammotion.rules.checks import find_violations
 from cammotion.whole.asked_of_all import Task
-from cammotion.whole.move_program import Apart, Inside, MoveProgram, Mover
+from cammotion.whole.free_moves import Apart, Mover
+from cammotion.whole.move_program import Inside, MoveProgram
 from cammotion.whole.movers import built
 from cammotion.whole.shaft_torque import Push, ShaftTorque, push
 
