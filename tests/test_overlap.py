@@ -771,6 +771,23 @@ def test_without_rules_each_way_at_even_speeds_is_as_fast_as_the_other() -> None
     assert found.angles_deg == pytest.approx((130, 130))
 
 
+@pytest.mark.parametrize("is_turned", [False, True])
+def test_where_a_velocity_jumps_each_way_the_widest_pair_is_taken(is_turned: bool) -> None:
+    """The peak is infinite at any angle; a rise at one speed and a cycloidal return, or turned.
+
+    The cycloid is twice as fast in its middle as on the average, and so gets twice as much.
+    """
+    laws = ["constant velocity", "cycloidal"][:: -1 if is_turned else 1]
+    slide = cm.motion(
+        "slide",
+        *(cm.rise(50, over_deg=60, law=laws[0]), cm.dwell(99)),
+        *(cm.return_(50, over_deg=70, law=laws[1]), cm.dwell(131)),
+    )
+    found = cm.widest_move(cm.TimingDiagram([slide], 2000), "slide", [], each_way=True)
+    assert found.angles_deg == pytest.approx((174, 87) if is_turned else (87, 174))
+    assert found.diagram.peak_velocity("slide") == pytest.approx(50 / 87 * 360 / 1.8 / 1000)
+
+
 def test_each_way_is_never_worse_than_one_angle_for_both() -> None:
     rng = np.random.default_rng(11)
     better = 0

@@ -18,6 +18,8 @@ from cammotion.rules.conditions import after
 from cammotion.rules.rule import Rule
 
 NARROW_DEG = 1e-4  # a move that takes no time, for all that a cam can do
+_VELOCITY, _ACCELERATION = 1, 2  # the orders of these derivatives
+_DIGITS = 9  # behind the point of a sum of angles; what differs by less is rounding
 _REST = 1e-6  # of the mean velocity: a law that is slower at its ends rests there
 
 
@@ -103,7 +105,8 @@ class Frame:
         """Yield the indexing angles that can be the widest, the best first.
 
         One angle for all moves: the widest first. Each its own: the smallest peak first, and of
-        two that share the whole room with each other also what one leaves to the other.
+        two that share the whole room with each other also what one leaves to the other. Where a
+        velocity jumps at any angle, the largest sum of both first, and then the least velocity.
         """
         count = len(self.anchors)
         bms = [{event.bm for event in events if event.move == n} for n in (0, 1)]
@@ -125,7 +128,7 @@ class Frame:
             )
             if min(rise, back) > NARROW_DEG and rise + back <= self.room + ROUNDING_DEG
         }
-        yield from sorted(pairs, key=lambda pair: (self._peak(pair), -sum(pair)))
+        yield from sorted(pairs, key=self._rank)
 
     def met(self, events: Iterable[Event], angles: Sequence[float]) -> list[Event]:
         """Return the events at which the motion with these angles is, in the order of the turn."""
@@ -133,22 +136,29 @@ class Frame:
         met = [e for e in events if abs(e.bm - angles[e.move]) <= ROUNDING_DEG]
         return sorted(met, key=lambda event: after(event.at_deg, start))
 
-    def _peak(self, angles: Sequence[float]) -> float:
-        """Return the largest acceleration within the moves, in mm/deg2."""
-        return max(push / bm**2 for push, bm in zip(self._pushes, angles, strict=True))
+    def _rank(self, angles: Sequence[float]) -> tuple[float, float]:
+        most = max(
+            width**self._order / bm**self._order
+            for width, bm in zip(self._even, angles, strict=True)
+        )
+        wide = -round(sum(angles), _DIGITS)
+        return (most, wide) if self._order == _ACCELERATION else (wide, most)
 
     def _even_share(self) -> float:
         """Return the angle of the first move with which both, sharing the room, peak alike."""
-        first, last = map(math.sqrt, self._pushes)
+        first, last = self._even
         return self.room * first / (first + last)
 
     @cached_property
-    def _pushes(self) -> list[float]:
-        """The largest acceleration of each move over one degree, in mm/deg2.
+    def _order(self) -> int:
+        """The order of the derivative that is made small: 2, or 1 if that is infinite anyway."""
+        return _VELOCITY if math.isinf(self.motion.peak(_ACCELERATION)) else _ACCELERATION
 
-        Of a move that goes on at one speed, and so is pushed at its ends, it is that speed.
-        """
-        curves = [(move.change_mm, as_law(move.law).curve) for move, _, _ in self.anchors]
-        return [
-            abs(mm) * (curve.derived(2).largest or curve.derived(1).largest) for mm, curve in curves
+    @cached_property
+    def _even(self) -> list[float]:
+        """Angles of the moves with which this derivative has one peak in all of them."""
+        peaks = [
+            abs(move.change_mm) * as_law(move.law).curve.derived(self._order).largest
+            for move, _, _ in self.anchors
         ]
+        return [peak ** (1 / self._order) for peak in peaks]

@@ -82,8 +82,9 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
     A motion with one rise and one return keeps the dwell after the first of them where it is, an
     indexing motion with one move the middle of it; all other motions stay. Rise and return get one
     angle if they have one now. With `each_way` (or if they have two now) each gets its own: of all
-    pairs the one with the smallest peak acceleration; with `each_way=False` both get one, even if
-    that is harder. Of each rule `reserve_deg` and `reserve_mm` are kept in hand: however much of
+    pairs the one with the smallest peak acceleration (where a velocity jumps at any angle: of the
+    widest pairs the one with the smallest peak velocity); with `each_way=False` both get one, even
+    if that is harder. Of each rule `reserve_deg` and `reserve_mm` are kept in hand: however much of
     the one the motion is early or late, a clearance of the other is left. What is broken
     `elsewhere`, by others alone, is listed in the answer. With a `DistanceRule` both get one angle,
     and laws that do not turn back. The answer is checked before it is returned: no rule is broken,
