@@ -16,6 +16,7 @@ from cammotion.whole import joint_search as search_module
 from cammotion.whole.asked_of_all import read_task
 from cammotion.whole.joint_bound import Outline, outline
 from cammotion.whole.least_peak import LeastPeak, least_peak
+from cammotion.whole.mixed import Mixed, Rows
 from cammotion.whole.parts import Part
 from cammotion.whole.sides import sides_of
 
@@ -312,6 +313,25 @@ def test_a_time_that_is_too_short_still_gives_a_true_bound() -> None:
     found = least_peak(make_diagram(), RULE, still=STILL, travel_mm=TRAVEL, gap=0, seconds=0.5)
     assert 0 < found.bound < both().reached
     assert found.design is not None
+
+
+@pytest.mark.parametrize("seconds", [1, 2])
+def test_no_program_gets_more_time_than_is_left(
+    seconds: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first design of single moves was sought for five seconds, and the clock began then."""
+    asked: list[float] = []
+    solve = Rows.solve
+
+    def timed(rows: Rows, limit: float = np.inf) -> Mixed:
+        asked.append(limit)
+        return solve(rows, limit)
+
+    monkeypatch.setattr(Rows, "solve", timed)
+    least_peak(make_diagram(), RULE, still=STILL, gap=0.3, seconds=seconds)
+    limited = [limit for limit in asked if np.isfinite(limit)]
+    assert limited
+    assert max(limited) <= seconds
 
 
 def test_progress_is_told_and_an_interrupt_keeps_the_best() -> None:

@@ -24,7 +24,7 @@ from cammotion.whole.sides import sides_of
 
 _FIRST_CELLS = 60
 _FIRST_LAW = "constant acceleration"  # with which single moves have the least peak
-_FIRST_SECONDS = 5.0
+_FIRST_SECONDS, _FIRST_SHARE = 5.0, 0.5  # at most, and of the time that is left
 _SMALLEST_DEG = 0.03
 _WIDEST_DEG = 0.3  # finer than this no grid is all over
 _RISE = 0.003  # of the bound, for a round that has brought something
@@ -46,11 +46,11 @@ class Best(NamedTuple):
 
 
 class Search:
-    """The search for what is asked; `best` is the best so far."""
+    """The search for what is asked, up to an `end` by the clock; `best` is the best so far."""
 
-    def __init__(self, task: Task) -> None:
-        self.task, self.best = task, Best(0.0, None)
-        for design in (task.diagram, best_moves(task, [_FIRST_LAW], _FIRST_SECONDS)):
+    def __init__(self, task: Task, end: float) -> None:
+        self.task, self.end, self.best = task, end, Best(0.0, None)
+        for design in (task.diagram, self._best_moves(task)):
             if design and not list(faults_of(task, design)):
                 self._keep(design)
 
@@ -60,10 +60,11 @@ class Search:
         design = self.best.design
         return weighted_peak(design, self.task.weights) if design else np.inf
 
-    def rounds(self, end: float) -> Iterator[Best]:
+    def rounds(self) -> Iterator[Best]:
         """Yield the best so far after each round, until the grid is as fine as it gets."""
         if not self.reached:  # nothing moves, and nothing is below that
             return
+        end = self.end
         for task in self._hardest():
             now, grid = monotonic(), _Grid(self, task)
             until, idle, bound = now + _SHARE * (end - now), 0, self.best.bound
@@ -128,7 +129,7 @@ class Search:
         """
         if part_of_it is not self.task:
             rest = self.task.beside(part_of_it, design)
-            found = best_moves(rest, [_FIRST_LAW], _FIRST_SECONDS)
+            found = self._best_moves(rest)
             if found is None or list(faults_of(self.task, found)):
                 return
             design = found
@@ -141,6 +142,11 @@ class Search:
         if faults:
             raise WrongAnswerError("least_peak", "; ".join(faults))
         self._keep(design)
+
+    def _best_moves(self, task: Task) -> TimingDiagram | None:
+        """Return the best single moves, for which a share of the time that is left is taken."""
+        left = max(self.end - monotonic(), 0.0)
+        return best_moves(task, [_FIRST_LAW], min(_FIRST_SECONDS, _FIRST_SHARE * left))
 
     def _keep(self, design: TimingDiagram) -> None:
         peak = weighted_peak(design, self.task.weights)

@@ -133,18 +133,19 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     >>> cm.find_violations(found.design, given.rule)
     ()
     """
+    began = monotonic()
     task = read_task(
         diagram, rules, still=still, travel_mm=travel_mm, weights=weights, at_most=at_most
     )
-    search = Search(task)
-    wanted, end = _GAP.number(gap), monotonic() + _SECONDS.number(seconds)
+    wanted, end = _GAP.number(gap), began + _SECONDS.number(seconds)
+    search = Search(task, end)
 
     def told() -> LeastPeak:
         bound, design = search.best
         return LeastPeak(diagram, bound, design, task.weights, unit, task.conditions, task.limits)
 
     try:
-        for _ in search.rounds(end):
+        for _ in search.rounds():
             if progress:
                 progress(told())
             if told().gap <= wanted or monotonic() >= end:
