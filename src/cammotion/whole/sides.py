@@ -5,7 +5,7 @@ is within 0.65 mm of a stop, of one of its stops. Each such interval of one part
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -113,53 +113,58 @@ def choices(
 ) -> Choices:
     """Return what each rule leaves to choose at each node if no weighted peak is above `peak`."""
     reaches = [part.reach(angle_deg, part.most(peak)) for part in parts]
-    room = Choices([], [low for low, _ in reaches], [high for _, high in reaches])
+    low, high = [low for low, _ in reaches], [high for _, high in reaches]
     if any(
-        part.motion.is_indexing and np.any(high - low > _MOST_STOPS * abs(part.motion.pitch_mm))
-        for part, (low, high) in zip(parts, reaches, strict=True)
+        part.motion.is_indexing and np.any(most - least > _MOST_STOPS * abs(part.motion.pitch_mm))
+        for part, least, most in zip(parts, low, high, strict=True)
     ):
-        return replace(room, too_many=True)
+        return Choices([], low, high, too_many=True)
+    options: list[list[tuple[Option, ...]]] = []
     for _ in range(2):  # what one rule settles, leaves another one less
-        room = replace(room, options=[])
+        options = []
         for both in sides:
             closed = [side.is_closed(angle_deg, edges=True) for side in both]
-            of_rule = []
+            options.append([])
             for node in range(len(angle_deg)):
-                found = _options(parts, both, [bool(c[node]) for c in closed], room, node)
+                room = [(float(a[node]), float(b[node])) for a, b in zip(low, high, strict=True)]
+                found = _options(parts, both, [bool(c[node]) for c in closed], room)
                 if not found:
-                    return replace(room, refused=True)
-                of_rule.append(found)
-            room.options.append(of_rule)
-    return room
+                    return Choices(options, low, high, refused=True)
+                if len(found) == 1:
+                    _settle(found[0], low, high, node)
+                options[-1].append(found)
+    return Choices(options, low, high)
 
 
 def _options(
     parts: Sequence[Part],
     both: tuple[Side, Side],
     closed: Sequence[bool],
-    room: Choices,
-    node: int,
+    room: Sequence[tuple[float, float]],
 ) -> tuple[Option, ...]:
-    """Return the options of a rule at a node; of one that always holds, only that."""
+    """Return the options of a rule in the room of all parts; of one that always holds, only it."""
     found = []
     for side, is_closed in zip(both, closed, strict=True):
         if is_closed:
             continue
         if side.part is None:
             return (_NOTHING,)
-        low, high = room.low[side.part][node], room.high[side.part][node]
+        low, high = room[side.part]
         motion = parts[side.part].motion
         for interval in intervals(motion, side.condition, low - _ROUNDING_MM, high + _ROUNDING_MM):
             option = Option(side.part, interval)
             if interval.low_mm <= low and interval.high_mm >= high:
                 return (option,)
             found.append(option)
-    if len(found) == 1:
-        [(part, (low, high))] = found
-        if part is not None:
-            room.low[part][node] = max(room.low[part][node], low)
-            room.high[part][node] = min(room.high[part][node], high)
     return tuple(found)
+
+
+def _settle(only: Option, low: list[Floats], high: list[Floats], node: int) -> None:
+    """Leave a part at a node the interval of the only option of a rule there."""
+    part, (least, most) = only
+    if part is not None:
+        low[part][node] = max(low[part][node], least)
+        high[part][node] = min(high[part][node], most)
 
 
 def cell_options(
