@@ -218,6 +218,35 @@ def test_where_nothing_drives_it_the_motion_stays() -> None:
     assert found.motion.range_mm == (50, 50)
 
 
+@pytest.mark.parametrize("travel", [None, (0, 50), (50, 60), (0, 1e6)])
+@pytest.mark.parametrize("jerk", [math.inf, 20])
+def test_a_motion_that_may_stand_all_the_turn_is_found_to_stand(
+    travel: tuple[float, float] | None, jerk: float
+) -> None:
+    """It stood at an end of its travel, and the solver held it off by a thousandth of a wiggle."""
+    found = least_acceleration(
+        make_diagram(), "die", [], still=STILL, travel_mm=travel, jerk_m_per_s3=jerk, cells=90
+    )
+    assert (found.bound, found.reached, found.motion.moves) == (0, 0, ())
+    assert repr(found) == "Nothing makes the die move: it can stand all the turn."
+
+
+def test_a_motion_that_stands_at_a_limit_of_beyond_has_to_leave_it() -> None:
+    """At 50 mm it is not beyond that, by however little."""
+    rule = ClearanceRule(within("die", 50), only_while=within("mill", OFF_MM))
+    found = least_acceleration(make_diagram(), "die", rule, still=STILL, cells=90)
+    assert cm.find_violations(make_diagram(), rule) != ()
+    assert cm.find_violations(found.design, rule) == ()
+
+
+def test_the_cells_that_are_told_are_those_that_were_asked_for() -> None:
+    """The ends of its still arc are nodes of their own, which nobody asked for."""
+    jerk = 1.001 * 1.6 / (TURN_S * 100 / 360) ** 3
+    for cells in (31, 37):
+        with pytest.raises(cm.InputError, match=f"^On a grid of {cells} cells no motion keeps"):
+            solve_step(50, 100, jerk_m_per_s3=jerk, cells=cells)
+
+
 def test_between_two_arcs_at_one_height_it_stays_too() -> None:
     found = least_acceleration(
         make_diagram(), "die", EXAMPLE, still=[(205, 230), (250, 270), (280, 305)], cells=90

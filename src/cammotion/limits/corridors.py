@@ -39,6 +39,7 @@ class Corridor:
     `high_mm` the least and the largest position at each, infinite where it is free; `still` tells
     where the motion has to stand. After the turn it is `pitch_mm` further. `bands` are the arcs
     over which it has to be about a stop besides, whichever it is; `about` chooses the stops.
+    `cells` are as many as were asked for; the ends of arcs make a few more.
     """
 
     angle_deg: Floats
@@ -47,6 +48,7 @@ class Corridor:
     still: Flags
     pitch_mm: float
     bands: tuple[Band, ...] = ()
+    cells: int = 0
 
     def about(self, stops: Iterable[float]) -> "Corridor":
         """Return the corridor with the bands about these stops, given by their numbers."""
@@ -73,7 +75,10 @@ class Corridor:
 
     @property
     def still_cells(self) -> Flags:
-        """Over which cells it has to stand: those with both ends in one still arc."""
+        """Over which cells it stands: those with both ends in still arcs, at one height.
+
+        Where that is the cell between two arcs, it need not stand there, but nothing drives it.
+        """
         at_one_height = np.isclose(self.low_mm, self.next_of(self.low_mm), rtol=0, atol=ROUNDING_MM)
         return self.still & np.roll(self.still, -1) & at_one_height
 
@@ -152,7 +157,7 @@ def corridor(  # noqa: PLR0913 - all but three are given by name
             low[here] = np.maximum(low[here], condition.limit_mm)
         else:
             high[here] = np.minimum(high[here], condition.limit_mm)
-    limited = Corridor(nodes, low, high, is_still, moved.pitch_mm)
+    limited = Corridor(nodes, low, high, is_still, moved.pitch_mm, cells=cells)
     return _standing(motion, limited, [band for band in bands if band], places)
 
 

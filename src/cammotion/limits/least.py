@@ -24,6 +24,7 @@ from functools import cached_property
 
 import numpy as np
 
+from cammotion.limits.bands import ROUNDING_MM
 from cammotion.limits.corridors import Corridor, corridor, of_places, travel_ends
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import KEPT_MM, GridMotion
@@ -34,7 +35,9 @@ from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError, outward
+from cammotion.rules.checks import find_violations
 from cammotion.rules.rule import Rule
 
 _JERK_LIMIT = Quantity("jerk limit", "m/s³", example=20)
@@ -73,6 +76,8 @@ class LeastAcceleration:
         """Say between which two values it lies."""
         low, high = outward(self.bound, self.reached)
         name = self.motion.name
+        if not self.reached:
+            return f"Nothing makes the {name} move: it can stand all the turn."
         return f"The least peak acceleration of the {name} lies between {low} and {high} m/s²."
 
 
@@ -125,18 +130,35 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     # in parts of a turn all numbers are of one size, and the solver rounds least
     times, part = room.cells_deg * (_PARTS / DEG_PER_TURN), diagram.cycle_time_s / _PARTS
     limit = most_jerk * MM_PER_M * part**3
-    if room.still_cells.all():
-        lowest, curve = 0.0, GridMotion(times, room.low_mm, *np.zeros((3, len(times))))
+    stands = _standing(own, room)
+    if stands and (room.still_cells.all() or _is_allowed(diagram, stands, asked)):
+        lowest, best = 0.0, stands
     else:
         lowest = max(from_below(room, times, limit).bound, 0.0) / part**2  # no peak is below 0
         room, curve = _reach(room, times, limit)
-    best = curve.build(own, room)
+        best = curve.build(own, room)
     found = LeastAcceleration(diagram, lowest / MM_PER_M, best, most_jerk)
     today = replace(found, motion=own)
     if today.reached < found.reached and not any(find_faults(diagram, own, asked)):
         found = today  # which a grid need not have
     _check(found, asked)
     return replace(found, bound=min(found.bound, found.reached))  # but for rounding it is so
+
+
+def _standing(own: Motion, room: Corridor) -> Motion | None:
+    """Return the motion that stands where it has to, all of the turn; None if it has to move."""
+    places, start = room.low_mm[room.still], own.start_deg
+    if room.pitch_mm or np.ptp(places) > ROUNDING_MM:
+        return None
+    at, end = float(places[0]), start + DEG_PER_TURN
+    return Motion(own.name, (Segment(from_deg=start, to_deg=end, from_mm=at, to_mm=at),))
+
+
+def _is_allowed(diagram: TimingDiagram, motion: Motion, asked: Asked) -> bool:
+    """Whether a motion keeps all that is asked, and its rules to the last digit."""
+    return not find_violations(diagram.with_motion(motion), asked.rules) and not any(
+        find_faults(diagram, motion, asked)
+    )
 
 
 def _check(found: LeastAcceleration, asked: Asked) -> None:
@@ -164,6 +186,6 @@ def _reach(room: Corridor, times: Floats, most_jerk: float) -> tuple[Corridor, G
             return room, curve
         held_off += np.where(room.inner, 1.5 * np.maximum(strays, np.roll(strays, 1)), 0.0)
     raise InputError(
-        f"On a grid of {len(times)} cells the motion cannot be kept in its corridor between two "
+        f"On a grid of {room.cells} cells the motion cannot be kept in its corridor between two "
         "nodes: take more cells."
     )

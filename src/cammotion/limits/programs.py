@@ -157,8 +157,8 @@ def from_above(
         ([*rows, *about], [*limits, *about_limits]),
         (equal, closing),
         _ends(room, held_off, has_limit=has_limit),
-        f"On a grid of {nodes} cells no motion keeps all of this: take more cells, allow more jerk "
-        "or more travel, or give a still arc where the rules leave it a single position.",
+        f"On a grid of {room.cells} cells no motion keeps all of this: take more cells, allow more "
+        "jerk or more travel, or give a still arc where the rules leave it a single position.",
         whole=range(4 * nodes + 1, 4 * nodes + 1 + stops),
     )
     found = solve(program).unknowns
