@@ -99,6 +99,27 @@ def test_the_example_of_a_rate_is_a_rate() -> None:
         cm.machine_from_text(TABLE.replace("2000", "fast"))
 
 
+@pytest.mark.parametrize("rate", ["0", "-3000"])
+def test_a_rate_that_is_none_is_told_with_its_line(rate: str) -> None:
+    words = (
+        rf"^Line 2 of .*, 'machine rate in pieces/h': The machine rate is {rate} pieces/h; it has"
+    )
+    with pytest.raises(cm.InputError, match=words):
+        cm.machine_from_text(TABLE.replace("2000", rate))
+
+
+@pytest.mark.parametrize("arc", ["205 to 205", "305 to 205", "0 to 360"])
+def test_the_arc_that_is_offered_is_one_that_a_table_takes(arc: str) -> None:
+    """It was "(205, 305)", as in Python, which a cell refuses."""
+    before, last, after = TABLE.rpartition("205 to 305")
+    with pytest.raises(cm.InputError, match=r"^Line 3 of .*, 'still': ") as refusal:
+        cm.machine_from_text(before + arc + after)
+    _, _, offered = str(refusal.value).partition("for example, ")
+    assert cm.machine_from_text(before + offered.split(",")[0] + after) == (
+        cm.machine_from_text(before + last + after)
+    )
+
+
 def test_a_matched_law_is_told_where_it_comes_from() -> None:
     with pytest.raises(cm.InputError, match=r"law=MATCHED, and write_machine writes 'law in full'"):
         cm.machine_from_text(TABLE.replace("cycloidal", "Matched", 1))
@@ -147,7 +168,7 @@ def test_a_column_of_ones_own_is_left_out() -> None:
         ),
         (
             [FULL[0], FULL[1].replace(",2000,", ",2000,300 to 20"), FULL[3]],
-            "or 300 to 380 over the",
+            "or from 300 to 380 deg over the",
         ),
         ([FULL[0], FULL[1] + '"205 to 250, 260 to 300"', FULL[3]], "several with 'and' between"),
     ],

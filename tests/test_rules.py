@@ -179,7 +179,8 @@ def test_an_acceleration_knows_who_stands_but_not_whether_its_own_part_does() ->
 
 def test_pictures_and_explorers_take_or_refuse_every_kind() -> None:
     assert cm.animate(make_diagram(), rules=[DEEP, RULE]).description
-    with pytest.raises(cm.InputError, match="not covered here: say it by beyond and within"):
+    words = r"not covered here: say it by beyond and within.* broken, find_violations tells\.$"
+    with pytest.raises(cm.InputError, match=words):
         cm.plot_clearance(make_diagram(), DEEP)
     with pytest.raises(cm.InputError, match="not covered here"):
         cm.explore_overlap(make_diagram(), DEEP, contact_mm=20)
@@ -210,7 +211,42 @@ def test_what_is_broken_by_nothing_is_broken_by_0_and_not_by_less() -> None:
         assert found
         for one in found:
             assert one.excess_mm == 0
-            assert " is 0 mm " in str(one)
+            assert " is 0 mm " in str(one) or " stands at " in str(one)
+
+
+def test_of_a_part_that_stands_where_it_may_not_it_is_said_that_it_stands() -> None:
+    """It was called "0 mm short of moving"."""
+    rule = cm.ClearanceRule(cm.standing("mill"), only_while=cm.moving("die"))
+    (broken,) = cm.find_violations(make_diagram(), rule)
+    said = "the die stands at 205 deg, while the mill is not moving (from 205 to 305 deg)"
+    assert str(broken) == said
+
+
+@pytest.mark.parametrize("make", [cm.beyond, cm.within])
+@pytest.mark.parametrize("where", ["when", "only_while"])
+def test_no_way_to_a_stop_is_below_0(make: Any, where: str) -> None:
+    """Such a rule could never be broken, or never be kept; its limit is a slip."""
+    halves = {"when": cm.beyond("die", 19), "only_while": cm.within("die", 19)}
+    rule = cm.ClearanceRule(**halves | {where: make("mill", -0.65)})
+    still: Any = {"die": [(205, 305)]}
+    words = (
+        rf"limit of the mill is -0\.65 mm, .* at least 0 mm, for example {make.__name__} 0\.65 mm"
+    )
+    for ask in (
+        cm.find_violations,
+        cm.find_clearances,
+        lambda diagram, rule: cm.widest_move(diagram, "die", rule),
+        lambda diagram, rule: cm.optimise(diagram, rule, still=still),
+        lambda diagram, rule: cm.Machine("press", diagram, [rule]),
+    ):
+        with pytest.raises(cm.InputError, match=words):
+            ask(make_diagram(), rule)
+    depth = cm.ClearanceRule(cm.beyond("die", -5), only_while=make("mill", 0))
+    assert isinstance(cm.find_violations(make_diagram(), depth), tuple)
+    reserve = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 0))
+    for name in ("die", "mill"):  # what is kept in hand is no limit that anyone gave
+        found = cm.widest_move(make_diagram(), name, reserve, reserve_mm=0.5)
+        assert cm.find_violations(found.diagram, reserve) == ()
 
 
 @pytest.mark.parametrize("make", [cm.moving, cm.standing, lambda it: cm.beyond(it, 19)])

@@ -108,6 +108,7 @@ def _rules(rng: Rng, built: dict[str, Any]) -> Iterator[str]:
         if keeps and is_open.any():
             room, side = rng.choice([1e-3, 0.05, 0.3]) * np.ptp(own), 1 if kind == "beyond" else -1
             limit = float(_digits(side * (side * own[is_open]).max() + side * room, 6))
+            limit = max(limit, 0.0) if tracks[first].pitch_mm else limit  # as far as a stop is
         yield f'cm.ClearanceRule(cm.{kind}("{first}", {limit}), only_while={only_while})'
 
 

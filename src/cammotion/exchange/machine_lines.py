@@ -10,6 +10,7 @@ from cammotion.exchange.law_text import is_same_law, law_from_text
 from cammotion.exchange.xlsx_in import A_DATE
 from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS
 from cammotion.laws.motion_law import MotionLaw
+from cammotion.machine.kinematics import RATE as MACHINE_RATE
 from cammotion.machine.parts import MATCHED
 from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, one_of, shorten
@@ -126,6 +127,11 @@ class Record:
                 f"{self.where}: '{column}' is {shorten(cell)}; it has to be a number, for example "
                 f"{_EXAMPLES.get(column, 150)}{_AS_A_NUMBER if cell.endswith(A_DATE) else ''}."
             )
+        if column == RATE:
+            try:
+                MACHINE_RATE.number(number)
+            except InputError as wrong:
+                raise InputError(f"{self.where}, '{column}': {wrong}") from None
         return number
 
     def read(self, laws: Laws, faults: Faults) -> None:

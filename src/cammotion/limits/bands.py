@@ -73,9 +73,9 @@ def make_band(
             f"The {motion.name} has to be beyond 0 mm of a stop; a motion that only passes its "
             "stop is not covered here: give a limit above 0 mm."
         )
-    if (is_wide and not condition.is_beyond) or (limit < 0 and condition.is_beyond):
+    if is_wide and not condition.is_beyond:
         return None
-    if is_wide or limit < 0:
+    if is_wide:
         raise InputError(
             f"No motion keeps all of this: with a pitch of {pitch:g} mm the {motion.name} is never "
             f"{condition} of a stop; give a limit from 0 to below {pitch / 2:g} mm."

@@ -40,6 +40,10 @@ class Spread(Condition):
         """Return the condition that holds where this one is so near as to hold."""
         return spread(self.sharp.eased(mm), self.deg)
 
+    def check(self, diagram: TimingDiagram) -> None:
+        """Raise InputError for a limit that no distance from a stop can have."""
+        self.sharp.check(diagram)
+
     def arcs(self, diagram: TimingDiagram) -> list[Arc]:
         """Return the arcs over which it may hold, or holds for certain."""
         sharp = self.sharp.arcs(diagram)

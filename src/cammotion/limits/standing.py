@@ -52,10 +52,10 @@ def still_arcs(motion: Motion, still: Any) -> list[Arc]:
                 "deg: leave that out, or give one within a turn if it may move elsewhere."
             )
         if not start < end < start + DEG_PER_TURN:
-            over = f", or {start:g} to {end + DEG_PER_TURN:g} over the end of the turn"
+            over = f", or from {start:g} to {end + DEG_PER_TURN:g} deg over the end of the turn"
             raise InputError(
                 f"The still arc goes from {start:g} to {end:g} deg; it has to end after it begins "
-                "and within a turn: give, for example, (205, 305)"
+                "and within a turn: let it go, for example, from 205 to 305 deg"
                 f"{over if end < start < end + DEG_PER_TURN else ''}."
             )
     return arcs

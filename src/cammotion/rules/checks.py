@@ -91,7 +91,7 @@ def as_rules(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Clea
             raise InputError(
                 f"The rule '{rule}' is one of those that are not covered here: say it by beyond "
                 "and within if you can, like 'the die may be beyond 19 mm only while the mill is "
-                "within 0.65 mm'. Whether it is broken is told all the same."
+                "within 0.65 mm'. Whether it is broken, find_violations tells."
             )
         found.append(rule)
     return tuple(found)

@@ -13,7 +13,7 @@ from typing import Self
 from cammotion.arguments import checked
 from cammotion.machine.arcs import Arc, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.quantities import InputError, as_text
+from cammotion.quantities import InputError
 from cammotion.rules.conditions import Condition, Moving, after
 from cammotion.rules.rule import Room, Rule
 
@@ -55,6 +55,11 @@ class ClearanceRule(Rule):
     def reverse(self) -> "ClearanceRule":
         """The same rule said of the other motion: it leaves its place only while this one can."""
         return replace(self, when=self.only_while.opposite, only_while=self.when.opposite)
+
+    def check(self, diagram: TimingDiagram) -> None:
+        """Raise InputError for a diagram without its motions, or with such as it is not about."""
+        for half in (self.when, self.only_while):
+            half.check(diagram)
 
     def violated_arcs(self, diagram: TimingDiagram) -> list[Arc]:
         """Return the arcs over which the rule is broken; one that crosses 360 deg ends above."""
@@ -106,8 +111,8 @@ class ClearanceRule(Rule):
         """Say in words how it is broken by so much, at a cam angle."""
         said = self._measured
         own, other = said.motions
-        fault = f"the {own} is {as_text(excess_mm, '.3g')} mm {said.when.fault} at {at_deg:.5g} deg"
-        return f"{fault}, while the {other} is not {said.only_while}"
+        fault = said.when.describe_fault(excess_mm, at_deg)
+        return f"the {own} {fault}, while the {other} is not {said.only_while}"
 
     def renamed(self, called: Mapping[str, str]) -> Self:
         """Return the rule about the same motions, which are called so in another diagram."""

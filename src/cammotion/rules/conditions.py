@@ -1,7 +1,7 @@
 """Conditions of one motion, of which a clearance rule has two: where it is, or whether it moves."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from cammotion.machine.diagram import TimingDiagram, name_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import LIMIT, Segment, arcs_of
-from cammotion.quantities import keep_numbers
+from cammotion.quantities import InputError, as_text, keep_numbers
 
 
 @dataclass(frozen=True)
@@ -19,12 +19,14 @@ class Condition:
     """What a motion's offset may be: beyond a limit in mm, or within it (the limit included).
 
     The offset is `Motion.offset_mm`: the position, or of an indexing motion the distance from the
-    nearest stop. Made by `beyond` and `within`.
+    nearest stop. Made by `beyond` and `within`. One that `is_eased` has a limit that is a little
+    farther off than what a user gave.
     """
 
     motion: str
     limit_mm: float
     is_beyond: bool
+    is_eased: bool = field(default=False, compare=False, repr=False, kw_only=True)
 
     def __post_init__(self) -> None:
         keep_numbers(self, limit_mm=LIMIT.number)
@@ -36,7 +38,18 @@ class Condition:
 
     def eased(self, mm: float) -> "Condition":
         """Return the condition that holds where this one is so near as to hold."""
-        return replace(self, limit_mm=self.limit_mm + (-mm if self.is_beyond else mm))
+        limit = self.limit_mm + (-mm if self.is_beyond else mm)
+        return replace(self, limit_mm=limit, is_eased=True)
+
+    def check(self, diagram: TimingDiagram) -> None:
+        """Raise InputError for a limit that no distance from a stop can have."""
+        motion = diagram[self.motion]
+        if motion.is_indexing and self.limit_mm < 0 and not self.is_eased:
+            raise InputError(
+                f"The limit of the {motion.name} is {self.limit_mm:g} mm, and of an indexing "
+                "motion the way to its nearest stop counts, which is never below 0: give at least "
+                f"0 mm, for example {replace(self, limit_mm=-self.limit_mm)}."
+            )
 
     def arcs(self, diagram: TimingDiagram) -> list[Arc]:
         """Return the arcs of the turn over which it holds."""
@@ -52,9 +65,12 @@ class Condition:
         """Return the cam angles at which the room can be least."""
         return diagram[self.motion].offset_turning_degs
 
+    def describe_fault(self, excess_mm: float, at_deg: float) -> str:
+        """Say in words how far its motion goes too far, at a cam angle."""
+        return f"is {as_text(excess_mm, '.3g')} mm {self._fault} at {at_deg:.5g} deg"
+
     @property
-    def fault(self) -> str:
-        """How it is said that it goes too far."""
+    def _fault(self) -> str:
         return "too deep" if self.is_beyond else "too near"
 
     def __str__(self) -> str:
@@ -99,10 +115,15 @@ class Moving(Condition):
         )
         return (*motion.turning_degs, *passed)
 
+    def describe_fault(self, excess_mm: float, at_deg: float) -> str:
+        """Say in words how far its motion goes too far, at a cam angle; one that stands, stands."""
+        if not self.is_beyond:
+            return f"stands at {at_deg:.5g} deg"
+        return super().describe_fault(excess_mm, at_deg)
+
     @property
-    def fault(self) -> str:
-        """How it is said that it goes too far."""
-        return "on its way" if self.is_beyond else "short of moving"
+    def _fault(self) -> str:
+        return "on its way"
 
     def __str__(self) -> str:
         """Say it in words."""
@@ -114,7 +135,7 @@ def beyond(motion: str | Motion, limit_mm: float) -> Condition:
     """Return the condition that a motion is further than `limit_mm`, for a `ClearanceRule`.
 
     Further up: a part that works downwards from 0 has to be described with its depth upwards.
-    An indexing motion counts from its nearest stop, both ways alike.
+    An indexing motion counts from its nearest stop, both ways alike, and its limit is at least 0.
 
     >>> str(beyond("die", 19))
     'beyond 19 mm'
@@ -126,7 +147,7 @@ def beyond(motion: str | Motion, limit_mm: float) -> Condition:
 def within(motion: str | Motion, limit_mm: float) -> Condition:
     """Return the condition that a motion is at most at `limit_mm`, for a `ClearanceRule`.
 
-    An indexing motion counts from its nearest stop, both ways alike.
+    An indexing motion counts from its nearest stop, both ways alike, and its limit is at least 0.
 
     >>> str(within("mill", 0.65))
     'within 0.65 mm'

@@ -126,9 +126,9 @@ def intervals(motion: Motion, condition: Condition, low: float, high: float) -> 
     if not motion.is_indexing:
         ends = (limit, math.inf) if condition.is_beyond else (-math.inf, limit)
         return [Interval(*ends)] if ends[0] <= high and ends[1] >= low else []
-    if limit < 0 if condition.is_beyond else limit >= pitch / 2:
+    if limit >= pitch / 2 and not condition.is_beyond:
         return [Interval(-math.inf, math.inf)]  # it always holds
-    if limit > pitch / 2 if condition.is_beyond else limit < 0:
+    if limit > pitch / 2 and condition.is_beyond:
         return []
     stop = motion.start_mm % pitch
     least, most = (limit, pitch - limit) if condition.is_beyond else (-limit, limit)
