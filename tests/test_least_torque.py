@@ -1,7 +1,7 @@
 """The least torque on the camshaft: against a grid, an evolution, and balances known beforehand."""
 
 import math
-from functools import cache
+from functools import cache, partial
 from itertools import product
 from typing import Any
 
@@ -120,7 +120,8 @@ def test_one_mass_alone_gets_all_the_angle_there_is() -> None:
     largest_of_one = 2 * math.pi * 3 * math.sqrt(3) / 4  # (1 - cos w) 2 pi sin w, at 120 deg
     expected = largest_of_one * 40 * 0.1**2 * SPEED**2 / math.radians(angle) ** 3
     assert found.reached == pytest.approx(expected, rel=1e-6)
-    wider = cm.optimise(make_diagram(), RULE, still=STILL, weights={"die": 1e-6})
+    today = {"die": make_diagram().peak_acceleration("die")}  # as long as nobody says otherwise
+    wider = cm.optimise(make_diagram(), RULE, still=STILL, weights={"die": 1e-6}, at_most=today)
     assert angle == pytest.approx(wider.design["mill"].moves[0].angle_deg, abs=1e-2)
     die = cm.optimise(found.design, RULE, still={"die": [DOWN_DEG]})
     assert found.peaks["die"] == pytest.approx(die.peaks["die"], rel=1e-4)
@@ -278,3 +279,24 @@ def test_a_wrong_answer_is_never_given_out(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(movers, "_apart", lambda *_: iter(()))  # as if there were no rules
     with pytest.raises(WrongAnswerError, match="too deep"):
         cm.optimise(SHAFT, RULE, still=STILL, minimise="torque")
+
+
+def test_a_part_without_a_load_gets_no_harder_than_it_is() -> None:
+    """It costs nothing on the shaft, and was made as narrow as a hair for the others."""
+    index = cm.rise(80, over_deg=120, law="modified sine")
+    dial = cm.indexing_motion("dial", cm.dwell(240), index, stops=12)
+    down, up = cm.return_(40, over_deg=60), cm.rise(40, over_deg=70)
+    segments = down, cm.dwell(60), up, cm.dwell(170)
+    punch = cm.motion("punch", *segments, start_deg=60, start_mm=75)
+    diagram = cm.TimingDiagram([dial, punch], cm.per_minute(90))
+    rule = cm.ClearanceRule(cm.within("punch", 65), only_while=cm.within("dial", 0.3))
+    shaft = cm.Camshaft(diagram, {"punch": cm.FollowerLoad(mass_kg=3)})
+    least = partial(
+        cm.optimise, shaft, rule, still={"punch": [(120, 180)], "dial": [(60, 200)]}, seconds=5
+    )
+    before = diagram.peak_acceleration("dial")
+    kept = least(minimise="torque").peaks["dial"]
+    assert kept <= before * (1 + 1e-6)
+    harder = least(minimise="torque", at_most={"dial": 2 * before})
+    assert harder.peaks["dial"] <= 2 * before * (1 + 1e-6)
+    assert harder.reached < abs(shaft.peak_torque().value)

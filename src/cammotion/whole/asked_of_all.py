@@ -95,6 +95,15 @@ class Task:
         left = tuple(part for part in self.parts if part not in others.parts)
         return Task(design, left, _of_interest(self.rules, [part.motion.name for part in left]))
 
+    def no_harder(self, names: Iterable[str]) -> "Task":
+        """Return the same with the peaks of today as limits of these parts, if they have none."""
+        today = {name: self.in_degrees(self.diagram.peak_acceleration(name)) for name in names}
+        parts = (
+            replace(part, cap=today.get(part.motion.name, np.inf)) if np.isinf(part.cap) else part
+            for part in self.parts
+        )
+        return replace(self, parts=tuple(parts))
+
     def grid(self, sides: Sequence[tuple[Side, Side]], cells: int) -> Floats:
         """Return a grid with the ends of all arcs in it that are known beforehand.
 

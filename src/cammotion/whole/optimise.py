@@ -121,7 +121,8 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     down pay for those that speed up, and so there is no program that finds the best: from many
     starts, the least peak and the machine of today among them, SciPy's SLSQP goes down to a low
     place, and the best one is returned. No bound is known then; `tried` shows how far apart the
-    low places are. The parts without a load have moves as wide as the others leave them.
+    low places are. A part without a load counts for nothing in it: its peak stays at most what it
+    is today, or what `at_most` says.
 
     Otherwise the answer is the best there is, not only the best of some tries, as far as the solver
     HiGHS can be trusted: it searches the program through, to a ten-thousandth (where the `seconds`
@@ -158,6 +159,7 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     task = read_task(diagram, rules, still=still, weights=weights, at_most=at_most)
     named = unit or _UNITS[what]
     if shaft and what == "torque":
+        task = task.no_harder(task.weights.keys() - shaft.loads.keys())
         found = least_torque(shaft, task, *read_moves(task, laws, (starts_deg, angles_deg)), limit)
         answer = found and Optimised(diagram, 0.0, found[0], task.weights, named, shaft, found[1])
     else:
