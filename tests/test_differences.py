@@ -76,13 +76,16 @@ def test_alternating_errors_a_dip_and_equal_ones(errors: tuple[int, ...], times:
 
 def test_random_errors_have_the_stated_mean_square() -> None:
     errors = np.random.default_rng(5).normal(0, 0.01, (2000, 36))
-    off = [
-        cm.differences(cm.CamTable(turn(36), each, is_cycle=True), RATE).acceleration
-        for each in errors
-    ]
-    expected = cm.differences(CAM, RATE).acceleration_rms(0.01)
-    assert expected == pytest.approx([np.sqrt(6) * 1e-5 / (4 / 36) ** 2] * 36)
-    assert np.sqrt(np.mean(np.square(off))) == pytest.approx(expected[0], rel=0.01)
+    off = [cm.differences(cm.CamTable(turn(36), each, is_cycle=True), RATE) for each in errors]
+    stated, dt = cm.differences(CAM, RATE), 4 / 36
+    expected = stated.acceleration_rms(0.01)
+    assert expected == pytest.approx([np.sqrt(6) * 1e-5 / dt**2] * 36)
+    bends = [each.acceleration for each in off]
+    assert np.sqrt(np.mean(np.square(bends))) == pytest.approx(expected[0], rel=0.01)
+    expected = stated.velocity_rms(0.01)
+    assert expected == pytest.approx([np.sqrt(2) * 1e-5 / (2 * dt)] * 36)
+    slopes = [each.velocity for each in off]
+    assert np.sqrt(np.mean(np.square(slopes))) == pytest.approx(expected[0], rel=0.01)
 
 
 @pytest.mark.parametrize("rate", [0, -900, np.nan])

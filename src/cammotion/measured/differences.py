@@ -55,14 +55,20 @@ class Differences(Alike):
         """
         return _bound(self.acceleration_weights, error_mm)
 
+    def velocity_rms(self, error_rms_mm: float) -> Floats:
+        """Return the root mean square in m/s of what random errors do to each velocity.
+
+        They are those of `acceleration_rms`. On even angles it is e/(sqrt(2) dt).
+        """
+        return _rms(self.velocity_weights, error_rms_mm)
+
     def acceleration_rms(self, error_rms_mm: float) -> Floats:
         """Return the root mean square in m/s2 of what random errors do to each acceleration.
 
         `error_rms_mm` is their own root mean square, and they know nothing of each other; rounding
         to a step has step/sqrt(12). On even angles it is sqrt(6) e/dt^2.
         """
-        spread = np.sqrt(np.sum(self.acceleration_weights**2, axis=0))
-        return np.asarray(spread * ERROR.number(error_rms_mm))
+        return _rms(self.acceleration_weights, error_rms_mm)
 
 
 @checked
@@ -96,6 +102,10 @@ def differences(table: CamTable, rate_per_hour: float) -> Differences:
     three = np.array([positions[:-2], positions[1:-1], positions[2:]])
     velocity, acceleration = (np.sum(weights * three, axis=0) for weights in (slope, bend))
     return Differences(angles[1:-1], velocity, acceleration, slope, bend)
+
+
+def _rms(weights: Floats, error_rms_mm: float) -> Floats:
+    return np.asarray(np.sqrt(np.sum(weights**2, axis=0)) * ERROR.number(error_rms_mm))
 
 
 def _bound(weights: Floats, error_mm: float) -> Floats:
