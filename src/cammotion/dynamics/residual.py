@@ -155,7 +155,7 @@ def _in_blocks(
 
     The curve is as long as so many moves.
     """
-    checked = RATIO.array(ratios)
-    masses_by_ways = checked.size * ways_for(float(checked.max())) * moves
-    blocks = np.array_split(checked.ravel(), math.ceil(masses_by_ways / _MOST))
-    return plain(np.concatenate([answer(b) for b in blocks if b.size]).reshape(checked.shape))
+    asked = RATIO.array(ratios)
+    masses_by_ways = asked.size * ways_for(float(asked.max())) * moves
+    blocks = np.array_split(asked.ravel(), math.ceil(masses_by_ways / _MOST))
+    return plain(np.concatenate([answer(b) for b in blocks if b.size]).reshape(asked.shape))

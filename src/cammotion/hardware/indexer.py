@@ -256,7 +256,7 @@ class Indexer:
                 return bisect(lambda x: faster(x) > 0, low, high)
         return 1.0
 
-    @property
+    @cached_property
     def _law(self) -> MotionLaw:
         return as_law(self.law)
 
