@@ -21,7 +21,14 @@ from cammotion.dynamics.forcing import Forcing, accelerations, check_velocity
 from cammotion.dynamics.peaks import Peak, extremes, ordered
 from cammotion.dynamics.swing import is_endless
 from cammotion.laws.catalogue import as_law
-from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, Move, cycle_time
+from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
+    MM_PER_M,
+    RATE,
+    Move,
+    cycle_time,
+    into_turn,
+)
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, plain, shorten
@@ -287,8 +294,8 @@ class StartResponse(_TurnResponse):
                 f"The cam angle is {angles[outside][0]:g} deg; the machine starts at {begin:g}: "
                 f"give an angle from there on, and up to {high:g} deg."
             )
-        turns, since = np.divmod(np.maximum(angles - begin, 0.0), DEG_PER_TURN)
-        return turns.astype(np.intp), begin + since
+        turns, phases = into_turn(np.maximum(angles, begin), begin)
+        return turns.astype(np.intp), phases
 
 
 class SteadyResponse(_TurnResponse):
@@ -329,8 +336,8 @@ class SteadyResponse(_TurnResponse):
         return np.asarray(self._repeated)
 
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
-        since = np.mod(angles - self.motion.start_deg, DEG_PER_TURN)
-        return np.zeros(since.shape, dtype=np.intp), self.motion.start_deg + since
+        _, phases = into_turn(angles, self.motion.start_deg)
+        return np.zeros(phases.shape, dtype=np.intp), phases
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
         low, high = ordered(CAM_ANGLE, self.span if over is None else over)

@@ -10,14 +10,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from cammotion.bracketed import Extreme, Function, largest, where_positive
 from cammotion.hardware.envelope import Lift
 from cammotion.laws.piece import Piece
 from cammotion.machine.arcs import unwrap
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, into_turn
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, as_text
@@ -64,6 +63,14 @@ class DiscCam(ABC):
     def undercuts(self) -> tuple[Undercut, ...]:
         """Where the profile is undercut, in order; empty for a cam that can be made."""
 
+    @property
+    @abstractmethod
+    def sharpest(self) -> Extreme:
+        """The least radius of curvature in mm of the curve that leads the follower, and where.
+
+        That is the pitch curve, of a roller's centre, and the profile for a flat face.
+        """
+
     def lift(self, angle_deg: ArrayLike) -> Lift:
         """Return the displacement from the lowest position and two derivatives by the rad.
 
@@ -74,7 +81,7 @@ class DiscCam(ABC):
     def derivatives(self, angle_deg: ArrayLike, count: int) -> list[Floats]:
         """Return the first so many of what `lift` returns."""
         start, curve = self.motion.start_deg, self.motion.curve
-        phase = curve.begun(start + np.mod(CAM_ANGLE.array(angle_deg) - start, DEG_PER_TURN))
+        phase = curve.begun(into_turn(CAM_ANGLE.array(angle_deg), start)[1])
         first, *others = (
             curve.derived(order)(phase, "right") * PER_RAD**order for order in range(count)
         )

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
-from cammotion.quantities import Numbers, Quantity, broadcast, keep_numbers, plain
+from cammotion.quantities import Floats, Numbers, Quantity, broadcast, keep_numbers, plain
 
 STROKE = Quantity("stroke", "mm", example=50)
 FULL_TURN_DEG = 360 * (1 + 1e-12)  # as 150 + 210.00000000000003 deg is
@@ -30,6 +30,13 @@ SECONDS_PER_MINUTE = MINUTES_PER_HOUR = 60
 DEG_PER_TURN = 360
 MM_PER_M = UM_PER_MM = 1000
 STANDARD_GRAVITY = 9.80665  # m/s2, by definition
+
+
+def into_turn(angle_deg: Floats, start_deg: float) -> tuple[Floats, Floats]:
+    """Return how many turns after the one from `start_deg` on angles lie, and where within that."""
+    turns, since = np.divmod(angle_deg - start_deg, DEG_PER_TURN)
+    full = since >= DEG_PER_TURN  # as NumPy has it for -5e-324
+    return turns + full, np.where(full, 0.0, since) + start_deg
 
 
 def cycle_time(rate_per_hour: ArrayLike) -> Numbers:

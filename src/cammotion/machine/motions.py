@@ -19,7 +19,7 @@ from cammotion.arguments import checked
 from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.machine.arcs import Arc, arcs, intersect
-from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, over_time
+from cammotion.machine.kinematics import DEG_PER_TURN, RATE, cycle_time, into_turn, over_time
 from cammotion.machine.segments import CAM_ANGLE, LIMIT, Segment, told
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain, shorten
 from cammotion.shown import as_table
@@ -247,9 +247,7 @@ class Motion:
 
     def _phase(self, angle_deg: ArrayLike) -> tuple[Floats, Floats]:
         """Return how many turns after the first one, and the cam angle within that."""
-        turns, since = np.divmod(CAM_ANGLE.array(angle_deg) - self.start_deg, DEG_PER_TURN)
-        full = since >= DEG_PER_TURN  # as NumPy has it for -5e-324
-        return turns + full, np.where(full, 0.0, since) + self.start_deg
+        return into_turn(CAM_ANGLE.array(angle_deg), self.start_deg)
 
     def _check_joint(self, before: Segment, after: Segment) -> None:
         gap = after.from_deg - before.to_deg

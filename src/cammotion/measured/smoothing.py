@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from cammotion.alike import Alike
 from cammotion.arguments import checked
-from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, RATE, cycle_time, into_turn
 from cammotion.measured.cam_table import ANGLE, DERIVATIVE, CamTable
 from cammotion.measured.differences import ERROR
 from cammotion.measured.smoother import AnyPoints, EvenCycle, Smoother, chosen_amount
@@ -60,7 +60,7 @@ class SmoothedTable(Alike):
             )
         low, high = float(self.table.angle_deg[0]), float(self.table.angle_deg[-1])
         if self.table.is_cycle:
-            angle = low + np.mod(ANGLE.array(angle_deg) - low, DEG_PER_TURN)
+            _, angle = into_turn(ANGLE.array(angle_deg), low)
         else:
             angle = Quantity("cam angle", "deg", low, low, high, True).array(angle_deg)
         values = self._spline(angle, order)

@@ -20,7 +20,7 @@ from cammotion.hardware.followers import TranslatingRoller
 from cammotion.hardware.prime_circle import smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
 from cammotion.machine.arcs import Arc, arcs
-from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time
+from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, into_turn
 from cammotion.quantities import Floats, InputError, Quantity, as_text
 from cammotion.views.animation import svg
 from cammotion.views.animation.dial import draw_dial
@@ -134,7 +134,7 @@ class FollowerAnimation(MovingPicture):
     def angle_of(self, angle_deg: Any) -> Any:
         """Return angles of the dial as those of the last turn, counted on from the first."""
         first = self.flights.begins_at_deg + (self.flights.turns - 1) * DEG_PER_TURN
-        return first + np.mod(np.asarray(angle_deg) - first, DEG_PER_TURN)
+        return into_turn(np.asarray(angle_deg), first)[1]
 
 
 @checked
