@@ -258,10 +258,10 @@ def test_a_violation_across_360_deg_is_one_arc() -> None:
 
 
 def test_a_violation_of_the_whole_turn_ends_at_360() -> None:
-    rule = ClearanceRule(beyond("die", -1), only_while=within("mill", -1))
+    rule = ClearanceRule(beyond("die", -1), only_while=beyond("mill", 60))
     [violation] = cm.find_violations(make_diagram(), rule)
     assert (violation.start_deg, violation.end_deg, violation.excess_mm) == (0, 360, 51)
-    assert str(violation).endswith("while the mill is not within -1 mm (from 0 to 360 deg)")
+    assert str(violation).endswith("while the mill is not beyond 60 mm (from 0 to 360 deg)")
 
 
 def test_a_short_bump_of_a_law_is_found() -> None:

@@ -196,13 +196,11 @@ def _checked(diagram: Any, rule: Any, contact_mm: Any) -> tuple[ClearanceRule, f
             f"The position of contact is {contact:g} mm, and the rule '{rule}' lets the "
             f"{die.name} pass it: give a contact_mm of at least {limit:g} mm."
         )
-    if not (
-        die.start_mm <= limit and die.start_mm < contact and 0 <= near < abs(mill.pitch_mm) / 2
-    ):
+    if not (die.start_mm <= limit and die.start_mm < contact and near < abs(mill.pitch_mm) / 2):
         raise InputError(
             f"The rule '{rule}' is broken always or never, however the motions overlap: give a "
             f"limit of the {die.name} above its start, {die.start_mm:g} mm, and one of the "
-            f"{mill.name} from 0 to half of its pitch, {abs(mill.pitch_mm) / 2:g} mm."
+            f"{mill.name} below half of its pitch, {abs(mill.pitch_mm) / 2:g} mm."
         )
     if not all(as_law(move.law).is_monotone for move in (*die.moves, *mill.moves)):
         raise InputError(
