@@ -142,5 +142,5 @@ def test_the_bound_of_what_can_stand_is_not_below_zero(length: float, cells: int
         travel_mm=(0, 50 * length),
         cells=cells,
     )
-    assert found.bound == 0
-    assert "between 0 and " in repr(found) or "between 0.0000 and " in repr(found)
+    assert (found.bound, found.reached) == (0, 0)
+    assert "-0" not in repr(found)
