@@ -13,6 +13,7 @@ from fresh.drawing import Machine
 from fresh.sampling import Piece, Track, track_of, tracks_of, worst_of
 
 SCAN = 60  # angles at which a wider move is tried
+WIDER_DEG = 1e-2
 FEW, MANY = 400, 20_000  # samples of the turn, to suspect and to be sure
 
 
@@ -119,26 +120,42 @@ def _check_widest(machine: Machine, motion: Motion) -> None:
 
 
 def _check_each_way(machine: Machine, motion: Motion) -> None:
-    """Try pairs that would have a smaller peak: none of them is free."""
+    """Try pairs that would be better: none of them is free."""
     search = _Search(machine, motion)
     found = search.solve(machine, each_way=True)
+    better = _wider_pairs if np.isinf(search.own.peak(2, 1.0)) else _gentler_pairs
+    for pair in better(machine, search, found):
+        told = f"{motion.name}: {pair} deg are free and better than {found}"
+        assert min(pair) < NEAR_DEG or not search.is_free(*pair), told
+
+
+def _wider_pairs(
+    machine: Machine, search: _Search, found: tuple[float, ...]
+) -> Iterator[tuple[float, float]]:
+    """Yield pairs that take more of the turn: of any the peak is infinite."""
+    least = sum(found) + WIDER_DEG
+    for share, part in machine.rng.uniform(0, 1, (SCAN // 2, 2)) if least < search.room else ():
+        total = least + share * (search.room - least)
+        yield part * total, (1 - part) * total
+
+
+def _gentler_pairs(
+    machine: Machine, search: _Search, found: tuple[float, ...]
+) -> Iterator[tuple[float, float]]:
+    """Yield pairs that would have a smaller peak."""
     moves = [piece for piece in search.own.pieces if piece.law is not None]
     hard = [  # the peak times the square of the angle
         float(np.abs(m.curve(2, np.linspace(m.from_deg, m.to_deg, 2001))).max()) * width**2
         for m in moves
         for width in [m.to_deg - m.from_deg]
     ]
-    if min(hard) < 1e-9 * max(hard):  # a move that is not accelerated: then any width is as good
-        return
     least = [0.0, 0.0]
     if min(found) > 0:
         peak = 0.99 * max(h / angle**2 for h, angle in zip(hard, found, strict=True))
         least = [np.sqrt(h / peak) for h in hard]
     spare = search.room - sum(least)
     for share, part in machine.rng.uniform(0, 1, (SCAN // 2, 2)) if spare > 0 else ():
-        pair = (least[0] + share * part * spare, least[1] + share * (1 - part) * spare)
-        told = f"{motion.name}: {pair} deg are free and better than {found}"
-        assert min(pair) < NEAR_DEG or not search.is_free(*pair), told
+        yield least[0] + share * part * spare, least[1] + share * (1 - part) * spare
 
 
 def _wider(answer: float, limit: float) -> Iterator[float]:
