@@ -212,7 +212,7 @@ def _ends(motion: Motion, fixed: Iterable[Place]) -> list[Place]:
 
     Of moves that are as hard the one that begins first comes first, in whatever order they are.
     """
-    pushes = [float(f"{_push(move):.9g}") for move in motion.moves]
+    pushes = [float(f"{_push(move):.4g}") for move in motion.moves]
     starts = [move.from_deg % DEG_PER_TURN for move in motion.moves]
     hardest = sorted(range(len(pushes)), key=lambda number: (-pushes[number], starts[number]))
     places = [(number, end) for number in hardest for end in (0, 1)]
