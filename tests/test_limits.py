@@ -655,7 +655,10 @@ ARCS = [
     ([(205, 305, 310)], r"^A still arc is \(205, 305, 310\): give a list of pairs of cam angles"),
     ([(305, 205)], r"^The still arc goes from 305 to 205 deg; it has to end after it begins and "),
     ([(205, 205)], r"^The still arc goes from 205 to 205 deg; "),
-    ([(205, 565)], r"^The still arc goes from 205 to 565 deg; .* within a turn: give, for example"),
+    (
+        [(205, 565)],
+        r"^The still arc goes from 205 to 565 deg; .* within a turn: let it go, for example",
+    ),
     ([(205, math.inf)], r"^The cam angle is inf deg; "),
     ([(205, "305")], r"^The cam angle has to be a number in deg, not '305': give it as a num"),
     ([(205, 310)], r"^In the still arc from 205 to 310 deg the die moves, from 305 to 310 deg; a "),

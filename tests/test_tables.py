@@ -454,7 +454,7 @@ MALFORMED: dict[str, list[list[str]]] = {
         TURN,
         changed(motion="mill", machine_rate="1000"),
     ],
-    "The machine rate is -5 pieces/h; it has to be a finite number above 0": [
+    "Line 2 of bad.csv, 'machine rate in pieces/h': The machine rate is -5 pieces/h; it has": [
         HEADING,
         changed(machine_rate="-5"),
     ],

@@ -134,24 +134,32 @@ class DesignExercise(Exercise):
         return largest_peak(design) / bound_of(machine)
 
 
-@lru_cache(maxsize=200)
 def balanced(machine: MillAndDie, *laws: str) -> TimingDiagram:
     """Return the best diagram of mill and die by given laws; without any, by those they have."""
-    still = _still(machine)
-    return optimise(machine.diagram, clearance_rule(machine), still=still, laws=laws or None).design
+    return _balanced(machine.diagram, clearance_rule(machine), _work(machine), laws)
 
 
-@lru_cache(maxsize=200)
 def bound_of(machine: MillAndDie) -> float:
     """Return what no motions of mill and die can be below, in m/s2, within a tenth.
 
     The die stays within its stroke, and both stand while it works.
     """
-    travel = {"die": (0.0, machine.stroke_mm)}
-    still = _still(machine)
-    rule = clearance_rule(machine)
+    return _bound(machine.diagram, clearance_rule(machine), _work(machine), machine.stroke_mm)
+
+
+# Each by all that it depends on: many machines differ in other numbers alone.
+@lru_cache(maxsize=200)
+def _balanced(
+    diagram: TimingDiagram, rule: ClearanceRule, work: Arc, laws: tuple[str, ...]
+) -> TimingDiagram:
+    return optimise(diagram, rule, still=_both(work), laws=laws or None).design
+
+
+@lru_cache(maxsize=200)
+def _bound(diagram: TimingDiagram, rule: ClearanceRule, work: Arc, stroke_mm: float) -> float:
+    travel = {"die": (0.0, stroke_mm)}
     found = least_peak(
-        machine.diagram, rule, still=still, travel_mm=travel, gap=_GAP, seconds=_SECONDS
+        diagram, rule, still=_both(work), travel_mm=travel, gap=_GAP, seconds=_SECONDS
     )
     return found.bound
 
@@ -173,8 +181,12 @@ def said_of(design: TimingDiagram, machine: MillAndDie) -> str:
     )
 
 
-def _still(machine: MillAndDie) -> dict[str, list[tuple[float, float]]]:
-    work = (machine.down_deg, machine.down_deg + machine.work_deg)
+def _work(machine: MillAndDie) -> Arc:
+    """Return the arc over which both stand."""
+    return machine.down_deg, machine.down_deg + machine.work_deg
+
+
+def _both(work: Arc) -> dict[str, list[Arc]]:
     return {"mill": [work], "die": [work]}
 
 
@@ -224,7 +236,7 @@ def _stands(design: TimingDiagram, machine: MillAndDie) -> str:
     before = machine.diagram
     moved: list[str] = []
     where: list[str] = []
-    for name, standing in _still(machine).items():
+    for name, standing in _both(_work(machine)).items():
         asked = Asked((), tuple(standing), (-np.inf, np.inf), np.inf)
         old, new = before[name], design[name]
         if old.is_indexing != new.is_indexing:
