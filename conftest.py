@@ -29,7 +29,6 @@ LONG = (
 TOGETHER = ("tests/in_lab/", "notebooks/solutions/")  # they share what takes long to start
 # A kernel begins anew: nothing is named, no picture is open, and of our package nothing is loaded.
 BEGIN_ANEW = """\
-%reset -f
 import sys
 from matplotlib import pyplot
 pyplot.close("all")

@@ -41,11 +41,13 @@ READY = """async name => {
 }"""
 COMMAND = "async name => { await jupyterapp.commands.execute(name); }"
 # With what a learner would be asked answered: nothing is to be saved, and nobody comes back.
-OPEN = """async path => {
+CLOSE = """async () => {
   const { currentWidget } = jupyterapp.shell, { model, sessionContext } = currentWidget.context;
   await sessionContext.shutdown();
   model.dirty = false;
   currentWidget.close();
+}"""
+OPEN = """async path => {
   await jupyterapp.commands.execute("docmanager:open", { path, factory: "Notebook" });
 }"""
 IN_TIME = """name => Promise.race([
@@ -203,10 +205,11 @@ class LabPage:
 
     def open(self, notebook: str) -> None:
         """Open another notebook in place of the one in front, whose kernel ends."""
+        self._await(CLOSE, "the notebook in front")
+        self.window.errors.clear()  # of what was asked of a kernel that has ended
+        self.window.asked.clear()
         self._await(OPEN, f"{self.work}/{notebook}")
         self.wait_for(notebook)
-        self.window.errors.clear()
-        self.window.asked.clear()
 
     def command(self, name: str) -> None:
         """Run a command of JupyterLab to its end."""

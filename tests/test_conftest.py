@@ -68,13 +68,35 @@ CELLS = {
 }
 
 
-def test_nbval_judges_each_change(pytester: pytest.Pytester) -> None:
-    cells = [{**made, "id": f"cell-{n}"} for n, (made, _) in enumerate(CELLS.values())]
+def write(path: Path, *made: Cell) -> None:
+    cells = [{**one, "id": f"cell-{n}"} for n, one in enumerate(made)]
     notebook = {"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}
-    (pytester.path / "changed.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+
+
+def verdicts_of(pytester: pytest.Pytester, name: str) -> list[str]:
     for settings in ("pyproject.toml", "conftest.py"):
         copy(TOP / settings, pytester.path)
-    reports = pytester.inline_run("changed.ipynb").getreports("pytest_runtest_logreport")
-    verdicts = [report.outcome for report in reports if report.when == "call"]
+    reports = pytester.inline_run(name).getreports("pytest_runtest_logreport")
+    return [report.outcome for report in reports if report.when == "call"]
+
+
+def test_solutions_share_a_kernel_and_find_nothing_of_each_other(pytester: pytest.Pytester) -> None:
+    folder = pytester.path / "solutions"
+    folder.mkdir()
+    write(
+        folder / "01.ipynb",
+        cell("import cammotion, os, pathlib"),
+        cell("mine = pathlib.Path('kernel').write_text(str(os.getpid()))"),
+    )
+    asked = "open('kernel').read() == str(os.getpid()), 'mine' in dir(), 'cammotion' in sys.modules"
+    told = {"output_type": "stream", "name": "stdout", "text": "True False False\n"}
+    write(folder / "02.ipynb", cell(f"import os, sys\nprint({asked})", told))
+    assert verdicts_of(pytester, "solutions") == 3 * ["passed"]
+
+
+def test_nbval_judges_each_change(pytester: pytest.Pytester) -> None:
+    write(pytester.path / "changed.ipynb", *(made for made, _ in CELLS.values()))
+    verdicts = verdicts_of(pytester, "changed.ipynb")
     expected = {change: verdict for change, (_, verdict) in CELLS.items()}
     assert dict(zip(CELLS, verdicts, strict=True)) == expected

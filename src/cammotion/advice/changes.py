@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 from cammotion.advice.widening import WORTH, stops, wider
-from cammotion.advice.worse import faults_in, faults_of, noted, worsened
+from cammotion.advice.worse import SAME_DEG, faults_in, faults_of, noted, worsened
 from cammotion.laws.catalogue import LAWS, as_law
 from cammotion.limits.frame import hands_over
 from cammotion.machine.diagram import TimingDiagram
@@ -17,7 +17,6 @@ from cammotion.quantities import WrongAnswerError, in_decimals, plural, rate_as_
 from cammotion.rules.rule import Rule
 
 WIDEN, NARROW, LAW, BALANCE = "widen", "narrow", "law", "balance"
-_SAME_DEG = 0.005
 
 
 @dataclass(frozen=True, repr=False)
@@ -134,7 +133,7 @@ def _with_angles(
     what = " and ".join(
         f"the {before.kind} from {before.angle_deg:.4g} to {after.angle_deg:.5g} deg"
         for before, after in pairs
-        if abs(before.angle_deg - after.angle_deg) > _SAME_DEG
+        if abs(before.angle_deg - after.angle_deg) > SAME_DEG
     )
     return improvement(
         WIDEN, f"{_verb(pairs)} {what} of the {name}{held}", machine, changed, [name]
@@ -144,9 +143,9 @@ def _with_angles(
 def _verb(pairs: Iterable[tuple[Segment, Segment]]) -> str:
     """Return whether moves before and after are all wider, all narrower, or neither."""
     more = [after.angle_deg - before.angle_deg for before, after in pairs]
-    if min(more) >= -_SAME_DEG:
+    if min(more) >= -SAME_DEG:
         return "widen"
-    return "narrow" if max(more) <= _SAME_DEG else "change"
+    return "narrow" if max(more) <= SAME_DEG else "change"
 
 
 def _dwells(motion: Motion) -> bool:

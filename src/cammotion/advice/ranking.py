@@ -17,7 +17,6 @@ from cammotion.advice.widening import is_usual
 from cammotion.advice.worse import noted
 from cammotion.arguments import checked
 from cammotion.limits.frame import hands_over
-from cammotion.machine.motions import Motion
 from cammotion.own import Machine
 from cammotion.quantities import InputError, Quantity, in_decimals, rate_as_text
 from cammotion.shown import as_table
@@ -185,17 +184,13 @@ def _is_too_slow(one: Improvement, machine: Machine) -> bool:
 
 def _handing(machine: Machine) -> Iterator[str]:
     """Yield whose moves go on with a velocity: with another angle or law it would jump."""
-    yield from (motion.name for motion in machine.diagram.motions if _hands_over(motion))
-
-
-def _hands_over(motion: Motion) -> bool:
-    return bool(motion.moves) and hands_over(motion)
+    yield from (motion.name for motion in machine.diagram.motions if hands_over(motion))
 
 
 def _unasked(machine: Machine) -> Iterator[str]:
     """Yield who has several moves, of which nothing says where they have to stand."""
     for motion in machine.diagram.motions:
-        is_other = bool(motion.moves) and not is_usual(motion) and not _hands_over(motion)
+        is_other = bool(motion.moves) and not is_usual(motion) and not hands_over(motion)
         if is_other and motion.name not in machine.still:
             yield motion.name
 

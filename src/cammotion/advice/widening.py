@@ -5,7 +5,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
-from cammotion.advice.worse import Faults, faults_in, noted, worsened
+from cammotion.advice.worse import SAME_DEG, Faults, faults_in, noted, worsened
 from cammotion.limits.frame import hands_over
 from cammotion.limits.widest import widest_move
 from cammotion.machine.arcs import Arc, arcs, complement, intersect
@@ -27,7 +27,6 @@ _SHARES = (0.5, 0.5, 0.5, 1)  # of its room that an end may take at a time, and 
 _LEAST_DEG = 1e-3  # by which an end is put out, if it is
 _HALVINGS = 20  # of that, until it is known where it stops
 _HAIR_DEG, _HAIR = 0.1, 0.01  # by which an end is moved to see what stops it; of its move at most
-_SAME_DEG = 0.005
 _STILL_ARC = "its still arc"
 
 Place = tuple[int, int]  # of an end: the number of its move, and 0 for its beginning, 1 for its end
@@ -242,7 +241,7 @@ def _at_work(motion: Motion, still: Sequence[Arc]) -> tuple[Place, ...]:
 def _is_still(dwell: Arc, still: Iterable[Arc]) -> bool:
     """Tell whether a part has to stand all along a dwell."""
     over, free = arcs([dwell]), complement(arcs(still))
-    return bool(over) and sum(end - start for start, end in intersect(over, free)) < _SAME_DEG
+    return bool(over) and sum(end - start for start, end in intersect(over, free)) < SAME_DEG
 
 
 def _push(move: Segment) -> float:

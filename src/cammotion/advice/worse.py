@@ -8,7 +8,9 @@ from cammotion.quantities import WrongAnswerError
 from cammotion.rules.checks import find_violations
 from cammotion.rules.rule import Rule, Violation
 
-_SAME_DEG = 0.005
+SAME_DEG = 0.005
+"""Angles that differ by less are one."""
+
 _USED_MM, _USED = 1e-3, 1e-4  # of a rule that has no more room; and of the ways in it at most
 _STRICT = 0.01  # of these, while it is searched
 
@@ -50,7 +52,7 @@ def is_worse(
     before: tuple[float, float], after: tuple[float, float], used_mm: float, share: float = 1.0
 ) -> bool:
     """Tell whether a rule is broken by more than before, or for longer, but for a little."""
-    return after[0] > before[0] + share * used_mm or after[1] > before[1] + share * _SAME_DEG
+    return after[0] > before[0] + share * used_mm or after[1] > before[1] + share * SAME_DEG
 
 
 def used_mm(diagram: TimingDiagram, rule: Rule) -> float:

@@ -34,7 +34,9 @@ def hands_over(motion: Motion) -> bool:
     It would jump there if one of them got another angle or law.
     """
     laws = [as_law(move.law) for move in motion.moves]
-    return not motion.steps(1) and not all(rests_at(law, end) for law in laws for end in (0, 1))
+    if all(rests_at(law, end) for law in laws for end in (0, 1)):  # also of what never moves
+        return False
+    return not motion.steps(1)
 
 
 class Event(NamedTuple):

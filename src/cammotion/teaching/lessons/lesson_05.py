@@ -28,13 +28,15 @@ _WITH_CJ = (
     "This compares the jerks. What is saved in acceleration is paid for in jerk; the acceleration "
     "is asked for."
 )
-_MAY_MOVE_IT = {
+SPOKEN_LAWS = {
     "cycloidal": "cycloid",
     "modified sine": "modified sine",
     "modified trapezoid": "modified trapezoid",
     "3-4-5 polynomial": "3-4-5 polynomial",
     "4-5-6-7 polynomial": "4-5-6-7 polynomial",
 }
+"""How an exercise calls the laws that may be taken one for another."""
+
 _WITH_CV = "This is with Cv, the factor of the velocity. The acceleration has Ca."
 
 
@@ -409,7 +411,7 @@ EXERCISES = (
                     f"So many it would need if it moved by the {said}. The question names another "
                     "law.",
                 )
-                for law, said in _MAY_MOVE_IT.items()
+                for law, said in SPOKEN_LAWS.items()
             ),
         ),
         hints=(

@@ -10,6 +10,7 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, SECONDS_PER_MINUTE
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
+from cammotion.teaching.lessons.lesson_05 import SPOKEN_LAWS
 from cammotion.teaching.number_exercise import OF_THE_LESSON, NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import step_of_torque
@@ -19,11 +20,8 @@ _G = 9.81  # as in the source
 _LESSONS = Indexer(38.5, 8, 0.75, law="modified sine", friction_N_m=10)  # the table of the lesson
 _LESSONS_DEG = 150  # the angle of its camshaft
 _OTHER_LAWS = {
+    **SPOKEN_LAWS,
     "modified sine": "modified sine, the law of the lesson's table",
-    "cycloidal": "cycloid",
-    "modified trapezoid": "modified trapezoid",
-    "3-4-5 polynomial": "3-4-5 polynomial",
-    "4-5-6-7 polynomial": "4-5-6-7 polynomial",
 }
 
 
