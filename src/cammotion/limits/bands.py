@@ -19,8 +19,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError
 from cammotion.rules.conditions import Condition
-
-ROUNDING_MM = 1e-9
+from cammotion.rules.rule import ROUNDING_MM
 
 
 @dataclass(frozen=True)

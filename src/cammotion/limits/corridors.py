@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cammotion.limits.bands import ROUNDING_MM, Band, check_agree, make_band
+from cammotion.limits.bands import Band, check_agree, make_band
 from cammotion.limits.standing import check_stands, pair_of, still_arcs
 from cammotion.machine.arcs import ROUNDING_DEG, Arc, unwrap
 from cammotion.machine.diagram import TimingDiagram
@@ -22,7 +22,7 @@ from cammotion.quantities import Floats, InputError
 from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import Condition, Moving
-from cammotion.rules.rule import Rule
+from cammotion.rules.rule import ROUNDING_MM, Rule
 
 _SLACK_DEG = 10 * ROUNDING_DEG  # ends of arcs that are nearer to each other are one node
 NEAR_DEG = 3 * _SLACK_DEG

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cammotion.limits.bands import ROUNDING_MM
 from cammotion.limits.corridors import Corridor
 from cammotion.limits.ramps import Ramp, law_of
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats
+from cammotion.rules.rule import ROUNDING_MM
 
 _ROUNDING_TIME = 1e-6  # of a cell
 _STAYS_MM = 1e-6  # the solver's rounding of a motion that stays

@@ -24,7 +24,6 @@ from functools import cached_property
 
 import numpy as np
 
-from cammotion.limits.bands import ROUNDING_MM
 from cammotion.limits.corridors import Corridor, corridor, of_places, travel_ends
 from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import KEPT_MM, GridMotion
@@ -38,7 +37,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError, outward
 from cammotion.rules.checks import find_violations
-from cammotion.rules.rule import Rule
+from cammotion.rules.rule import ROUNDING_MM, Rule
 
 _JERK_LIMIT = Quantity("jerk limit", "m/s³", example=20)
 _CELLS = Quantity("number of cells", "", example=720, low=12, high=2880, low_included=True)

@@ -16,11 +16,10 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Quantity, as_text, shorten
 from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
-from cammotion.rules.rule import Rule
+from cammotion.rules.rule import ROUNDING_MM, Rule
 
 _PHASE = Quantity("phase error", "deg", example=0.5, high=180, low_included=True)
 _OFF = Quantity("error of the position", "mm", example=0.1, low_included=True)
-_ROUNDING_MM = 1e-9
 _CLOSE = 1e-8
 _DOUBLINGS, _TURNS = 60, 10  # of the errors, and of a deg: more than a turn
 _MOST = 2.0**60  # times the errors, which no rule bears
@@ -122,7 +121,7 @@ def _reserve(diagram: TimingDiagram, rule: Rule, errors: _Errors) -> Reserve:
     own = _room(diagram, worst)
     if not isinstance(rule, ClearanceRule):
         times = math.inf
-        if not errors.are_none or own < -_ROUNDING_MM:
+        if not errors.are_none or own < -ROUNDING_MM:
             times = _first(lambda times: _room(diagram, errors.worst(rule, times)))
         return Reserve(rule, *_either_way(diagram, worst), own, own, times)
 
@@ -179,7 +178,7 @@ def _first(room_mm: Callable[[float], float], doublings: int = _DOUBLINGS) -> fl
     from scipy.optimize import brentq  # it takes a second to load
 
     def left(way: float) -> float:
-        return room_mm(way) + _ROUNDING_MM
+        return room_mm(way) + ROUNDING_MM
 
     if left(0.0) < 0:
         return 0.0

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from cammotion.arguments.by_name import as_given, by_name
-from cammotion.limits.bands import ROUNDING_MM
 from cammotion.machine.arcs import Arc, intersect, unwrap
 from cammotion.machine.arcs import arcs as as_set
 from cammotion.machine.diagram import TimingDiagram
@@ -14,6 +13,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, arcs_of
 from cammotion.quantities import Floats, InputError, listed, shorten
+from cammotion.rules.rule import ROUNDING_MM
 
 _ARCS = "a list of pairs of cam angles, for example [(205, 305)]"
 

@@ -15,7 +15,7 @@ from cammotion.machine.arcs import Arc, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError
 from cammotion.rules.conditions import Condition, Moving, after
-from cammotion.rules.rule import Room, Rule
+from cammotion.rules.rule import ROUNDING_MM, Room, Rule
 
 
 @checked
@@ -73,7 +73,8 @@ class ClearanceRule(Rule):
     def room_of_when(self, diagram: TimingDiagram, arc: Arc | None = None) -> Room | None:
         """Return the least room of `when`, in an arc or while the other is not where it has to be.
 
-        It is None where that never is, or where `when` has no end to its room.
+        It is None where that never is, or where `when` has no end to its room. Of places that have
+        as little room the first is named.
         """
         these = self.only_while.opposite.arcs(diagram) if arc is None else [arc]
         turns = self.when.turning_degs(diagram)
@@ -83,9 +84,11 @@ class ClearanceRule(Rule):
             for angle in (start, end, *(after(turn, start) for turn in turns))
             if start <= angle <= end
         ]
-        rooms = (Room(self.when.room_mm(diagram, angle), angle) for angle in places)
-        found = min(rooms, default=None)
-        return None if found is None or found.mm == math.inf else found
+        rooms = [Room(self.when.room_mm(diagram, angle), angle) for angle in places]
+        least = min((room.mm for room in rooms), default=math.inf)
+        if least == math.inf:
+            return None
+        return Room(least, min(room.at_deg for room in rooms if room.mm <= least + ROUNDING_MM))
 
     @checked
     def idle(self, diagram: TimingDiagram) -> str:

@@ -20,10 +20,9 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, as_text, keep_numbers
 from cammotion.rules.conditions import after
-from cammotion.rules.rule import Room, Rule
+from cammotion.rules.rule import ROUNDING_MM, Room, Rule
 
 _DISTANCE = Quantity("least distance", "mm", example=5, low=-math.inf)
-_ROUNDING_MM = 1e-9
 _DIGITS = 11  # of a distance in mm; what differs by less is rounding, and level
 
 
@@ -106,7 +105,7 @@ class DistanceRule(Rule):
 
         A billionth of a mm too little is rounding.
         """
-        least, digits = self.at_least_mm - _ROUNDING_MM, _DIGITS
+        least, digits = self.at_least_mm - ROUNDING_MM, _DIGITS
 
         def lack(_: _Stretch, angles: Floats) -> Floats:
             return np.round(least - self.distance_mm(diagram, angles), digits)

@@ -15,6 +15,8 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import as_text
 
+ROUNDING_MM = 1e-9  # what places differ by without being two
+
 
 class Room(NamedTuple):
     """The least room in mm in some part of the turn, and at which cam angle it is."""
