@@ -8,6 +8,7 @@ From above motions are built and checked. How the search goes on, says `whole.jo
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from textwrap import fill
 from time import monotonic
 from typing import Any
 
@@ -25,6 +26,7 @@ from cammotion.whole.joint_search import Search
 _GAP = Quantity("gap", "", example=0.02, high=1.0, low_included=True)
 _SECONDS = Quantity("time", "s", example=60)
 _NOTHING = 1e-5  # of a way in the square of a cycle, a peak that is rounding: all parts can stand
+_COLUMNS = 96  # of a line; a notebook would break a longer one within its words
 
 
 @dataclass(frozen=True, repr=False)
@@ -81,9 +83,8 @@ class LeastPeak:
         low, high = outward(self.bound, self.reached)
         names, unit = " and ".join(self.parts), self.unit
         reached = f"{high} {unit}" if self.design else "No motions were found yet"
-        return (
-            f"{reached}; no motions of {names} can have less than {low} {unit}. {self.conditions}"
-        )
+        bound = f"{reached}; no motions of {names} can have less than {low} {unit}."
+        return fill(f"{bound} {self.conditions}", _COLUMNS)
 
 
 @checked
