@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
+from sysconfig import get_path
 
 ROOT = Path(__file__).parent.parent
 ON_WINDOWS = os.name == "nt"
@@ -20,6 +21,7 @@ from importlib.metadata import distributions
 print(json.dumps({re.sub("[-_.]+", "-", d.metadata["Name"]).lower(): d.version
                   for d in distributions()}))
 """
+TELL_PACKAGES = "import sysconfig; print(sysconfig.get_path('purelib'))"
 NOT_OURS = {"PYTHONPATH", "PYTHONDONTWRITEBYTECODE"}  # each process would compile all anew
 Word = str | Path
 
@@ -66,6 +68,11 @@ class Environment:
         """Return the path of one of its programs."""
         return self.programs / (f"{name}.exe" if ON_WINDOWS else name)
 
+    @property
+    def packages(self) -> Path:
+        """The folder in which its packages are."""
+        return Path(self.python("-c", TELL_PACKAGES, at=self.folder).strip())
+
     def make(self, python: Word = sys.executable) -> "Environment":
         """Make it, with this Python and pip, if it is not there."""
         if not self.program("python").exists():
@@ -79,14 +86,27 @@ class Environment:
     def install(self, *wanted: Word, at: Path = ROOT, for_others: bool = False) -> None:
         """Install what pip would by these words, in a folder.
 
-        What is `for_others` is compiled, as pip does: they cannot. Else it is when it is imported.
+        What is `for_others` is compiled: they cannot. Else it is when it is imported.
         """
         python, uv = self.program("python"), shutil.which("uv")
         tool: Iterable[Word] = (python, "-m", "pip", "install")
         if uv:  # as pip always does, take the package as it is now
-            as_pip = ("--reinstall-package", "cammotion", *["--compile-bytecode"] * for_others)
-            tool = (uv, "pip", "install", "-p", python, *as_pip)
+            tool = (uv, "pip", "install", "-p", python, "--reinstall-package", "cammotion")
         run(*tool, "-q", *wanted, at=at)
+        if uv:  # pip compiles what it installs
+            self._borrow_compiled()
+        if uv and for_others:
+            run(python, "-m", "compileall", "-q", self.packages)
+
+    def _borrow_compiled(self) -> None:
+        """Take what Python has compiled for us of the files that uv has linked in both places."""
+        theirs, ours = self.packages, Path(get_path("purelib"))
+        for compiled in ours.rglob(f"*.{sys.implementation.cache_tag}.pyc"):
+            source = ours / compiled.parent.parent / f"{compiled.name.partition('.')[0]}.py"
+            same, taken = (theirs / each.relative_to(ours) for each in (source, compiled))
+            if not taken.exists() and same.exists() and same.samefile(source):
+                taken.parent.mkdir(exist_ok=True)
+                taken.hardlink_to(compiled)
 
     def python(self, *words: Word, at: Path, **variables: str) -> str:
         """Run its Python."""
