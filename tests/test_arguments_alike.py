@@ -1,7 +1,7 @@
 """Arguments are alike wherever they are asked for: their units, their kinds and their order.
 
-What is taken where none is given is kept in a table: run this file to write it anew, and read what
-has changed.
+How each function is called is kept in a table: run this file to write it anew, and read what has
+changed.
 """
 
 import inspect
@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import cammotion as cm
 
-KEPT = Path(__file__).parent / "data" / "defaults.txt"
+KEPT = Path(__file__).parent / "data" / "calls.txt"
 LESSONS = ("MillAndDie",)  # the example's numbers are those of its lessons, in their words
 FUNCTIONS = {
     label: inspect.unwrap(function)
@@ -178,18 +178,19 @@ def test_a_mechanism_is_asked_about_by_its_name_or_itself() -> None:
             assert is_new or str in kinds(hint), label
 
 
-def defaults() -> Iterator[str]:
-    """Yield a line for each argument that need not be given: what is taken then."""
+def calls() -> Iterator[str]:
+    """Yield a line for each function: its arguments, which by name alone, and what else is taken.
+
+    What is made at each call, or is a thing of the package, is left out with its address.
+    """
     for label, function in FUNCTIONS.items():
-        for name, each in parameters(function).items():
-            said = repr(each.default)
-            if each.default is not None and not said.startswith("<"):  # nothing, or made each time
-                yield f"{label}: {name}={said}"
+        bare = [each.replace(annotation=each.empty) for each in parameters(function).values()]
+        yield re.sub(r"=<[^>]*>+", "=...", f"{label}{inspect.Signature(bare)}")
 
 
-def test_what_is_taken_where_nothing_is_given_is_as_it_is_kept() -> None:
-    assert [*defaults()] == KEPT.read_text("utf-8").splitlines()
+def test_every_function_is_called_as_it_is_kept() -> None:
+    assert [*calls()] == KEPT.read_text("utf-8").splitlines()
 
 
 if __name__ == "__main__":
-    KEPT.write_text("\n".join(defaults()) + "\n", "utf-8", newline="")
+    KEPT.write_text("\n".join(calls()) + "\n", "utf-8", newline="")

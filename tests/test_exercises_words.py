@@ -1,5 +1,6 @@
 """Choices by their letters, the ladder of hints, and whether every sentence is one."""
 
+import math
 import re
 
 import pytest
@@ -8,6 +9,7 @@ from judging import MACHINES, each_choice, each_exercise, is_right, reasons_of, 
 from cammotion.teaching.exercise import ChoiceExercise, Exercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.number_exercise import NumberExercise
+from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS
 from cammotion.teaching.variants import machine_for
 
 
@@ -46,6 +48,51 @@ def test_there_are_three_hints_and_none_holds_the_answer(exercise: Exercise) -> 
     if isinstance(exercise, ChoiceExercise):
         assert not any(exercise.options[exercise.answer] in hint for hint in exercise.hints)
         assert not any(f"({exercise.answer})" in hint for hint in exercise.hints)
+
+
+SAID = {
+    "a tenth of what": 1 / 10,
+    "a quarter of what": 1 / 4,
+    "half of what": 1 / 2,
+    "twice as much": 2.0,
+    "four times as much": 4.0,
+    "60 times": 60.0,
+    "a hundred times": 100.0,
+    "a thousand times": 1e3,
+    "3600 times": 3600.0,
+    "ten thousand times": 1e4,
+    "a million times": 1e6,
+    "3600 squared times": 3600.0**2,
+    "pi times": math.pi,
+    "2 pi times": 2 * math.pi,
+    "180/pi times": 180 / math.pi,
+    "not the sign": -1.0,
+    "share": 1 / 100,
+    "part of a turn": 1 / 360,
+    "in mm": 1 / 1000,
+    "in seconds": 1 / 1000,
+    "in milliseconds": 1000.0,
+    "in N/m": 1000.0,
+    "swings a minute": 60.0,
+    "pieces a minute": 1 / 60,
+    "pieces a second": 1 / 3600,
+}
+"""Ratios of an answer to the right one, as they are put in words."""
+
+
+def ratio_in(reason: str) -> float:
+    """Return the ratio that a reason begins with, in words."""
+    first = re.split(r"[.:]", reason)[0]
+    said = max((words for words in SAID if f" {words}" in first), key=len)
+    return 1 / SAID[said] if "too small" in first else SAID[said]
+
+
+@pytest.mark.parametrize("unit", ["common", *UNIT_RATIOS])
+def test_the_ratio_is_the_one_that_the_reason_says(unit: str) -> None:
+    reasons = UNIT_RATIOS.get(unit, COMMON_RATIOS)
+    assert {ratio: ratio_in(reason) for ratio, reason in reasons.items()} == {
+        ratio: pytest.approx(ratio) for ratio in reasons
+    }
 
 
 CONDITIONS = [
