@@ -3,14 +3,17 @@
 import ast
 import contextlib
 import difflib
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
+_FEW = 12  # files that take a name
 LEFT_OUT = ("teaching/lessons/", "__init__.py", "__init__.pyi")
 
 OPERATORS: dict[type, tuple[type, ...]] = {
@@ -76,12 +79,16 @@ class Mutant:
             return set()
         return {_given(node) for node in nodes if getattr(node, "lineno", 0) in self.lines} - {""}
 
-    def told_on(self) -> set[int]:
-        """Return the lines that may tell of it: its own, or those in which its names are taken."""
+    def told_on(self) -> dict[Path, set[int]]:
+        """Return the lines that may tell of it: its own, or those in which its names are taken.
+
+        What many files take is looked for in its own file only.
+        """
         if not (names := self.names):
-            return {*self.lines}
-        nodes = ast.walk(ast.parse(self.raw))
-        return {getattr(node, "lineno", 0) for node in nodes if _taken(node) in names}
+            return {self.path: {*self.lines}}
+        lines = {path: {n for name in names for n in _takers(path)[name]} for path in _package()}
+        taking = {path: found for path, found in lines.items() if found}
+        return taking if len(taking) <= _FEW else {self.path: lines[self.path]}
 
     @property
     def name(self) -> str:
@@ -107,6 +114,15 @@ def mutants_of(path: Path) -> Iterator[Mutant]:
             end = starts[old.end_lineno - 1] + old.end_col_offset
             lines = range(min(first, old.lineno), old.end_lineno + 1)  # a decorator is above
             yield Mutant(path, old.lineno, raw, start, end, new, lines)
+
+
+@cache
+def _takers(path: Path) -> defaultdict[str | None, set[int]]:
+    """Return the lines of a file in which each name is taken."""
+    found: defaultdict[str | None, set[int]] = defaultdict(set)
+    for node in ast.walk(ast.parse(path.read_bytes())):
+        found[_taken(node)].add(getattr(node, "lineno", 0))
+    return found
 
 
 def _given(node: ast.AST) -> str:
@@ -193,5 +209,9 @@ def _with(node: Any, **changed: Any) -> str:
 
 def files() -> list[Path]:
     """Return the files that are broken."""
+    return [path for path in _package() if not any(word in str(path) for word in LEFT_OUT)]
+
+
+def _package() -> list[Path]:
     found = [*(ROOT / "src" / "cammotion").rglob("*.py"), *(ROOT / "starter").glob("*.py")]
-    return sorted(path for path in found if not any(word in str(path) for word in LEFT_OUT))
+    return sorted(found)

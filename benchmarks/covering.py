@@ -115,10 +115,10 @@ class Covered:
 
         First those that run it; then the others of their files, which may look at what was made
         once and kept. What runs when a file is loaded is told by those that run a line with its
-        name, by files of tests that say this name, or read a text that does, and by all that have
-        loaded it. Tests of the starter start it as another program, which nobody watches: all of
-        them. Of more than so many seconds in all, `most`, each file of tests gives what tells most
-        a second, in turn.
+        name, in any file of the package, by files of tests that say this name, or read a text that
+        does, and by all that have loaded it. Tests of the starter start it as another program,
+        which nobody watches: all of them. Of more than so many seconds in all, `most`, each file of
+        tests gives what tells most a second, in turn.
         """
         chosen: list[str] = []
         left = most
@@ -142,7 +142,10 @@ class Covered:
         told: Counter[str] = Counter()  # a line tells the less, the more tests run it
         for tests in ran.values():
             told.update(dict.fromkeys(tests, 1 / max(len(tests), 1)))
-        here = {test for line in mutant.told_on() for test in ran.get(line, ())}
+        here: set[str] = set()
+        for taking, lines in mutant.told_on().items():
+            there, _ = self._ran(taking.relative_to(ROOT).as_posix())
+            here |= {test for line in lines for test in there.get(line, ())}
         quick = {test for test in here if self.seconds[test] <= _QUICK}
         groups = [quick, here, self._of(map(file_of, here))]
         if names := mutant.names:
