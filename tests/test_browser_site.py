@@ -232,8 +232,8 @@ def test_numbers_are_answered_with_their_reasons(reader: Reader) -> None:
         "1": "hints are below.",
         "12 deg": "is no number: write it alone, without its unit.",
         "12 %": "“12 %” is no number: write it alone, without its unit.",
-        "about 12": "is no number: write one number, like 4.42.",
-        "1.2.3": "“1.2.3” is no number: write one number, like 4.42.",
+        "about 12": "is no number: write one number, in digits alone.",
+        "1.2.3": "“1.2.3” is no number: write one number, in digits alone.",
         "1,234": "may be 1.234 or 1234: write it with a point, or with no mark.",
         "2 791": "hints are below.",
     }.items():

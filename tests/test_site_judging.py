@@ -3,6 +3,7 @@
 import json
 import math
 import random
+import re
 from collections.abc import Iterator
 from functools import cache
 from typing import Any
@@ -134,6 +135,22 @@ def test_a_page_says_the_same_to_a_number() -> None:
     for (number, given, fault), text in zip(asked, said, strict=True):
         head = f"Not yet. {fault}" if fault else f"Right. {exercise(number).right}"
         assert text == head.replace(f'cm.hint("{number}") gives a hint.', "hints are below."), given
+
+
+def test_a_typed_answer_is_read_as_a_number_or_told_that_it_is_none() -> None:
+    """With marks between thousands too; what is said names no number, which might be right."""
+    marked = ("4,420.8", "4.420,8", "4 420.8", "4 420,8", "4'420.8", "+4420,8")
+    others = {"1,234,567": 1234567, "1.234.567": 1234567, "2 791": 2791, "−1,234.5": -1234.5}
+    numbers = dict.fromkeys(marked, 4420.8) | others
+    refused = ("a word", "1.2.3", "1,23,456", "4,420,8", "4,42.8", "12 mm", "about 12", "0,806.5")
+    (packed,) = json.loads(unpack(packed_answers([exercise("02.1")], [], NAMELESS))).values()
+    script = "return given[1].map((text) => answerTo(given[0], text, { format, readings }));"
+    said = run(script, [packed, [*numbers, *map(str, numbers.values()), *refused]])
+    assert said[: len(numbers)] == said[len(numbers) : 2 * len(numbers)]
+    assert "in mm where metres belong" in said[0]
+    for text, told in zip(refused, said[2 * len(numbers) :], strict=True):
+        assert told.startswith(f"“{text}” is no number: write ")
+        assert not re.search(r"\d", told.replace(text, ""))
 
 
 def test_a_choice_has_a_reason_for_each_letter() -> None:

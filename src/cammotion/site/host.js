@@ -6,7 +6,6 @@ const WIDE = "(min-width: 84rem)"; // as in the style: the list of sections has 
 const idle = globalThis.requestIdleCallback
   ? (then) => requestIdleCallback(then, { timeout: 200 })
   : (then) => setTimeout(then, 50);
-const WITH_UNIT = /\d\s*[\p{L}%°]/u;
 const HEAD = /^(Right\.|Not yet\.)(.*)$/s;
 
 export function start(load) {
@@ -97,7 +96,7 @@ async function unpack(text) {
   return new Response(unpacked).json();
 }
 
-function answerIn(form, table, { format, readings }) {
+function answerIn(form, table, tools) {
   const said = form.querySelector(".said");
   const say = (text) => {
     const [, head, rest] = text.match(HEAD) ?? [, "", text],
@@ -106,19 +105,9 @@ function answerIn(form, table, { format, readings }) {
     said.replaceChildren(...(head ? [strong, rest] : text ? [text] : []));
     form.dataset.state = text.startsWith("Right.") ? "right" : text ? "wrong" : "";
   };
-  const judge = () => {
-    const typed = form.querySelector("input").value;
-    const found = readings(typed.replace(BLANK, "$1$2"));
-    if (!typed.trim()) say("");
-    else if (found.length === 1) say(verdict(table, found[0], format));
-    else if (found.length)
-      say(`“${typed}” may be ${found.join(" or ")}: write it with a point, or with no mark.`);
-    else if (WITH_UNIT.test(typed)) say(`“${typed}” is no number: write it alone, without its unit.`);
-    else say(`“${typed}” is no number: write one number, like 4.42.`);
-  };
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    if (table?.edges) judge();
+    if (table?.edges) say(answerTo(table, form.querySelector("input").value, tools));
   });
   if (table?.letters)
     form.addEventListener("change", ({ target }) => say(table.letters[target.value]));

@@ -6,6 +6,9 @@ const NUMBER =
 const UNSURE =
   /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥]|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum)\b/giu;
 const BLANK = /(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)/g; // 4 500
+const GROUPED =
+  /^([-+−]?[1-9]\d{0,2}([.,'’ \u00a0\u202f])\d{3}(?:\2\d{3})*)(?:(?!\2)[.,](\d+))?$/; // 4,420.8
+const WITH_UNIT = /\d\s*[\p{L}%°]/u;
 const LETTER = String.raw`[a-zµμ\u00c0-\u024f]`;
 const UNITS = {
   m: /m|met(?:er|re)s?/,
@@ -31,6 +34,25 @@ const SHARES = ["percent", "fraction"];
 const LARGEST = 1e12,
   CLOSE = 0.02,
   IN_TIMES = 2;
+
+/** What is said to a typed answer, "" to none. No number is named but the typed one: any may be
+ * the right one of some exercise. */
+export function answerTo(table, typed, { format, readings }) {
+  const found = readings(withoutMarks(typed.trim()));
+  if (!typed.trim()) return "";
+  if (found.length === 1) return verdict(table, found[0], format);
+  if (found.length)
+    return `“${typed}” may be ${found.join(" or ")}: write it with a point, or with no mark.`;
+  const how = WITH_UNIT.test(typed) ? "it alone, without its unit" : "one number, in digits alone";
+  return `“${typed}” is no number: write ${how}.`;
+}
+
+/** A typed number without the marks that part its thousands, where it is plain which these are. */
+function withoutMarks(typed) {
+  const [, whole, mark, part] = typed.match(GROUPED) ?? [];
+  if (!whole || (!part && /^[^.,]*[.,][^.,]*$/.test(whole))) return typed;
+  return whole.replaceAll(mark, "") + (part ? `.${part}` : "");
+}
 
 /** What an exercise's table says to a number; … in it is how many percent the number is off. */
 export function verdict({ off, edges, places, said }, given, format) {
