@@ -1,7 +1,7 @@
 """Make a handout of lessons, to be printed: `python docs/handout.py 02` writes `02_....html`.
 
-The pages need no network and run no script: formulas are MathML, and what a lesson folds away
-stays folded. Answers to exercises are not in them.
+The pages need no network and run no script: formulas are MathML with their font, and what a lesson
+folds away stays folded. Answers to exercises are not in them.
 """
 
 import argparse
@@ -15,7 +15,7 @@ from pathlib import Path
 from bs4 import BeautifulSoup
 from nbconvert import HTMLExporter
 
-from cammotion.site.formulas import mathml
+from cammotion.site.formulas import mathml, style
 
 LESSONS = Path(__file__).parents[1] / "notebooks"
 FORMULA = re.compile(r"\$\$(.+?)\$\$|\$([^$]+?)\$", re.DOTALL)
@@ -62,7 +62,7 @@ def handout(lesson: Path) -> str:
         if not text.find_parent(["pre", "code", "svg", "title"]):
             written = FORMULA.sub(formula, escape(text, quote=False))
             text.replace_with(BeautifulSoup(written, "html.parser"))
-    return str(page).replace("</head>", f"<style>{STYLE}</style></head>", 1)
+    return str(page).replace("</head>", f"<style>{STYLE}{style()}</style></head>", 1)
 
 
 def main() -> None:

@@ -29,6 +29,9 @@ def test_a_handout_needs_no_network_and_no_script(folder: Path, lesson: str) -> 
     page = BeautifulSoup((folder / f"{lesson}.html").read_text("utf-8"), "html.parser")
     assert not page.select("script, link, img:not([src^='data:'])")
     assert not page.select("img:not([alt]), img[alt^='No description']")
+    style = " ".join(tag.get_text() for tag in page.select("style"))
+    assert re.search(r'@font-face { font-family: "Workbook Math"; src: url\(data:', style)
+    assert re.search(r'math { font-family: [^;]*"Workbook Math"', style)
     for code in page.select("pre, code, style"):
         code.decompose()
     assert not re.search(r"\$|\\frac", page.get_text())

@@ -1,6 +1,8 @@
-"""Formulas as MathML, made when a page is built: a browser draws it with no script and no font."""
+"""Formulas as MathML, made when a page is built, and the font by which a browser draws them."""
 
+import base64
 from functools import cache
+from importlib.resources import files
 
 from math_core import LatexError, LatexToMathML
 from nbconvert.filters import strip_ansi
@@ -9,6 +11,13 @@ from cammotion.quantities import InputError, shorten
 
 _CONVERTER = LatexToMathML()
 _DISPLAY = r"\displaystyle"
+FONT = files("cammotion.site") / "fonts" / "formulas.woff"
+# The reader's own fonts first: where there is one, ours is not asked for
+_STYLE = """\
+@font-face { font-family: "Workbook Math"; src: url(ADDRESS) format("woff"); font-display: swap }
+math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "Workbook Math", math;
+  font-size: 1.06em }
+"""
 
 
 @cache
@@ -37,3 +46,13 @@ def shown_formula(latex: str) -> str:
     '<div class="formula"><math display="block"><mi>x</mi></math></div>'
     """
     return mathml(latex.strip().strip("$").replace(_DISPLAY, "", 1), block=True)
+
+
+def style(font: str = "") -> str:
+    """Return the style of formulas; `font` is the address of their font, "" to hold it itself.
+
+    >>> "url(formulas.woff)" in style("formulas.woff"), "url(data:font/woff;base64," in style()
+    (True, True)
+    """
+    held = base64.b64encode(FONT.read_bytes()).decode("ascii")
+    return _STYLE.replace("ADDRESS", font or f"data:font/woff;base64,{held}")

@@ -3,6 +3,7 @@
 import re
 from importlib.resources import files
 
+from cammotion.site import formulas
 from cammotion.views import paper
 from cammotion.views.animation import player
 from cammotion.views.light import KNOWS, with_light
@@ -11,7 +12,6 @@ from cammotion.views.live.page import as_json
 
 _HERE = files("cammotion.site")
 # Not as modules of their own: a browser reads none from a disk, where each file is a stranger.
-_FONT = ("formulas.woff", "OFL.txt")
 _START = """\
 // Written by `workbook.py site`: the modules of these pages, and what starts them.
 const sources = {sources};
@@ -34,10 +34,11 @@ _CODE = {
 
 def shared_files() -> dict[str, bytes]:
     """Return the files that every page uses, by their names."""
+    licence = _HERE / "fonts" / "OFL.txt"
     return {
         "shared/page.css": _style().encode(),
         "shared/page.js": _script().encode(),
-        **{f"shared/{name}": (_HERE / "fonts" / name).read_bytes() for name in _FONT},
+        **{f"shared/{file.name}": file.read_bytes() for file in (formulas.FONT, licence)},
     }
 
 
@@ -49,7 +50,7 @@ def _style() -> str:
     on_paper = ".cm-paper,[data-module]>svg"  # this before, or without, its player
     dark = f"{on_paper}{{{paper.TURNED};mix-blend-mode:lighten}}.cm-paper .cm-paper{{filter:none}}"
     turned = f"{KNOWS}{{@media screen and (prefers-color-scheme:dark){{{dark}}}}}\n"
-    own = with_light(_read("page.css") + code)
+    own = with_light(_read("page.css") + formulas.style(formulas.FONT.name) + code)
     return "".join([own, turned, live.style(), player.LOOK])
 
 
