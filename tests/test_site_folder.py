@@ -32,6 +32,36 @@ def test_a_folder_is_written_and_written_anew(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["site"]
 
 
+def test_what_somebody_has_laid_into_the_folder_stays(tmp_path: Path) -> None:
+    target = tmp_path / "site"
+    folder.write(target, FILES | {"old.html": b"old"})
+    (target / ".git" / "refs").mkdir(parents=True)
+    mine = {"CNAME": b"cams.example.org", "shared/mine.css": b"y", ".git/HEAD": b"ref"}
+    for name, content in mine.items():
+        (target / name).write_bytes(content)
+    for files in (FILES, {**FILES, "index.html": b"newer"}):
+        folder.write(target, files)
+        found = {path.relative_to(target).as_posix(): path for path in target.rglob("*")}
+        held = {name: path.read_bytes() for name, path in found.items() if path.is_file()}
+        del held[folder.MARKER]
+        assert held == files | mine
+        assert ".git/refs" in found
+    with pytest.raises(InputError, match=r"^CNAME in site was not written by .*: take it out, or"):
+        folder.write(target, FILES | {"CNAME": b"ours"})
+    assert (target / "CNAME").read_bytes() == mine["CNAME"]
+    assert (target / "index.html").read_bytes() == b"newer"
+
+
+def test_a_folder_of_an_earlier_version_keeps_what_has_another_name(tmp_path: Path) -> None:
+    target = tmp_path / "site"
+    folder.write(target, FILES)
+    (target / folder.MARKER).write_text(f"{folder._MARK}\r\n", newline="")
+    (target / "note.txt").write_text("mine")
+    folder.write(target, {"index.html": b"newer"})
+    assert (target / "index.html").read_bytes() == b"newer"
+    assert (target / "note.txt").read_text() == "mine"
+
+
 def test_an_empty_folder_is_taken(tmp_path: Path) -> None:
     (tmp_path / "site").mkdir()
     folder.write(tmp_path / "site", FILES)

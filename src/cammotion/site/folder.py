@@ -1,14 +1,15 @@
-"""The folder of pages on a disk: what is in it was made by us, or it is left alone."""
+"""The folder of pages on a disk: what others have made, or have laid into it, is left alone."""
 
+import shutil
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
 from cammotion.quantities import InputError, shorten
 
 MARKER = "made-by-workbook"
-_MARK = b"workbook.py site made this folder, and writes it anew.\n"
+_MARK = "workbook.py site made this folder, and writes it anew."
 
 
 def check_free(folder: Path) -> None:
@@ -28,15 +29,19 @@ def check_free(folder: Path) -> None:
 def write(folder: Path, files: Mapping[str, bytes]) -> None:
     """Write the files into a folder that is made anew, or not at all.
 
-    Raises InputError where there is something else, or where nothing can be written.
+    What somebody has laid into the folder is in the new one, too. Raises InputError where there is
+    something else, where that has the name of a page, or where nothing can be written.
     """
     check_free(folder)
+    marked = "\n".join([_MARK, *sorted(files), ""]).encode()
     with (
         _told(folder),
         tempfile.TemporaryDirectory(prefix=f".{folder.name}-", dir=folder.parent) as beside,
     ):
         made = Path(beside) / folder.name
-        for name, content in {MARKER: _MARK, **files}.items():
+        if folder.exists():
+            _keep_others(folder, made, files)
+        for name, content in {MARKER: marked, **files}.items():
             file = made / name
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(content)
@@ -45,8 +50,32 @@ def write(folder: Path, files: Mapping[str, bytes]) -> None:
 
 def _is_ours(folder: Path) -> bool:
     """Tell whether this command made a folder; the environment has a file of this name too."""
+    return _told_by(folder)[:1] == [_MARK]
+
+
+def _told_by(folder: Path) -> list[str]:
+    """Return the lines of a folder's marker: what it is, and which files were written."""
     marker = folder / MARKER
-    return marker.is_file() and marker.read_bytes().split() == _MARK.split()  # any line end
+    return marker.read_text("utf-8", "replace").splitlines() if marker.is_file() else []
+
+
+def _keep_others(folder: Path, made: Path, files: Collection[str]) -> None:
+    """Copy what this command has not written, unless a file of that name is to be written."""
+    written = _told_by(folder)[1:] or files  # an earlier version did not say which
+    own = {folder / name for name in (MARKER, *written)}
+    for name in files:
+        if folder / name not in own and (folder / name).exists():
+            raise InputError(
+                f"{shorten(name, of=str)} in {shorten(folder.name, of=str)} was not written by "
+                "this command, which would put a file of that name there: take it out, or give "
+                "another folder with --folder."
+            )
+    shutil.copytree(
+        folder,
+        made,
+        symlinks=True,
+        ignore=lambda here, names: [name for name in names if Path(here, name) in own],
+    )
 
 
 @contextmanager
@@ -56,8 +85,9 @@ def _told(folder: Path) -> Iterator[None]:
         yield
     except OSError as wrong:
         raise InputError(
-            f"The folder {shorten(folder.name, of=str)} cannot be written ({wrong.strerror}): give "
-            "one in a folder that is there and that you may write to."
+            f"The folder {shorten(folder.name, of=str)} cannot be written "
+            f"({wrong.strerror or shorten(str(wrong))}): give one in a folder that is there and "
+            "that you may write to."
         ) from None
 
 
