@@ -2,6 +2,7 @@
 
 import argparse
 import io
+import os
 import secrets
 import signal
 import sys
@@ -212,7 +213,7 @@ def report_machine(options: argparse.Namespace) -> int:
     """
     work = folder.find(options.work, f"{START} report {folder.typed(options.machine)}")
     environment.ensure()
-    machine = str(Path(options.machine).absolute())
+    machine = str(Path(os.path.expanduser(options.machine)).absolute())  # noqa: PTH111 - "~x.csv"
     more = [f"--folder={work}", f"--seconds={options.seconds}", *(["--dxf"] * options.dxf)]
     return maintain.run_module("cammotion.report", machine, *more)
 

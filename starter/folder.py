@@ -60,8 +60,14 @@ def served(work: Path) -> Path:
 
 
 def shown(work: Path) -> str:
-    """Return what a folder of copies is called: by its name, elsewhere by its path."""
-    return work.name if is_inside(work) else str(work)
+    """Return what a folder of copies is called: by its name, elsewhere by its path.
+
+    One in the home is named from there, "~/cam": copies that a class gets say nobody's name.
+    """
+    home = Path(os.path.expanduser("~")).resolve()  # noqa: PTH111 - where there is none, too
+    if is_inside(work):
+        return work.name
+    return f"~/{work.relative_to(home).as_posix()}" if home in work.parents else str(work)
 
 
 def option(work: Path) -> str:
@@ -73,4 +79,4 @@ def option(work: Path) -> str:
 
 def typed(path: str) -> str:
     """Return a path as it is to be typed into a terminal."""
-    return path if re.fullmatch(r"[\w./\\:-]+", path) else f'"{path}"'
+    return path if re.fullmatch(r"(~/)?[\w./\\:-]+", path) else f'"{path}"'

@@ -177,6 +177,9 @@ def test_a_report_is_written_into_the_folder_of_copies_and_its_exit_code_is_pass
     work = tmp_path / "copies"
     asked = ["report", "machine.csv", "--work", str(work)]
     assert commands.run(asked) == 2
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("USERPROFILE", str(tmp_path))
+    asked[1] = "~/machine.csv"  # as in quotes, and in Windows
     assert commands.run([*asked, "--seconds", "60", "--dxf"]) == 2
     made = ("cammotion.report", str(tmp_path / "machine.csv"), f"--folder={work}")
     ensured = ("ensure",)

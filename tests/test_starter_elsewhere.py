@@ -86,10 +86,17 @@ def test_every_link_of_the_real_notebooks_leads_on_from_elsewhere(tmp_path: Path
     assert found == {".ipynb", ".svg"}
 
 
-@pytest.mark.parametrize("wanted", ["work-anna", "my cäm"])
-def test_the_commands_of_copies_ask_for_their_folder(tmp_path: Path, wanted: str) -> None:
-    """Those of notebooks 00 and 12 can be typed as they stand, a path with a space too."""
-    work = paths.ROOT / wanted if wanted.startswith("work") else tmp_path / wanted
+@pytest.mark.parametrize("wanted", ["work-anna", "my cäm", "~/my cäm", "~/cam-class"])
+def test_the_commands_of_copies_ask_for_their_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, wanted: str
+) -> None:
+    """Those of notebooks 00 and 12 can be typed as they stand, a path with a space too.
+
+    One in the home is named from there: a class gets these copies, in homes of its own.
+    """
+    for variable in ("HOME", "USERPROFILE"):
+        monkeypatch.setenv(variable, str(tmp_path / "home"))
+    work = tmp_path / wanted if wanted == "my cäm" else folder.path_of(wanted)
     told = "".join(
         "".join(cell["source"])
         for path in paths.NOTEBOOKS.glob("[01][02]_*.ipynb")
@@ -106,6 +113,7 @@ def test_the_commands_of_copies_ask_for_their_folder(tmp_path: Path, wanted: str
     ]
     assert f"your own copies, in the folder `{name}`" in told
     assert "`work`" not in told
+    assert (str(tmp_path) in told) is (wanted == "my cäm")
 
 
 @pytest.mark.usefixtures("root")
