@@ -267,7 +267,7 @@ def test_a_prediction_opens_its_answer(reader: Reader) -> None:
     expect(reveal.locator("details")).to_have_attribute("open", "")
     far = PREDICTIONS["02.peak"].how_far("about 2.077")
     expect(reveal.locator(".said")).to_have_text(f"You predicted about 2.077: {far}.")
-    assert far == "100 % too much"
+    assert far == "2 times too much"
 
 
 def test_what_is_filled_in_before_the_script_has_come_stays_and_is_answered(

@@ -168,7 +168,7 @@ def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
             *TYPED,
             *(
                 f"{float(each.true) * times:.4g}"
-                for times in (0.01, 0.2, 0.7, 0.985, 1.01, 1.4, 3, 100, 1234)
+                for times in (-1, -1.4, 0.01, 0.2, 0.7, 0.985, 1.01, 1.4, 1.97, 3, 100, 1234)
             ),
         ]
         for each in made

@@ -33,7 +33,7 @@ const UNIT = new RegExp(
 const SHARES = ["percent", "fraction"];
 const LARGEST = 1e12,
   CLOSE = 0.02,
-  IN_TIMES = 2;
+  IN_TIMES = 1.95;
 
 /** What is said to a typed answer, "" to none. No number is named but the typed one: any may be
  * the right one of some exercise. */
@@ -117,8 +117,10 @@ export function howFar(made, text, { format, readings }) {
     const off = Math.abs(number - right[0]);
     return off ? `${format(off, "g")} place${off === 1 ? "" : "s"} off` : "as good as right";
   }
-  if (number <= 0) return "too little";
-  if (right.some((value) => Math.abs(number / value - 1) <= CLOSE)) return "as good as right";
+  if (number === 0) return "too little";
+  const isClose = right.some((value) => Math.abs(Math.abs(number) / value - 1) <= CLOSE);
+  if (number < 0) return isClose ? "right but for its sign" : "of the wrong sign";
+  if (isClose) return "as good as right";
   const ratio = number / right[0],
     too = ratio > 1 ? "too much" : "too little",
     times = Math.max(ratio, 1 / ratio);

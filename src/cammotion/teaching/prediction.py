@@ -41,7 +41,7 @@ _SHARES = ("percent", "fraction")
 _LARGEST = 1e12  # beyond that, or below its inverse, it is a joke and no prediction
 _SENSIBLE = 999.0
 _CLOSE = 0.02
-_IN_TIMES = 2  # nearer than that it is said in percent
+_IN_TIMES = 1.95  # rounded it is 2; nearer than that it is said in percent
 
 
 @dataclass(frozen=True)
@@ -104,9 +104,12 @@ class Prediction:
         if self.is_place:
             off = abs(number - self.true)
             return f"{off:g} place{'s' * (off != 1)} off" if off else "as good as right"
-        if number <= 0:
+        if number == 0:
             return "too little"
-        if any(abs(number / right - 1) <= _CLOSE for right in (self.true, *self.also)):
+        is_close = any(abs(abs(number) / right - 1) <= _CLOSE for right in (self.true, *self.also))
+        if number < 0:
+            return "right but for its sign" if is_close else "of the wrong sign"
+        if is_close:
             return "as good as right"
         may_be_share = "percent" in self.asked and not _is_share(text)
         return _off(number / self.true, may_be_share=may_be_share)
