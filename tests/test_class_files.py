@@ -191,6 +191,18 @@ def test_the_same_file_twice_counts_once_if_it_says_whose_it_is(folder: Path) ->
     assert len(read_class(folder).students) == 5
 
 
+@pytest.mark.parametrize("other", ["Bob/progress.json", "emil.json", "zoe.json", "zoe/cam.json"])
+def test_who_hands_in_the_file_of_another_is_named(tmp_path: Path, other: str) -> None:
+    """Whichever of the two is read first."""
+    for place in ("anna/progress.json", other):
+        put(tmp_path, place, named("Anna"))
+    school = read_class(tmp_path)
+    assert [(s.name, s.place) for s in school.students] == [("Anna", "anna/progress.json")]
+    (notice,) = school.notices
+    same = f"{other} was left out: it is the same file as anna/progress.json"
+    assert notice == f"{same}, and bears the name Anna."
+
+
 def test_who_has_handed_in_no_progress_is_said(folder: Path) -> None:
     copies = [Path("Dora") / "work", Path("Room 1/Fay/cam"), Path("Room 1/Anna/notebooks")]
     others = [Path("Emil/photos/me"), Path("Room 1/photos/all"), Path("__MACOSX/x")]

@@ -89,9 +89,13 @@ def read_class(folder: Path) -> SchoolClass:
         student = student if told else replace(student, name=_name_of(place, folder, places))
         key = (student.name.casefold(), raw if told else os.fsencode(file))
         if key in students:
-            notices.append(f"{place} was left out: it is the same file as {students[key].place}.")
-        else:
-            students[key] = student
+            both = (students[key], student)
+            student, other = sorted(both, key=lambda one: not _is_at_home(one, folder, places))
+            notices.append(
+                f"{other.place} was left out: it is the same file as {student.place}, and bears "
+                f"the name {student.name}."
+            )
+        students[key] = student
     if not students:
         missing = (
             f"There is no {FILE} in the folder {clean(folder.name or str(folder))}, nor another "
@@ -238,6 +242,11 @@ def _name_of(place: str, folder: Path, places: Sequence[str]) -> str:
     candidates = [stem, *parts, clean(folder.resolve().name)]
     names = (part.removeprefix("work-") for part in candidates if part.casefold() != "work")
     return clean(next((name for name in names if name and not _is_ours(name)), "somebody"))
+
+
+def _is_at_home(student: Student, folder: Path, places: Sequence[str]) -> bool:
+    """Tell whether a file lies where its name says, as that of Anna in "anna/progress.json"."""
+    return _name_of(student.place, folder, places).casefold() == student.name.casefold()
 
 
 def _is_shared(path: list[str], places: Sequence[str]) -> bool:
