@@ -12,6 +12,10 @@ PAIR = re.compile(r"light-dark\((#[0-9a-fA-F]{3,6}), ?(#[0-9a-fA-F]{3,6})\)")
 STYLE_NAME = "shared/page.css"
 INKS = ("ink", "soft", "link", "right", "wrong")
 THEMES = ("light", "dark")
+ORDER = re.compile(  # what only a kernel can do
+    r"(?:Ask|Change|Choose|Paste|Put|Replace|Run|To keep|Write)\b"
+    r".*\b(?:below|cell|explorer|expression|list|machine|numbers|place of|save|write)\b"
+)
 
 
 def style() -> str:
@@ -85,6 +89,13 @@ def test_what_is_said_of_the_lab_is_said_otherwise_on_a_page() -> None:
         assert not any(in_lab in text for text in plain)
         assert any(here in text for text in plain)
     assert not any("JupyterLab they are" in text for text in plain)
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_no_page_orders_what_cannot_be_done_on_it(lesson: str) -> None:
+    told = page(lesson).select(".prose p, .prose li")
+    sentences = (one for tag in told for one in re.split(r"(?<=[.:?!])\s+", tag.get_text()))
+    assert not [one for one in sentences if ORDER.match(one)]
 
 
 @pytest.mark.parametrize("name", PAGES)

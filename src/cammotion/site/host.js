@@ -122,7 +122,7 @@ function predictIn(form, made, tools) {
     if (!typed) return;
     const asks = made ? unclear(made, typed, tools) : "",
       far = made ? howFar(made, typed, tools) : "";
-    form.querySelector(".said").textContent = asks || "Kept. The answer opens further down.";
+    form.querySelector(".said").textContent = asks || "The answer opens further down.";
     if (asks) return;
     for (const reveal of reveals) {
       reveal.querySelector(".said").textContent =
