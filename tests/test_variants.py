@@ -3,17 +3,21 @@
 import hashlib
 import math
 import os
+import re
+import runpy
 import subprocess
 import sys
 import unicodedata
 from dataclasses import asdict, replace
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 import known_slips_10
 import numpy as np
 import pytest
 import sympy
+from judging import is_right
 from known_slips import die, law, place, rest, stroke, widest
 
 import cammotion as cm
@@ -354,3 +358,23 @@ def test_a_machine_says_its_numbers() -> None:
 
 def test_who_it_is_does_not_make_another_machine() -> None:
     assert replace(machine_for("Anna"), who="Bert") == machine_for("Anna")
+
+
+def test_the_key_on_the_page_for_teachers_is_right_for_each_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also of all lessons at once: each number has enough digits."""
+    page = (Path(__file__).parents[1] / "docs" / "teaching.md").read_text("utf-8")
+    _, _, below = page.partition("**The key of a class.**")
+    cell = below.split("```python\n")[1].split("```")[0]
+    key = tmp_path / "key.py"
+    key.write_text(cell.replace('lesson, names = "02"', 'lesson, names = ""'), "utf-8")
+    runpy.run_path(str(key))
+    anna, emil = (part.splitlines() for part in capsys.readouterr().out[5:].split("Emil\n"))
+    assert len(anna) == len(emil) == len(EXERCISES)
+    assert anna != emil
+    for name, lines in {"Anna": anna, "Emil": emil}.items():
+        for number, right in (line.split(maxsplit=1) for line in lines):
+            answer = float(right) if re.fullmatch(r"[\d.]+", right) else right
+            is_typed = isinstance(answer, float) or len(right) == 1
+            assert not is_typed or is_right(EXERCISES[number], answer, machine_for(name))

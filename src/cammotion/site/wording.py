@@ -16,7 +16,7 @@ OTHERWISE = {
     "below; if",
     "To keep your diagram, write it into": "In the workbook you keep your diagram by writing it "
     "into",
-    "Choose a mass and run the cell.": "Here it has 12 kg; in the workbook you choose its mass.",
+    "Choose a mass and run the cell.": "In the workbook you choose its mass.",
     "Put in its numbers.": "In the workbook, put in its numbers.",
     "Put `my_move` in the place of `die` in the explorer above and see": "In the workbook, "
     "put your move in the place of the die in the explorer above, and see",
