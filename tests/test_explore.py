@@ -245,7 +245,7 @@ alpha = sp.Symbol("alpha")
 AS_A_STUDENT_WOULD: list[tuple[Callable[[], object], str]] = [
     (
         lambda: cm.explore(sp.sin(alpha), alpha),
-        r"alpha is in deg, and sin\(alpha\) takes it for rad",
+        r"alpha is in deg, and sin\(alpha\) takes it for rad: write sin\(pi\*alpha/180\)",
     ),
     (
         lambda: explore(
