@@ -79,7 +79,7 @@ def test_a_rule_is_made_once_and_not_for_each_pair(monkeypatch: pytest.MonkeyPat
         made.append(rule)
         return nameless(rule)
 
-    monkeypatch.setattr("cammotion.exchange.machine_table.nameless", counted)
+    monkeypatch.setattr("cammotion.exchange.machine_rules.nameless", counted)
     more = [f"{',' * 9}die beyond {n} only while mill within 0.65" for n in range(100, 150)]
     machine = cm.machine_from_text("\n".join([TABLE.read_text("utf-8").strip(), *more]))
     assert len(made) == len(machine.rules) > 50

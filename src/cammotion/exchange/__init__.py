@@ -3,9 +3,9 @@
 Three families have their own word in front, and stand on what all share.
 
 `machine_files` reads and writes a whole machine and `diagram_tables` its segments and curves. Both
-read by `machine_table`, which makes a machine of lines and tells all faults at once;
-`machine_lines` knows the columns, and `machine_source` gets the rows from CSV, a workbook or a
-text.
+read by `machine_table`, which makes a machine of lines and tells all faults at once:
+`machine_source` gets the rows from CSV, a workbook or a text, `machine_heading` finds the columns,
+`machine_lines` reads a line of them, and `machine_rules` the rules and still arcs.
 
 `cam_tables_in` reads the table of one cam from any program: `cam_table_text` finds its lines,
 `cam_table_columns` cuts them, `cam_table_headings` reads the words over a column, and

@@ -1,0 +1,62 @@
+"""The heading of the table of a machine: which column is which, and which may be meant."""
+
+from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
+
+from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.machine_lines import HEADING, IN_FULL, RULE, STILL, STOPS
+from cammotion.exchange.machine_source import Source
+from cammotion.quantities import InputError
+
+_SAID_OTHERWISE = {
+    STILL: {"stand", "stands", "standing", "stay", "stays", "rest", "rests", "dwell", "dwells"},
+    RULE: {"clearance", "clearances", "condition", "conditions", "constraint", "constraints"},
+}
+_LIKE = 0.8  # of 1: so like another name is a misspelt one
+
+
+def heading_of_table(source: Source, faults: Faults) -> list[str]:
+    """Return the columns by the names that they have here; those of one's own as they are.
+
+    Raises InputError where one is missing that is needed.
+    """
+    at, file = source.heading_at, source.said
+    named = {column.casefold(): column for column in (*HEADING, STILL, RULE, IN_FULL)}
+    named["rules"] = RULE
+    first = source.rows[at] if source.rows else []
+    heading = [named.get(" ".join(cell.split()).casefold(), cell.strip()) for cell in first]
+    needed = [column for column in HEADING if column != STOPS]
+    if missing := [column for column in needed if column not in heading]:
+        unknown = [repr(cell) for cell in heading if cell and cell not in named.values()]
+        strange = f", and has {', '.join(unknown)}, unknown here" if unknown else ""
+        raise InputError(
+            f"The file {file} lacks {_listed('column', missing)}{strange}: its first line has to "
+            f"be {', '.join(HEADING)}, with the numbers in these units; stops may be left out."
+        )
+    for column in (*HEADING, STILL, RULE):
+        if heading.count(column) > 1:
+            faults.add(f"{source.where(at)}: the column '{column}' stands there twice: drop one.")
+    for column, meant in _misspelt(heading):
+        faults.add(
+            f"{source.where(at)}: there is a column '{column}' and none '{meant}': call it "
+            f"'{meant}', or something else."
+        )
+    return heading
+
+
+def _listed(what: str, names: Sequence[str]) -> str:
+    """Return names with what they are, in the plural if there are several."""
+    return f"the {what}{'s' * (len(names) > 1)} {', '.join(map(repr, names))}"
+
+
+def _misspelt(heading: list[str]) -> Iterator[tuple[str, str]]:
+    """Yield the columns that are called nearly, or mean, one that is not there, and that one."""
+    lacking = [column for column in (STOPS, STILL, RULE) if column not in heading]
+    for column in heading:
+        if column in HEADING or column == IN_FULL:
+            continue
+        like = get_close_matches(column.casefold(), lacking, 1, _LIKE)
+        begun = [one for one in lacking if column.casefold().startswith(one)]
+        words = {*column.casefold().split()}
+        alike = [one for one in lacking if words & _SAID_OTHERWISE.get(one, set())]
+        yield from ((column, meant) for meant in (like or begun or alike)[:1])
