@@ -1,5 +1,6 @@
 """A machine in a file: what is typed is read, what is written comes back, xlsx and CSV alike."""
 
+import re
 import zipfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -74,24 +75,47 @@ def test_the_heading_says_what_separates_the_cells_and_not_a_title(
     [
         *(("still", "stil"), ("still", "Still in deg"), ("rule", "rulle"), ("stops", "stop")),
         *(("still", "stands still"), ("still", "Rest"), ("rule", "clearance rule")),
-        ("rule", "Conditions"),
+        *(("rule", "Conditions"), ("rule", "Regel(n)"), ("rule", "Bedingung"), ("still", "Rast")),
     ],
 )
 def test_a_misspelt_column_that_may_be_left_out_is_told(column: str, typed: str) -> None:
-    with pytest.raises(cm.InputError, match=f"Line 1 .* a column '{typed}' and none '{column}'"):
+    with pytest.raises(
+        cm.InputError, match=rf"^Line 1 .*'{re.escape(typed)}' and none '{column}'"
+    ) as refused:
         cm.machine_from_text(TABLE.replace(f"; {column}", f"; {typed}", 1))
+    assert "yours" not in str(refused.value)  # once is enough
 
 
 def test_a_rule_in_a_column_of_another_name_is_not_passed_over() -> None:
-    """Called Regel, it was left out, and the report ended with all rules kept."""
-    with pytest.raises(cm.InputError, match=r"column 'Regel', which is yours: call .* 'rule', or"):
-        cm.machine_from_text(TABLE.replace("; rule", "; Regel", 1))
+    """It was left out, and the report ended with all rules kept."""
+    with pytest.raises(cm.InputError, match=r"column 'Notiz', which is yours: call .* 'rule', or"):
+        cm.machine_from_text(TABLE.replace("; rule", "; Notiz", 1))
     noted = TABLE.replace("; rule", "; rule; Notiz", 1).replace(
         "mill within 0.65", "mill within 0.65; die beyond 19 only while mill within 0.65", 1
     )
     assert cm.machine_from_text(noted).rules == (RULE,)
     both = TABLE.replace("; rule", "; rule; Notiz", 1).replace("0.65", "0.65; see drawing", 1)
     assert len(cm.machine_from_text(both).rules) == len(cm.machine_from_text(TABLE).rules) > 0
+
+
+@pytest.mark.parametrize(
+    ("column", "heading", "cell"),
+    [
+        ("rule", "Notiz", "dei beyond 19 mm only while mill within 0.65"),
+        ("rule", "", "die 19 mm tief, nur wenn mill within 0.65"),
+        ("rule", "drawing", "the die stays five mm above the mill"),
+        ("rule", "rule; rule 2", "; die is beyond 19 mm only when the mull is within 0.65"),
+        ("still", "remark", "205 to 305"),
+        ("still", "remark", "205° bis 3O5°"),
+    ],
+)
+def test_what_a_table_would_use_but_for_a_slip_is_not_passed_over(
+    column: str, heading: str, cell: str
+) -> None:
+    before = "205 to 305" if column == "still" else "die beyond 19 only while mill within 0.65"
+    table = TABLE.replace(f"; {column}", f"; {heading}", 1).replace(before, cell)
+    with pytest.raises(cm.InputError, match=rf"^Line 2 .* like a .*, which is .* '{column}', or"):
+        cm.machine_from_text(table)
 
 
 def test_the_example_of_a_rate_is_a_rate() -> None:
@@ -151,7 +175,14 @@ def test_a_table_in_place_of_a_path_is_told_where_to_go() -> None:
 def test_a_column_of_ones_own_is_left_out() -> None:
     heading = TABLE.replace("; rule", "; rule; drawing", 1)
     assert cm.machine_from_text(heading) == cm.machine_from_text(TABLE)
-    assert cm.machine_from_text(TABLE.replace("; still", "; remark", 1)).still == {}
+    plain = TABLE.replace("; still", "; remark", 1)
+    for cell in (
+        "ground to within 0.05 mm",
+        "die: only while it is cold",
+        "die standing",
+        "3 to 4 mm",
+    ):
+        assert cm.machine_from_text(plain.replace("205 to 305", cell)).still == {}
 
 
 @pytest.mark.parametrize(

@@ -1,17 +1,26 @@
 """The heading of the table of a machine: which column is which, and which may be meant."""
 
+import re
 from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.machine_lines import HEADING, IN_FULL, RULE, STILL, STOPS
+from cammotion.exchange.machine_lines import HEADING, IN_FULL, KNOWN_COLUMNS, RULE, STILL, STOPS
 from cammotion.exchange.machine_source import Source
 from cammotion.quantities import InputError
 
 _SAID_OTHERWISE = {
-    STILL: {"stand", "stands", "standing", "stay", "stays", "rest", "rests", "dwell", "dwells"},
-    RULE: {"clearance", "clearances", "condition", "conditions", "constraint", "constraints"},
+    STILL: {
+        *("stand", "stands", "standing", "standstill", "stay", "stays", "rest", "rests", "dwell"),
+        *("dwells", "rast", "raste", "rasten", "ruhe", "steht", "stehen", "halt"),
+    },
+    RULE: {
+        *("clearance", "clearances", "condition", "conditions", "constraint", "constraints"),
+        *("interlock", "interlocks", "regel", "regeln", "bedingung", "bedingungen"),
+        *("verriegelung", "verriegelungen"),
+    },
 }
+_WORD = re.compile(r"[^\W\d_]+")
 _LIKE = 0.8  # of 1: so like another name is a misspelt one
 
 
@@ -36,7 +45,7 @@ def heading_of_table(source: Source, faults: Faults) -> list[str]:
     for column in (*HEADING, STILL, RULE):
         if heading.count(column) > 1:
             faults.add(f"{source.where(at)}: the column '{column}' stands there twice: drop one.")
-    for column, meant in _misspelt(heading):
+    for column, meant in misspelt(heading):
         faults.add(
             f"{source.where(at)}: there is a column '{column}' and none '{meant}': call it "
             f"'{meant}', or something else."
@@ -49,14 +58,23 @@ def _listed(what: str, names: Sequence[str]) -> str:
     return f"the {what}{'s' * (len(names) > 1)} {', '.join(map(repr, names))}"
 
 
-def _misspelt(heading: list[str]) -> Iterator[tuple[str, str]]:
+def misspelt(heading: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Yield the columns that are called nearly, or mean, one that is not there, and that one."""
     lacking = [column for column in (STOPS, STILL, RULE) if column not in heading]
     for column in heading:
-        if column in HEADING or column == IN_FULL:
-            continue
-        like = get_close_matches(column.casefold(), lacking, 1, _LIKE)
-        begun = [one for one in lacking if column.casefold().startswith(one)]
-        words = {*column.casefold().split()}
-        alike = [one for one in lacking if words & _SAID_OTHERWISE.get(one, set())]
-        yield from ((column, meant) for meant in (like or begun or alike)[:1])
+        if column not in KNOWN_COLUMNS and (meant := meant_by(column, lacking)):
+            yield column, meant
+
+
+def meant_by(column: str, known: Sequence[str]) -> str:
+    """Return which of the `known` columns one of another name means; "" for none.
+
+    >>> meant_by("Regeln", ["still", "rule"]), meant_by("remark", ["still", "rule"])
+    ('rule', '')
+    """
+    folded = column.casefold()
+    like = get_close_matches(folded, known, 1, _LIKE)
+    begun = [one for one in known if folded.startswith(one)]
+    words = {*_WORD.findall(folded)}
+    alike = [one for one in known if words & _SAID_OTHERWISE.get(one, set())]
+    return next(iter([*like, *begun, *alike]), "")

@@ -32,6 +32,9 @@ STILL, RULE = "still", "rule"
 IN_FULL = "law in full"
 """The column that says what a law is; further ones of this name go on where a cell is full."""
 
+KNOWN_COLUMNS = *HEADING, STILL, RULE, IN_FULL
+"""All others are of one's own."""
+
 KNOWN = CONSTANT_VELOCITY.name, *LAWS
 """The laws that are known by their names."""
 
@@ -96,9 +99,8 @@ class Record:
             )
         given = [*zip(heading, cells, strict=False)]
         stripped = {column: cell.strip() for column, cell in given}
-        known = *HEADING, STILL, RULE
-        self.cells = {column: stripped.get(column, "") for column in known}
-        self.others = {c: cell for c, cell in stripped.items() if c not in (*known, IN_FULL)}
+        self.cells = {column: stripped.get(column, "") for column in (*HEADING, STILL, RULE)}
+        self.others = [(c, cell.strip()) for c, cell in given if cell and c not in KNOWN_COLUMNS]
         parts = (name_in(cell.strip()) for column, cell in given if column == IN_FULL)
         self.in_full = " ".join(parts).strip()
         quoted = [STILL, RULE]

@@ -1,10 +1,18 @@
 """The rules and the still arcs of a machine's table, and rules in columns where none are read."""
 
-from contextlib import suppress
+from collections.abc import Callable, Sequence
 
 from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.machine_heading import meant_by, misspelt
 from cammotion.exchange.machine_lines import RULE, STILL, Record
-from cammotion.exchange.rule_text import NO, arcs_from_text, nameless, rule_from_text
+from cammotion.exchange.rule_text import (
+    NO,
+    arcs_from_text,
+    is_nearly_arc,
+    is_nearly_rule,
+    nameless,
+    rule_from_text,
+)
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
@@ -13,6 +21,12 @@ from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.distance import DistanceRule
 from cammotion.rules.rule import Rule
+
+_NEARLY: dict[str, Callable[[str, Sequence[str]], bool]] = {
+    RULE: is_nearly_rule,
+    STILL: lambda cell, _: is_nearly_arc(cell),
+}
+_CALLED = {RULE: "rule", STILL: "still arc"}
 
 
 def rules_of(
@@ -43,23 +57,38 @@ def rules_of(
     return rules
 
 
-def ask_of_rules_elsewhere(
-    records: list[Record], names: list[str], rules: list[Rule], faults: Faults
+def ask_of_own_columns(
+    heading: list[str],
+    records: list[Record],
+    names: list[str],
+    rules: list[Rule],
+    faults: Faults,
 ) -> None:
-    """Add as a fault each column of another name in which a rule stands that is not among these."""
-    found: list[tuple[str, str, Rule]] = []
-    for record in records:
-        for column, cell in record.others.items():
-            with suppress(InputError):
-                found.append((record.where, column, rule_from_text(cell, names, record.decimal)))
-    known = {*map(nameless, rules)} if found else set()
-    strange = [one for one in found if nameless(one[2]) not in known]
-    first = {column: (where, rule) for where, column, rule in reversed(strange)}
-    for column, (where, rule) in first.items():
-        faults.add(
-            f"{where}: there stands '{rule}' in the column {shorten(column)}, which is yours: call "
-            f"the column '{RULE}', or leave out the rule."
-        )
+    """Add as a fault each column of one's own in which stands what would be lost there.
+
+    That is a rule that is not among these; and where the column for it is lacking, or is meant,
+    also what is nearly a rule or a still arc.
+    """
+    told = {column for column, _ in misspelt(heading)}
+    cells = [(record, *own) for record in records for own in record.others]
+    known = {*map(nameless, rules)} if cells else set()
+    for record, column, cell in cells:
+        try:
+            rule = rule_from_text(cell, names, record.decimal)
+        except InputError:
+            asked = [one for one in _NEARLY if one not in heading or meant_by(column, [one])]
+            meant = next((one for one in asked if _NEARLY[one](cell, names)), "")
+            what, fix = f"{shorten(cell)}, much like a {_CALLED.get(meant)},", "say it otherwise"
+        else:
+            meant = "" if nameless(rule) in known else RULE
+            what, fix = f"'{rule}'", "leave out the rule"
+        if meant and column not in told:
+            told.add(column)
+            place = "write it into" if meant in heading else "call"
+            faults.add(
+                f"{record.where}: there stands {what} in the column {shorten(column)}, which is "
+                f"yours: {place} the column '{meant}', or {fix}."
+            )
 
 
 def _forbidden(one: Rule, other: Rule) -> str:

@@ -9,7 +9,7 @@ from cammotion.exchange.all_faults import Faults
 from cammotion.exchange.cells import Plain, decimal_mark
 from cammotion.exchange.machine_heading import heading_of_table
 from cammotion.exchange.machine_lines import NUMBERS, RATE, STILL, STOPS, Laws, Record
-from cammotion.exchange.machine_rules import ask_of_rules_elsewhere, rules_of, still_arcs
+from cammotion.exchange.machine_rules import ask_of_own_columns, rules_of, still_arcs
 from cammotion.exchange.machine_source import Source
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram
@@ -26,7 +26,8 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     Raises one InputError with all that is wrong, each with its line and column.
     """
     laws, faults = Laws(given), Faults()
-    records = _records(source, faults)
+    heading = heading_of_table(source, faults)
+    records = _records(source, heading, faults)
     for record in records:
         record.read(laws, faults)
     segments = [record for record in records if record.is_segment]
@@ -46,7 +47,7 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     with faults.at():
         rate = _the_same(records, RATE)
     rules = rules_of(records, names, motions, faults)
-    ask_of_rules_elsewhere(records, names, rules, faults)
+    ask_of_own_columns(heading, records, names, rules, faults)
     still = still_arcs(records, faults)
     for motion in motions:
         for where, arc in still.get(motion.name, ()):
@@ -58,11 +59,11 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     return Machine(source.name, diagram, rules, arcs_of)
 
 
-def _records(source: Source, faults: Faults) -> list[Record]:
+def _records(source: Source, heading: list[str], faults: Faults) -> list[Record]:
     """Return the lines below the heading in which anything stands."""
-    at, heading = source.heading_at, heading_of_table(source, faults)
+    below = source.heading_at + 1
     records: list[Record] = []
-    for place, line in enumerate(source.rows[at + 1 :], at + 1):
+    for place, line in enumerate(source.rows[below:], below):
         if any(cell.strip() for cell in line):
             with faults.at():
                 records.append(Record(source.where(place), heading, line))

@@ -2,8 +2,9 @@
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from typing import Any
 
 from cammotion.exchange.cells import number_in, two_readings
@@ -40,6 +41,13 @@ _ARC = re.compile(
     rf"(?:from\s+)?(?P<start>\S+?){_DEG}\s+to\s+(?P<end>\S+?){_DEG}\.?", re.IGNORECASE
 )
 _AND = re.compile(r"\s+and\s+|\s*;\s*", re.IGNORECASE)
+_CONDITIONS = re.compile(r"\b(?:beyond|within|moving|standing|at\s+least|mm\s+above)\b")
+_JOINTS = re.compile(
+    r"\b(?:only\s+(?:while|if|when|as\s+long)|nur\s+(?:während|wenn|solange|falls))\b"
+)
+_END = rf"[-+−]?\d\S*?{_DEG}"
+_ARCS = re.compile(rf"(?:(?:from|von)\s+)?{_END}\s+(?:to|bis)\s+{_END}\.?")
+_MARKS, _LIKE = 3, 0.8  # of a rule, in a text that is meant as one; of 1, of a misspelt name
 
 
 def rule_from_text(text: str, names: Iterable[str], decimal: str = ".") -> Rule:
@@ -93,6 +101,36 @@ def _motion(text: str, names: list[str]) -> str:
     ways = [way for said in (text, ended) for way in (said, " ".join(said.split()))]
     said = [bare for way in ways for bare in (way, _THE.sub("", way))]
     return one_of("motion", next((way for way in said if way in names), said[-1]), names)
+
+
+def is_nearly_rule(text: str, names: Sequence[str]) -> bool:
+    """Return whether a text has so much of a rule that it is hardly a remark.
+
+    Three marks make one: its words, what joins its halves, and motions, also misspelt ones.
+
+    >>> is_nearly_rule("dei 19 mm deep only while mill within 0.65", ["mill", "die"])
+    True
+    >>> is_nearly_rule("die: ground to within 0.01 mm", ["mill", "die"])
+    False
+    """
+    folded = text.casefold()
+    marks = len(_CONDITIONS.findall(folded)) + len(_JOINTS.findall(folded))
+    if not marks:
+        return False
+    known = [name.casefold() for name in names]
+    named = {name for name in known if re.search(rf"(?<!\w){re.escape(name)}(?!\w)", folded)}
+    for word in re.findall(r"\w+", folded):
+        named |= {*get_close_matches(word, known, 1, _LIKE)}
+    return marks + len(named) >= _MARKS
+
+
+def is_nearly_arc(text: str) -> bool:
+    """Return whether a text is nothing but still arcs, or would be without a slip.
+
+    >>> is_nearly_arc("205 to 3O5 deg"), is_nearly_arc("as drawn on pages 3 to 4")
+    (True, False)
+    """
+    return all(_ARCS.fullmatch(part) for part in _AND.split(text.casefold().strip()))
 
 
 def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:
