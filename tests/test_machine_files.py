@@ -253,8 +253,10 @@ def test_nothing_in_a_line_without_a_segment_is_dropped() -> None:
     )
     above = [heading, ",,,,,,,2000,", bare, back]
     assert cm.machine_from_text("\n".join(above), "m") == known
-    turret = [heading, "mill,,0,360,0,100,cycloidal,2000,", ",24,,,,,,,"]
-    assert cm.machine_from_text("\n".join(turret)).diagram["mill"].stops == 24
+    mill = ["mill,,0,360,0,100,cycloidal,2000,", ",24,,,,,,,"]
+    assert cm.machine_from_text("\n".join([heading, *mill])).diagram["mill"].stops == 24
+    named = cm.machine_from_text("\n".join([heading, bare, back, *mill, "Die,,,,,,,,205 to 305"]))
+    assert named.still == {"die": ((205, 305),)}
 
 
 @pytest.mark.parametrize(
@@ -264,12 +266,17 @@ def test_nothing_in_a_line_without_a_segment_is_dropped() -> None:
         (",8,,,,,,,", "The indexing motion 'die' ends where it began"),
         (",,,,,,,,bla bla", "'still': The still arc is 'bla bla': write"),
         (",,,,,,,,yes", "'still': 'yes' marks no segment: mark a dwell"),
+        ("dei,,,,,,,,205 to 305", "There is no motion 'dei': did you mean 'die'?"),
+        ("after rebuild,,,,,,,,", "nothing but 'after rebuild': leave the line out, put it above"),
+        (",,,,,,see drawing,,", "nothing but 'see drawing': leave the line out, put it above"),
+        ("# rebuilt, as drawn, 3 mm", "nothing but '# rebuilt': leave the line out, put it above"),
     ],
 )
 def test_what_is_wrong_in_a_line_without_a_segment_is_told(line: str, words: str) -> None:
     with pytest.raises(cm.InputError) as refusal:
         cm.machine_from_text("\n".join([*FULL[:2], FULL[3], line]))
     assert words in str(refusal.value)
+    assert "\n" not in str(refusal.value)
 
 
 @pytest.mark.parametrize(("column", "line"), [("stops", ",8,,,,,,,"), ("still", ",,,,,,,,0 to 9")])

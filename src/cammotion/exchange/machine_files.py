@@ -31,8 +31,9 @@ def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine
     A line is a segment, as `write_segments` writes it: motion, stops, from and to in deg, from and
     to in mm, law, machine rate in pieces/h. A motion that is not named is that of the line above.
     The rate may stand in one line alone, and the stops of a turret too. A line without a segment
-    says its stops and still arcs of the motion above. Dwells may be left out,
-    all those of a motion: it then stands between its moves. Two columns more, if you like: `still`
+    says its stops and still arcs of the motion that it names, or else of that above. Dwells may be
+    left out, all those of a motion: it then stands between its moves. Notes stand above the heading
+    or in a column of their own: no sign makes a line one. Two columns more, if you like: `still`
     says over which arc a part has to stand, "yes" in the line of a dwell or "205 to 305", and
     `rule` has a rule in each cell, in any line: "the die may be beyond 19 mm only while the mill is
     within 0.65 mm", where "moving" or "standing" may be in place of a limit, or "the pusher stays

@@ -44,7 +44,7 @@ OWN = "own law, "
 
 _AS_A_NUMBER = ", and format the cell as a number"
 _EXAMPLES = {RATE: 2000, STOPS: 24}
-_OF_A_SEGMENT = ["motion", *NUMBERS.values(), "law"]
+_OF_A_SEGMENT = [*NUMBERS.values(), "law"]
 
 
 class Laws:
@@ -107,8 +107,25 @@ class Record:
         if IN_FULL in heading:  # older versions wrote names as they are
             quoted += ["motion", "law"]
         self.cells |= {column: name_in(self.cells[column]) for column in quoted}
-        self.is_segment = any(self.cells[c] for c in _OF_A_SEGMENT) or self.in_full != ""
+        said = any(self.cells[c] for c in _OF_A_SEGMENT) or self.in_full != ""
+        self.is_segment = said and not self.lone_text
         self.segment: Segment | None = None
+
+    @property
+    def lone_text(self) -> str:
+        """A text that is all that a line says, in place of a segment; "" where it says more.
+
+        What begins with # is one, too, whatever its commas make of it, unless it has two angles.
+        """
+        first = self.cells["motion"]
+        angles = (self.cells[NUMBERS[end]] for end in ("from_deg", "to_deg"))
+        if first.startswith("#") and not all(any(map(str.isdigit, cell)) for cell in angles):
+            return first
+        filled = [column for column, cell in self.cells.items() if cell]
+        if self.in_full or len(filled) != 1 or filled[0] not in ("motion", *_OF_A_SEGMENT):
+            return ""
+        text = self.cells[filled[0]]
+        return text if any(map(str.isalpha, text)) else ""
 
     def mark(self, column: str) -> str:
         """Return the decimal mark of a cell, "" if nothing tells it."""

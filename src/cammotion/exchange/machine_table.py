@@ -17,7 +17,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, with_dwells
 from cammotion.own import Machine
-from cammotion.quantities import InputError, shorten
+from cammotion.quantities import InputError, one_of, shorten
 
 
 def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
@@ -87,15 +87,34 @@ def _typed(records: list[Record], columns: Sequence[str]) -> list[str]:
 
 def _name_motions(records: list[Record], faults: Faults) -> None:
     """Give a line that names no motion that of the line above."""
+    named = (record.cells["motion"] for record in records if record.is_segment)
+    names = [*dict.fromkeys(filter(None, named))]
     before = ""
     for record in records:
-        before = record.cells["motion"] = record.cells["motion"] or before
-        for column in (STOPS, STILL) if not before else ():
-            if cell := record.cells[column]:
-                faults.add(
-                    f"{record.where}: '{column}' is {shorten(cell)}, but no motion stands there or "
-                    "above: write its name."
-                )
+        with faults.at(record.where):
+            before = record.cells["motion"] = _named(record, names) or before
+            for column in (STOPS, STILL) if not before else ():
+                if cell := record.cells[column]:
+                    raise InputError(
+                        f"'{column}' is {shorten(cell)}, but no motion stands there or above: "
+                        "write its name."
+                    )
+
+
+def _named(record: Record, names: list[str]) -> str:
+    """Return the motion that a line names; without a segment it has to be one of these."""
+    name = record.cells["motion"]
+    if record.is_segment or (not name and not record.lone_text):
+        return name
+    try:
+        return one_of("motion", name, names)
+    except InputError:
+        if not record.lone_text:
+            raise
+    raise InputError(
+        f"there stands nothing but {shorten(record.lone_text)}: leave the line out, put it above "
+        "the heading or into a column of notes; the name of a motion stands beside its segment."
+    )
 
 
 def _doubtful(segments: list[Record], faults: Faults) -> set[str]:
