@@ -279,6 +279,29 @@ def test_what_is_wrong_in_a_line_without_a_segment_is_told(line: str, words: str
     assert "\n" not in str(refusal.value)
 
 
+def test_a_cell_beside_the_heading_is_told_alone(tmp_path: Path) -> None:
+    """With its line all that stands there was lost, and missing further down."""
+    two = TABLE.replace("within 0.65", "within 0.65; mill moving only while die within 1")
+    with pytest.raises(cm.InputError) as refusal:
+        cm.machine_from_text(two)
+    assert str(refusal.value) == (
+        "Line 2 of my machine has 'mill moving only while die within 1' in column 11, but the "
+        "heading has 10 columns: leave it out, give the column a heading, or put a text that has a "
+        "semicolon in quotation marks; each rule has a cell of its own."
+    )
+    rows = [line.split(",") for line in FULL]
+    rows[1].append("see drawing")
+    rows[3][2] = "30S"
+    (tmp_path / "m.xlsx").write_bytes(sheets_as_xlsx({"m": rows}))
+    with pytest.raises(cm.InputError) as refusal:
+        cm.read_machine(tmp_path / "m.xlsx")
+    beside, slip = str(refusal.value).splitlines()
+    assert beside.startswith(
+        "Row 2 of m.xlsx has 'see drawing' in column 10, but the heading has 9"
+    )
+    assert slip.startswith("Row 4 of m.xlsx: 'from in deg' is '30S'")
+
+
 @pytest.mark.parametrize(("column", "line"), [("stops", ",8,,,,,,,"), ("still", ",,,,,,,,0 to 9")])
 def test_what_is_said_of_no_motion_is_told(column: str, line: str) -> None:
     with pytest.raises(cm.InputError, match=rf"^Line 2 of .*'{column}' is .* write its name"):

@@ -414,8 +414,9 @@ MALFORMED: dict[str, list[list[str]]] = {
         HEADING,
         changed(to_deg="150,5,1"),
     ],
-    "Line 2 of bad.csv has 9 cells, but the heading 8: write one number in each, with a decimal "
-    "point, or separate them by semicolons.": [HEADING, [*TURN[:3], "359", *TURN[3:]]],
+    "Line 2 of bad.csv has '2000' in column 9, but the heading has 8 columns: leave it out, give "
+    "the column a heading, or write numbers with a decimal point and texts that have a comma in "
+    "quotation marks.": [HEADING, [*TURN[:3], "359", *TURN[3:]]],
     "Line 2 of bad.csv: The dwell from 0 to 360 deg begins at 0 mm and ends at 5 mm;": [
         HEADING,
         changed(to_mm="5"),

@@ -92,11 +92,6 @@ class Record:
 
     def __init__(self, where: str, heading: list[str], cells: list[str]) -> None:
         self.where, self.decimal = where, ""
-        if any(cell.strip() for cell in cells[len(heading) :]):
-            raise InputError(
-                f"{self.where} has {len(cells)} cells, but the heading {len(heading)}: write one "
-                "number in each, with a decimal point, or separate them by semicolons."
-            )
         given = [*zip(heading, cells, strict=False)]
         stripped = {column: cell.strip() for column, cell in given}
         self.cells = {column: stripped.get(column, "") for column in (*HEADING, STILL, RULE)}

@@ -24,7 +24,7 @@ class Source:
 
     file: str
     rows: list[list[str]]
-    row_word: str
+    separator: str = ""  # of a workbook, whose cells stand apart by themselves
 
     @property
     def name(self) -> str:
@@ -44,7 +44,7 @@ class Source:
 
     def where(self, place: int) -> str:
         """Return in words where a row is."""
-        return f"{self.row_word} {place + 1} of {self.said}"
+        return f"{'Line' if self.separator else 'Row'} {place + 1} of {self.said}"
 
 
 def is_heading(row: list[str]) -> bool:
@@ -75,7 +75,7 @@ def from_text(name: str, text: str) -> Source:
         )
     if separator == ",":  # only a cell in quotes can have a comma
         rows = [[cell if "," in cell else Plain(cell) for cell in row] for row in rows]
-    return Source(name, rows, "Line")
+    return Source(name, rows, separator)
 
 
 def _separator(text: str) -> str:
@@ -90,7 +90,7 @@ def from_book(name: str, content: bytes) -> Source:
     """Return the first sheet of a workbook that has the heading."""
     said = shorten(name, of=str)
     sheets = read_sheets(said, content)
-    found = [Source(name, rows, "Row") for rows in sheets.values() if rows]
+    found = [Source(name, rows) for rows in sheets.values() if rows]
     if not found:
         raise InputError(f"The workbook {said} is empty: give one with a table of the segments.")
     return next((one for one in found if is_heading(one.rows[one.heading_at])), found[0])

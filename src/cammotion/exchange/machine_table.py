@@ -19,6 +19,13 @@ from cammotion.machine.segments import Segment, with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError, one_of, shorten
 
+_CUT = {
+    ",": ", give the column a heading, or write numbers with a decimal point and texts that have a "
+    "comma in quotation marks",
+    ";": ", give the column a heading, or put a text that has a semicolon in quotation marks; each "
+    "rule has a cell of its own",
+}
+
 
 def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     """Return the machine that a table says, with the `given` laws that it names.
@@ -62,11 +69,9 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
 def _records(source: Source, heading: list[str], faults: Faults) -> list[Record]:
     """Return the lines below the heading in which anything stands."""
     below = source.heading_at + 1
-    records: list[Record] = []
-    for place, line in enumerate(source.rows[below:], below):
-        if any(cell.strip() for cell in line):
-            with faults.at():
-                records.append(Record(source.where(place), heading, line))
+    lines = [(source.where(n), line) for n, line in enumerate(source.rows) if n >= below]
+    _check_widths(source.separator, len(heading), lines, faults)
+    records = [Record(where, heading, line) for where, line in lines if any(map(str.strip, line))]
     _name_motions(records, faults)
     if not any(record.is_segment for record in records):
         faults.add(f"The file {source.said} has no line with a segment: add some.")
@@ -78,6 +83,21 @@ def _records(source: Source, heading: list[str], faults: Faults) -> list[Record]
     for record in records:
         record.decimal = decimal
     return records
+
+
+def _check_widths(
+    separator: str, width: int, lines: list[tuple[str, list[str]]], faults: Faults
+) -> None:
+    """Add each line that is wider than the heading as a fault; where signs cut it, stop there."""
+    wide = [(where, line) for where, line in lines if any(map(str.strip, line[width:]))]
+    for where, line in wide:
+        at = next(n for n, cell in enumerate(line) if n >= width and cell.strip())
+        faults.add(
+            f"{where} has {shorten(line[at].strip())} in column {at + 1}, but the heading has "
+            f"{width} columns: leave it out{_CUT.get(separator, ', or give the column a heading')}."
+        )
+    if wide and separator:  # nobody knows which cells have shifted
+        faults.check()
 
 
 def _typed(records: list[Record], columns: Sequence[str]) -> list[str]:
