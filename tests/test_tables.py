@@ -388,10 +388,19 @@ MALFORMED: dict[str, list[list[str]]] = {
         [column for column in HEADING if column != "to in mm"],
         TURN,
     ],
-    "The file bad.csv lacks the column 'from in mm', and has 'from in inch', unknown here": [
-        [column.replace("from in mm", "from in inch") for column in HEADING],
-        TURN,
-    ],
+    **{
+        f"The file bad.csv lacks the column '{column}', and has '{other}', unknown here: its first "
+        f"line has to be {', '.join(HEADING[:8])}, with the numbers in these units; stops may be "
+        f"left out. The numbers of '{other}' times {factor} are {unit}.": [
+            [other if one == column else one for one in HEADING],
+            TURN,
+        ]
+        for column, other, factor, unit in [
+            ("from in mm", "from in inch", 25.4, "mm"),
+            ("to in deg", "to (rad)", 57.29577951, "deg"),
+            ("machine rate in pieces/h", "rate per minute", 60, "pieces/h"),
+        ]
+    },
     "The file bad.csv has no line with a segment: add some.": [HEADING, []],
     "Line 2 of bad.csv: 'to in deg' is 'full'; it has to be a number, for example 150.": [
         HEADING,
@@ -405,6 +414,18 @@ MALFORMED: dict[str, list[list[str]]] = {
     "Line 2 of bad.csv: 'from in deg' is 'nan'; it has to be a number, for example 150.": [
         HEADING,
         changed(from_deg="nan"),
+    ],
+    "Line 2 of bad.csv: 'to in mm' is '8 in'; it has to be a number alone, in mm: write 203.2.": [
+        HEADING,
+        changed(to_mm="8 in"),
+    ],
+    "Line 2 of bad.csv: 'machine rate in pieces/h' is '33 rpm'; it has to be a number alone, in "
+    "pieces/h: write 1980.": [HEADING, changed(machine_rate="33 rpm")],
+    "Line 2 of bad.csv and further: The motion 'die' ends 5 mm from where it began: add a return "
+    "of 5 mm, or, if it moves on from stop to stop, give its stops (indexing_motion does). In a "
+    "table the stops stand in the column 'stops'; call 'stations' so if it says them.": [
+        [column.replace("stops", "stations") for column in HEADING],
+        changed(stops="12", law="cycloidal", to_mm="5"),
     ],
     "Line 2 of bad.csv: 'machine rate in pieces/h' is 'inf'; it has to be a number,": [
         HEADING,

@@ -14,5 +14,5 @@ read by `machine_table`, which makes a machine of lines and tells all faults at 
 
 `law_text` writes a motion law and reads it back, `expression_text` its formula, and `rule_text`
 rules and still arcs. Below all: `table_numbers` (a number as it is written), `cells` (numbers and
-names in a cell), `xlsx_in`, `xlsx_out` and `all_faults`.
+names in a cell), `other_units` (what makes mm of inches), `xlsx_in`, `xlsx_out` and `all_faults`.
 """

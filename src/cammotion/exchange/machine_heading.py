@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from cammotion.exchange.all_faults import Faults
 from cammotion.exchange.machine_lines import HEADING, IN_FULL, KNOWN_COLUMNS, RULE, STILL, STOPS
 from cammotion.exchange.machine_source import Source
+from cammotion.exchange.other_units import factor_of, unit_of
 from cammotion.quantities import InputError
 
 _SAID_OTHERWISE = {
@@ -20,6 +21,7 @@ _SAID_OTHERWISE = {
         *("verriegelung", "verriegelungen"),
     },
 }
+_STOPS = {"station", "stations", "stationen", "pocket", "pockets", "nest", "nests", "teilung"}
 _WORD = re.compile(r"[^\W\d_]+")
 _LIKE = 0.8  # of 1: so like another name is a misspelt one
 
@@ -36,11 +38,12 @@ def heading_of_table(source: Source, faults: Faults) -> list[str]:
     heading = [named.get(" ".join(cell.split()).casefold(), cell.strip()) for cell in first]
     needed = [column for column in HEADING if column != STOPS]
     if missing := [column for column in needed if column not in heading]:
-        unknown = [repr(cell) for cell in heading if cell and cell not in named.values()]
-        strange = f", and has {', '.join(unknown)}, unknown here" if unknown else ""
+        unknown = [cell for cell in heading if cell and cell not in named.values()]
+        strange = f", and has {', '.join(map(repr, unknown))}, unknown here" if unknown else ""
         raise InputError(
             f"The file {file} lacks {_listed('column', missing)}{strange}: its first line has to "
-            f"be {', '.join(HEADING)}, with the numbers in these units; stops may be left out."
+            f"be {', '.join(HEADING)}, with the numbers in these units; stops may be left "
+            f"out.{''.join(_conversions(missing, unknown))}"
         )
     for column in (*HEADING, STILL, RULE):
         if heading.count(column) > 1:
@@ -51,6 +54,15 @@ def heading_of_table(source: Source, faults: Faults) -> list[str]:
             f"'{meant}', or something else."
         )
     return heading
+
+
+def _conversions(missing: list[str], unknown: list[str]) -> Iterator[str]:
+    """Yield a sentence on each unit of unknown columns of which one that is missing can be made."""
+    for unit in dict.fromkeys(map(unit_of, missing)):
+        factors = {column: factor_of(column, unit) for column in unknown}
+        for factor in dict.fromkeys(one for one in factors.values() if one > 0 and one != 1):
+            columns = [repr(column) for column, one in factors.items() if one == factor]
+            yield f" The numbers of {' and '.join(columns)} times {factor:.10g} are {unit}."
 
 
 def _listed(what: str, names: Sequence[str]) -> str:
@@ -64,6 +76,11 @@ def misspelt(heading: Sequence[str]) -> Iterator[tuple[str, str]]:
     for column in heading:
         if column not in KNOWN_COLUMNS and (meant := meant_by(column, lacking)):
             yield column, meant
+
+
+def may_be_stops(column: str) -> bool:
+    """Return whether a column of one's own may say how many stops a turret has."""
+    return bool(_STOPS & {*_WORD.findall(column.casefold())})
 
 
 def meant_by(column: str, known: Sequence[str]) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 from cammotion.exchange.all_faults import Faults
 from cammotion.exchange.cells import Plain, name_in, number_in, two_readings
 from cammotion.exchange.law_text import is_same_law, law_from_text
+from cammotion.exchange.other_units import converted, unit_of
 from cammotion.exchange.xlsx_in import A_DATE
 from cammotion.laws.catalogue import CONSTANT_VELOCITY, LAWS
 from cammotion.laws.motion_law import MotionLaw
@@ -135,6 +136,11 @@ class Record:
                 f"{self.where}: '{column}' is {cell!r}, which may be {readings[0]:.12g} or "
                 f"{readings[1]:.12g}, and no other number that stands so tells which: write it "
                 f"without a mark of thousands, or with a 0 more behind ({cell}0)."
+            )
+        if math.isnan(number) and (write := converted(cell, unit_of(column), self.mark(column))):
+            raise InputError(
+                f"{self.where}: '{column}' is {shorten(cell)}; it has to be a number alone, in "
+                f"{unit_of(column)}: write {write}."
             )
         if math.isnan(number):
             raise InputError(

@@ -7,7 +7,7 @@ from typing import Any
 
 from cammotion.exchange.all_faults import Faults
 from cammotion.exchange.cells import Plain, decimal_mark
-from cammotion.exchange.machine_heading import heading_of_table
+from cammotion.exchange.machine_heading import heading_of_table, may_be_stops
 from cammotion.exchange.machine_lines import NUMBERS, RATE, STILL, STOPS, Laws, Record
 from cammotion.exchange.machine_rules import ask_of_own_columns, rules_of, still_arcs
 from cammotion.exchange.machine_source import Source
@@ -168,7 +168,18 @@ def _motion(name: str, records: list[Record], stops: Any) -> Motion:
     try:
         return Motion(name, tuple(_filled(segments)), stops)
     except InputError as wrong:
-        raise InputError(f"{records[0].where} and further: {wrong}") from None
+        moves_on = stops is None and segments[0].from_mm != segments[-1].to_mm
+        raise InputError(
+            f"{records[0].where} and further: {wrong}{_where_stops_stand(records) * moves_on}"
+        ) from None
+
+
+def _where_stops_stand(records: list[Record]) -> str:
+    """Return a sentence on the column of the stops, and on one that may mean it."""
+    own = (column for record in records for column, _ in record.others)
+    also = next(filter(may_be_stops, own), "")
+    meant = f"; call {shorten(also)} so if it says them" if also else ""
+    return f" In a table the stops stand in the column '{STOPS}'{meant}."
 
 
 def _filled(segments: list[Segment]) -> list[Segment]:
