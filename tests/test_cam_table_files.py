@@ -197,6 +197,8 @@ REFUSED: list[tuple[list[str], str]] = [
     (["deg;mm", *(f"{n};{n % 40}" for n in range(0, 721, 10))], "a turn is 360: give one turn"),
     ([f"{n} 2,{400 + n}" for n in range(0, 361, 10)], "as 0 and 2400 .* or 0 and 2.4"),
     ([f"{n},{n % 7},5" for n in range(0, 361, 10)], "3 whole numbers between commas"),
+    ([f"{n * (40 - n) / 8:.3f}".replace(".", ",") for n in range(40)], "'0,000', is one number if"),
+    (["Hub", *(f"1{n},0{n}" for n in range(10, 30))], "'110,010', is one number if its comma is a"),
     ([f"{n // 10 + 1};{t}" for n, t in zip(range(0, 361, 10), TURN, strict=True)], "both rise in"),
     (put([c.replace(".", ",") for c in TURN], 20, "190;19.848"), "'19.848' may be 19.848 or 19848"),
 ]

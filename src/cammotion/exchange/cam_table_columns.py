@@ -34,6 +34,7 @@ _NO_NUMBER = re.compile(
 _WORD_OF_DIGITS = re.compile(r"\b0\.\.1\b|\bm/s\^?2")
 _DAY, _YEAR = r"(0?[1-9]|[12]\d|3[01])", r"(19|20)\d\d"  # or a month
 _DATE = re.compile(rf"({_YEAR}-{_DAY}-{_DAY}|{_DAY}[./]{_DAY}[./]{_YEAR})(?!\d)")
+_ONE_NUMBER, _PADDED = re.compile(r"[-+−]?\d+,\d+"), re.compile(r"0\d")
 _LETTERS = 2  # a word has so many
 _LIKE_DIGITS = frozenset("OoIl")  # letters of which a number may be mistyped
 _HEADINGS = 2  # lines over the table that may be headings
@@ -187,6 +188,7 @@ class _Attempt:
             np.array(numbers, dtype=float),
         )
         _check_cut_in_two(columns, self.asked)
+        _check_one_column(columns, self.asked)
         if self.asked.decimal is None:
             _check_groups(columns)
         return columns
@@ -326,6 +328,25 @@ def _check_cut_in_two(columns: Columns, asked: Asked) -> None:
         "whole numbers between commas, some of which may be decimal marks: give separator=',' and "
         "decimal='.' if none is; else write the table with semicolons between the columns."
     )
+
+
+def _check_one_column(columns: Columns, asked: Asked) -> None:
+    """Raise InputError where the commas of one column of numbers were taken for separators.
+
+    It is one if the places would not rise, or if whole numbers would begin with a 0.
+    """
+    is_said = asked.separator or asked.columns or asked.decimal == "."
+    is_said = is_said or all(one.words for one in columns.headings)
+    if is_said or not all(_ONE_NUMBER.fullmatch(row.text.strip()) for row in columns.rows):
+        return
+    firsts, seconds = (any(map(_PADDED.match, columns.cells(n))) for n in (0, 1))
+    if (seconds and not firsts) or (np.diff(columns.numbers[:, 0]) <= 0).any():
+        raise InputError(
+            f"{columns.where(0)}, {shorten(columns.rows[0].text.strip())}, is one number if its "
+            "comma is a decimal mark, and then nothing says at which angle it stands: write the "
+            "angle before each number, with a semicolon between, or give separator=',' if there "
+            "are two."
+        )
 
 
 def _check_groups(columns: Columns) -> None:
