@@ -32,13 +32,16 @@ def read_machine(path: str | Path, *, laws: Iterable[MotionLaw] = ()) -> Machine
     to in mm, law, machine rate in pieces/h. A motion that is not named is that of the line above.
     The rate may stand in one line alone, and the stops of a turret too. A line without a segment
     says its stops and still arcs of the motion that it names, or else of that above. Dwells may be
-    left out, all those of a motion: it then stands between its moves. Notes stand above the heading
-    or in a column of their own: no sign makes a line one. Two columns more, if you like: `still`
-    says over which arc a part has to stand, "yes" in the line of a dwell or "205 to 305", and
-    `rule` has a rule in each cell, in any line: "the die may be beyond 19 mm only while the mill is
-    within 0.65 mm", where "moving" or "standing" may be in place of a limit, or "the pusher stays
-    at least 5 mm above the flap". Other columns are yours, but for one in which a rule stands, or
-    that means `still` or `rule` by another name, where that is lacking.
+    left out, all those of a motion: it then stands between its moves.
+
+    Two columns more, if you like: `still` says over which arc a part has to stand, "yes" in the
+    line of a dwell or "205 to 305", and `rule` has a rule in each cell, in any line: "the die may
+    be beyond 19 mm only while the mill is within 0.65 mm", where "moving" or "standing" may be in
+    place of a limit, or "the pusher stays at least 5 mm above the flap".
+
+    Other columns are yours, unless they mean `still` or `rule` by another name where that is
+    lacking, or something like a rule or a still arc stands there. The machine does not keep them:
+    written again, it is without your remarks. A line of notes may stand above the heading alone.
 
     Raises one InputError with all that is wrong, a line each, with its place in the table; so for
     a file of more than 10 MB and for a workbook that is none.
@@ -80,10 +83,11 @@ def machine_from_text(text: str, name: str = "my machine") -> Machine:
 def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False) -> Path:
     """Write a machine into one table that `read_machine` reads back; return its path.
 
-    Its name stands nowhere in the table: read back, it is called as the file is. A name that ends
-    in .xlsx makes a workbook, one of another spreadsheet's is refused, any other makes a CSV file.
-    Nothing is written over a file that is there, unless `overwrite` is True, and nothing that
-    cannot be read back; raises InputError.
+    Its name stands nowhere in the table: read back, it is called as the file is. Columns of your
+    own in the table from which it was read are not written, since it does not keep them. A name
+    that ends in .xlsx makes a workbook, one of another spreadsheet's is refused, any other makes a
+    CSV file. Nothing is written over a file that is there, unless `overwrite` is True, and nothing
+    that cannot be read back; raises InputError.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm

@@ -137,15 +137,13 @@ class Record:
                 f"{readings[1]:.12g}, and no other number that stands so tells which: write it "
                 f"without a mark of thousands, or with a 0 more behind ({cell}0)."
             )
-        if math.isnan(number) and (write := converted(cell, unit_of(column), self.mark(column))):
-            raise InputError(
-                f"{self.where}: '{column}' is {shorten(cell)}; it has to be a number alone, in "
-                f"{unit_of(column)}: write {write}."
-            )
         if math.isnan(number):
+            fix = f", for example {_EXAMPLES.get(column, 150)}"
+            fix += _AS_A_NUMBER if cell.endswith(A_DATE) else ""
+            if write := converted(cell, unit_of(column), self.mark(column)):
+                fix = f" alone, in {unit_of(column)}: write {write}"
             raise InputError(
-                f"{self.where}: '{column}' is {shorten(cell)}; it has to be a number, for example "
-                f"{_EXAMPLES.get(column, 150)}{_AS_A_NUMBER if cell.endswith(A_DATE) else ''}."
+                f"{self.where}: '{column}' is {shorten(cell)}; it has to be a number{fix}."
             )
         if column == RATE:
             try:
