@@ -267,9 +267,17 @@ def test_nothing_in_a_line_without_a_segment_is_dropped() -> None:
         (",,,,,,,,bla bla", "'still': The still arc is 'bla bla': write"),
         (",,,,,,,,yes", "'still': 'yes' marks no segment: mark a dwell"),
         ("dei,,,,,,,,205 to 305", "There is no motion 'dei': did you mean 'die'?"),
-        ("after rebuild,,,,,,,,", "nothing but 'after rebuild': leave the line out, put it above"),
-        (",,,,,,see drawing,,", "nothing but 'see drawing': leave the line out, put it above"),
-        ("# rebuilt, as drawn, 3 mm", "nothing but '# rebuilt': leave the line out, put it above"),
+        (
+            "after rebuild,,,,,,,,",
+            "no segment stands beside 'after rebuild': leave the line out, put",
+        ),
+        (
+            "rebuilt, as drawn",
+            "no segment stands beside 'rebuilt': leave the line out, put it above",
+        ),
+        ("die,,then,,,,,,", "no segment stands beside 'die': leave the line out, put it above"),
+        (",,,,,,see drawing,,", "no segment stands beside 'see drawing': leave the line out, put"),
+        ("# rebuilt, as drawn, 3 mm", "no segment stands beside '# rebuilt': leave the line out"),
     ],
 )
 def test_what_is_wrong_in_a_line_without_a_segment_is_told(line: str, words: str) -> None:

@@ -1,6 +1,7 @@
 """The lines of a table of segments: what stands in which column, and the segment of a line."""
 
 import math
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -45,6 +46,7 @@ OWN = "own law, "
 
 _AS_A_NUMBER = ", and format the cell as a number"
 _EXAMPLES = {RATE: 2000, STOPS: 24}
+_NUMERIC = re.compile(r"[-+−.,]*\d|[=#]")  # a number, what may become one, or its error
 _OF_A_SEGMENT = [*NUMBERS.values(), "law"]
 
 
@@ -96,32 +98,34 @@ class Record:
         given = [*zip(heading, cells, strict=False)]
         stripped = {column: cell.strip() for column, cell in given}
         self.cells = {column: stripped.get(column, "") for column in (*HEADING, STILL, RULE)}
-        self.others = [(c, cell.strip()) for c, cell in given if cell and c not in KNOWN_COLUMNS]
+        own = ((column, cell.strip()) for column, cell in given if column not in KNOWN_COLUMNS)
+        self.others = [(column, cell) for column, cell in own if cell]
         parts = (name_in(cell.strip()) for column, cell in given if column == IN_FULL)
         self.in_full = " ".join(parts).strip()
         quoted = [STILL, RULE]
         if IN_FULL in heading:  # older versions wrote names as they are
             quoted += ["motion", "law"]
         self.cells |= {column: name_in(self.cells[column]) for column in quoted}
-        said = any(self.cells[c] for c in _OF_A_SEGMENT) or self.in_full != ""
-        self.is_segment = said and not self.lone_text
+        self.names_alone = not any(self.cells[c] for c in _OF_A_SEGMENT) and not self.in_full
+        self.is_segment = not self.names_alone and not self.lone_text
         self.segment: Segment | None = None
 
     @property
     def lone_text(self) -> str:
-        """A text that is all that a line says, in place of a segment; "" where it says more.
+        """A text that stands where a segment should, with no number beside it; or "".
 
         What begins with # is one, too, whatever its commas make of it, unless it has two angles.
         """
-        first = self.cells["motion"]
+        first, *others = [self.cells[column] for column in ("motion", STOPS, *_OF_A_SEGMENT)]
         angles = (self.cells[NUMBERS[end]] for end in ("from_deg", "to_deg"))
-        if first.startswith("#") and not all(any(map(str.isdigit, cell)) for cell in angles):
+        if first.startswith("#") and not all(map(_NUMERIC.match, angles)):
             return first
-        filled = [column for column, cell in self.cells.items() if cell]
-        if self.in_full or len(filled) != 1 or filled[0] not in ("motion", *_OF_A_SEGMENT):
+        texts = [*filter(None, (first, *others))]
+        is_alone = len(texts) == 1 and [*filter(None, self.cells.values())] == texts
+        is_cut = first and any(others) and not self.cells["law"]
+        if self.in_full or any(map(_NUMERIC.match, others)) or not (is_alone or is_cut):
             return ""
-        text = self.cells[filled[0]]
-        return text if any(map(str.isalpha, text)) else ""
+        return texts[0]
 
     def mark(self, column: str) -> str:
         """Return the decimal mark of a cell, "" if nothing tells it."""

@@ -127,13 +127,14 @@ def _named(record: Record, names: list[str]) -> str:
     if record.is_segment or (not name and not record.lone_text):
         return name
     try:
-        return one_of("motion", name, names)
+        if record.names_alone:
+            return one_of("motion", name, names)
     except InputError:
         if not record.lone_text:
             raise
     raise InputError(
-        f"there stands nothing but {shorten(record.lone_text)}: leave the line out, put it above "
-        "the heading or into a column of notes; the name of a motion stands beside its segment."
+        f"no segment stands beside {shorten(record.lone_text)}: leave the line out, put it above "
+        "the heading or into a column of notes; the name of a motion stands with its numbers."
     )
 
 

@@ -45,8 +45,8 @@ _CONDITIONS = re.compile(r"\b(?:beyond|within|moving|standing|at\s+least|mm\s+ab
 _JOINTS = re.compile(
     r"\b(?:only\s+(?:while|if|when|as\s+long)|nur\s+(?:während|wenn|solange|falls))\b"
 )
-_END = rf"[-+−]?\d\S*?{_DEG}"
-_ARCS = re.compile(rf"(?:(?:from|von)\s+)?{_END}\s+(?:to|bis)\s+{_END}\.?")
+_END = rf"[-+−]?\d[\dOoIl]*(?:[.,][\dOoIl]+)?{_DEG}"
+_ARCS = re.compile(rf"(?:(?:from|von)\s+)?{_END}\s+(?:to|bis)\s+{_END}\.?", re.IGNORECASE)
 _MARKS, _LIKE = 3, 0.8  # of a rule, in a text that is meant as one; of 1, of a misspelt name
 
 
@@ -130,7 +130,7 @@ def is_nearly_arc(text: str) -> bool:
     >>> is_nearly_arc("205 to 3O5 deg"), is_nearly_arc("as drawn on pages 3 to 4")
     (True, False)
     """
-    return all(_ARCS.fullmatch(part) for part in _AND.split(text.casefold().strip()))
+    return all(_ARCS.fullmatch(part) for part in _AND.split(text.strip()))
 
 
 def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:
