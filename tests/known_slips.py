@@ -152,6 +152,12 @@ def push(m: MillAndDie, y: Any = X, parts: tuple[int, int] = (1, 1)) -> Any:
     return p * q * (parts[0] * low - parts[1] * high) / sympy.Integer(q - p)
 
 
+def numbers_of_one(m: MillAndDie) -> Any:
+    """Return the powers of that with the numbers of the slope."""
+    p, q = m.laws.powers
+    return p * q * (X ** (p - 2) - X ** (q - 2)) / sympy.Integer(q - p)
+
+
 def jolt(m: MillAndDie) -> Any:
     """Return the slope of that, once more."""
     p, q = m.laws.powers
@@ -202,6 +208,12 @@ SLIPS = [
     KnownSlip(
         "01.1", "no brackets", lambda m: 360 - m.mill_angle_deg - m.work_deg / 2, "bracket|both"
     ),
+    KnownSlip(
+        "01.1",
+        "the sum halved",
+        lambda m: 360 - (m.mill_angle_deg + m.work_deg) / 2,
+        "bracket|both ways",
+    ),
     KnownSlip("01.1", "work twice", lambda m: die(m) - m.work_deg / 2, "work was taken away twice"),
     KnownSlip("01.1", "mill and work", lambda m: m.mill_angle_deg + m.work_deg, "mill and work"),
     KnownSlip("01.1", "half of them", lambda m: (m.mill_angle_deg + m.work_deg) / 2, "half of wh"),
@@ -229,6 +241,20 @@ SLIPS = [
     ),
     KnownSlip("01.2", "one degree", lambda m: time(m, 1), "one degree"),
     KnownSlip("01.2", "while not down", lambda m: time(m, 360 - m.work_deg), "not down|rest of"),
+    KnownSlip("01.2", "the 10 lost", lambda m: m.work_deg / m.rate_per_hour, "factor 10"),
+    KnownSlip("01.3", "angles alone", lambda m: m.mill_angle_deg / die(m), "angles alone"),
+    KnownSlip(
+        "01.3",
+        "strokes alone, upside down",
+        lambda m: m.pitch_mm / stroke(m),
+        "strokes alone, and upside down",
+    ),
+    KnownSlip(
+        "01.3",
+        "velocities upside down",
+        lambda m: m.pitch_mm / stroke(m) * die(m) / m.mill_angle_deg,
+        "velocities, the mill's divided by",
+    ),
     KnownSlip(
         "01.3",
         "no square",
@@ -293,6 +319,30 @@ SLIPS = [
     ),
     KnownSlip("02.1", "in mm", lambda m: 1000 * peak(m, die(m)), "mm"),
     KnownSlip("02.1", "in cm", lambda m: 100 * peak(m, die(m)), "cm"),
+    KnownSlip(
+        "02.1",
+        "the 10 lost",
+        lambda m: math.tau * stroke(m) / 1000 / (die(m) / m.rate_per_hour) ** 2,
+        "10 B/N",
+    ),
+    *(
+        KnownSlip("02.1", f"{name}, in mm", answer, f"{said}.*in mm where metres")
+        for name, answer, said in (
+            ("no square", lambda m: math.tau * stroke(m) / time(m, die(m)), "square"),
+            ("mean", lambda m: 4 * stroke(m) / time(m, die(m)) ** 2, "mean"),
+            ("2 pi lost", lambda m: stroke(m) / time(m, die(m)) ** 2, "2 pi"),
+            ("velocity", lambda m: 2 * stroke(m) / time(m, die(m)), "velocity"),
+            ("both ways' angle", lambda m: 1000 * peak(m, 2 * die(m)), "twice the angle"),
+        )
+    ),
+    *(
+        KnownSlip("02.1", name, lambda m, ca=ca: ca / math.tau * peak(m, die(m)), name)  # type: ignore[misc]
+        for name, ca in (
+            ("modified sine", 5.52796),
+            ("modified trapezoid", 4.88812),
+            ("3-4-5 polynomial", 10 / math.sqrt(3)),
+        )
+    ),
     KnownSlip("02.1", "2 pi lost", lambda m: peak(m, die(m)) / (2 * math.pi), "2 pi"),
     KnownSlip("02.1", "2 pi twice", lambda m: peak(m, die(m)) * 2 * math.pi, "2 pi"),
     KnownSlip("02.1", "pi for 2 pi", lambda m: peak(m, die(m)) / 2, "factor 2"),
@@ -339,7 +389,7 @@ SLIPS = [
     KnownSlip("02.2", "powers of one", lambda m: h_m * t / t_m**3 * push(m), "powers those of"),
     KnownSlip("02.2", "jerk", lambda m: h_m / t_m**3 * jolt(m), "jerk"),
     KnownSlip("02.2", "sign", lambda m: -h_m / t_m**2 * push(m), "sign"),
-    KnownSlip("02.2", "left in x", lambda m: h_m / t_m**2 * push(m, x), "contains x"),
+    KnownSlip("02.2", "left in x", lambda m: h_m / t_m**2 * push(m, x), r"\.subs\(x, t/t_m\)"),
     KnownSlip("02.2", "t for x", lambda m: h_m / t_m**2 * push(m, t), "t/t_m"),
     KnownSlip("02.2", "a cosine", lambda m: h_m / t_m**2 * between_the_ends(m), "ends"),
     KnownSlip(
@@ -351,6 +401,8 @@ SLIPS = [
     KnownSlip("02.2", "factor 2 lost", lambda m: h_m / t_m**2 * push(m) / 2, "half"),
     KnownSlip("02.2", "no higher power", lambda m: h_m / t_m**2 * push(m, X, (1, 0)), "higher"),
     KnownSlip("02.2", "no lower power", lambda m: h_m / t_m**2 * push(m, X, (0, 1)), "lower"),
+    KnownSlip("02.2", "a plus", lambda m: h_m / t_m**2 * push(m, X, (1, -1)), "plus"),
+    KnownSlip("02.2", "numbers of one", lambda m: h_m / t_m**2 * numbers_of_one(m), "numbers thos"),
     KnownSlip("02.2", "no stroke", lambda m: push(m) / t_m**2, "h_m"),
     KnownSlip("02.2", "by x", push, "by x"),
     KnownSlip(
@@ -395,6 +447,13 @@ SLIPS = [
     KnownSlip("02.3", "in kilograms", lambda m: m.die_mass_kg * peak(m, die(m)) / G, r"\bg\b"),
     KnownSlip("02.3", "times g", lambda m: m.die_mass_kg * peak(m, die(m)) * G, r"\bg\b"),
     KnownSlip("02.3", "mm/s²", lambda m: 1000 * m.die_mass_kg * peak(m, die(m)), "mm"),
+    KnownSlip(
+        "02.3",
+        "mean, mm/s²",
+        lambda m: m.die_mass_kg * 4 * stroke(m) / time(m, die(m)) ** 2,
+        "mean.*in mm where metres",
+    ),
+    KnownSlip("02.3", "the 10 lost", lambda m: 100 * m.die_mass_kg * peak(m, die(m)), "10 B/N"),
     KnownSlip("02.3", "in kN", lambda m: m.die_mass_kg * peak(m, die(m)) / 1000, "kN"),
     KnownSlip(
         "02.3",
@@ -411,6 +470,8 @@ SLIPS = [
     KnownSlip("02.4", "the increase", lambda m: faster(m) ** 2 - 1, "by how much"),
     KnownSlip("02.4", "percent", lambda m: 100 * (faster(m) ** 2 - 1), "percent"),
     KnownSlip("02.4", "factor in percent", lambda m: 100 * faster(m) ** 2, "percent"),
+    KnownSlip("02.4", "percent of the rate", lambda m: 100 * (faster(m) - 1), "percent the rate"),
+    KnownSlip("02.4", "twice the ratio", lambda m: 2 * faster(m), "twice the ratio"),
     KnownSlip("02.4", "third power", lambda m: faster(m) ** 3, "jerk"),
     KnownSlip("02.4", "the new peak", lambda m: faster(m) ** 2 * peak(m, die(m)), "peak itself"),
     KnownSlip("03.1", "constant velocity", lambda m: 0.1 * m.pitch_mm, "constant velocity"),

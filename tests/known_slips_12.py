@@ -118,7 +118,7 @@ NUMBER_SLIPS = [
         "12.1",
         "the die alone",
         lambda m: m.rate_per_hour * math.sqrt(before(m) / peak(m, stroke(m), widest(m))),
-        "Who else",
+        r"^So fast the die could go\. Who else meets that peak, and at which rate\?$",
     ),
     KnownSlip("12.1", "as today", lambda m: m.rate_per_hour, "today's rate"),
     KnownSlip("12.1", "no root", lambda m: faster(m, 1), "square of the rate"),
@@ -186,6 +186,8 @@ NUMBER_SLIPS = [
     KnownSlip("12.2", "never stops", lambda m: least(m, 2), "stop"),
     KnownSlip("12.2", "no factor", lambda m: least(m, 1), "factor"),
     KnownSlip("12.2", "half the time", lambda m: least(m, 8), "constant acceleration"),
+    KnownSlip("12.2", "the 10 lost", lambda m: 100 * least(m), "10 B/N"),
+    KnownSlip("12.2", "the cycloid, in mm", lambda m: least(m, 2000 * math.pi), "cyc.*in mm where"),
     KnownSlip("12.2", "the whole turn", lambda m: least(m, 4, 360), "whole turn"),
     KnownSlip(
         "12.2", "the rest", lambda m: least(m, 4, 360 - m.mill_angle_deg), "rest of the turn"

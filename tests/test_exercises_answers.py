@@ -145,6 +145,7 @@ TELL_TALES: list[tuple[str, float, str]] = [
     *[("m/s²", 3600, "for pieces per minute"), ("m/s²", 12_960_000, "for pieces per second")],
     *[("mm", 1000, "taken for metres"), ("mm", 0.001, "in metres"), ("mm", 0.1, "in cm")],
     *[("ms", 3600, "an hour made seconds twice"), ("ms", 0.000277777778, "the time in hours")],
+    *[("s", 0.1, "makes a factor 10"), ("ms", 0.1, "makes a factor 10")],
     *[("ms", 60, "An hour has 60 minutes"), ("ms", 0.0166666667, "the time in minutes")],
     *[("µm", 1000, "in nm"), ("µm", 0.001, "in mm"), ("µm", 0.000001, "in metres")],
     *[("N/mm", 1000, "in N/m"), ("Hz", 60, "swings a minute")],

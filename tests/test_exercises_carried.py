@@ -163,6 +163,8 @@ def test_the_number_of_the_message_is_the_one_that_was_typed_last() -> None:
     cm.check("02.1", 9)
     cm.check("02.1", "a text")  # no number takes its place
     assert "with your 9 from 02.1" in cm.check("02.3", machine.die_mass_kg * 9).text
+    in_mm = cm.check("02.3", machine.die_mass_kg * 9000).text
+    assert "with your 9 from 02.1, which was not right yet. Besides, a length is in mm" in in_mm
     assert "with your" not in cm.check("02.3", machine.die_mass_kg * 1000).text
 
 

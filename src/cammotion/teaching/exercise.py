@@ -2,7 +2,7 @@
 
 import unicodedata
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, Literal
 
@@ -28,11 +28,13 @@ class Verdict:
 class Slip:
     """A known way to go wrong: what it leads to, a number or an expression, and the reason.
 
-    NaN stands for a number where nobody would go that way.
+    NaN stands for a number where nobody would go that way. Where it is told `alone`, it is not
+    said beside it that a number of the lesson's machine may lead there, too.
     """
 
     answer: Callable[[MillAndDie], Any]
     reason: str
+    alone: bool = field(default=False, kw_only=True)
 
     def leads_to(self, machine: MillAndDie) -> Any:
         """Return what it leads to for a machine."""

@@ -2,8 +2,8 @@
 
 import inspect
 import warnings
-from collections.abc import Callable, Iterable, Sequence, Sized
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -34,6 +34,10 @@ _NUMBER = (
     "This is one number, the same everywhere: there is no {} in it, and what is asked for depends "
     "on that."
 )
+_STANDS_FOR = (
+    "There is {0} in it, which stands for {1}. Put brackets around all of it, and write "
+    ".subs({0}, {1}) behind them."
+)
 _ANOTHER = "This is another formula. Put in numbers for which you know the result, and see."
 
 
@@ -44,7 +48,8 @@ class ExpressionExercise(Exercise):
     `answer` is for a machine an expression in symbols of these names; whatever their assumptions,
     symbols are known by their names alone. The places lie `between` two values, the same for each
     variable; if the formula runs along a move, `along` is the variable that goes from 0 to the
-    value of the variable `until`.
+    value of the variable `until`. `stands_for` says what a symbol of the question that is none of
+    the variables is made of.
     """
 
     variables: tuple[str, ...]
@@ -52,6 +57,7 @@ class ExpressionExercise(Exercise):
     slips: tuple[Slip, ...] = ()
     along: str = ""
     until: str = ""
+    stands_for: Mapping[str, str] = field(default_factory=dict, hash=False)
     between: tuple[float, float] = (0.2, 2.0)
     tolerance: float = 1e-6
 
@@ -164,6 +170,9 @@ class ExpressionExercise(Exercise):
             expression = None
         if not isinstance(expression, sympy.Expr):
             raise OddAnswerError(f"{shorten(answer)} is no formula. Write {self.wanted}.")
+        names = {symbol.name for symbol in expression.free_symbols}
+        for name in names & self.stands_for.keys():
+            raise OddAnswerError(_STANDS_FOR.format(name, self.stands_for[name]))
         function = _function_of(expression, self.variables, self.wanted)
         with np.errstate(all="ignore"):
             return np.asarray(function(*places), dtype=np.complex128) + np.zeros(_PLACES)

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from cammotion.machine.kinematics import STANDARD_GRAVITY
+from cammotion.machine.kinematics import MM_PER_M, STANDARD_GRAVITY
 from cammotion.quantities import InputError
 from cammotion.teaching.copied import with_lessons_numbers
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import Exercise, Slip, led_to
 from cammotion.teaching.reading import to_number
-from cammotion.teaching.reasons import COMMON_RATIOS, RATIOS_OF_SUMS, UNIT_RATIOS, in_one
+from cammotion.teaching.reasons import COMMON_RATIOS, RATIOS_OF_SUMS, UNIT_RATIOS, in_one, those_in
 from cammotion.teaching.rounding import (
     FEWEST,
     MOST,
@@ -52,6 +52,8 @@ MIXED = (
     "With a number of the lesson's machine in place of one of yours this would be right. Are all "
     "the numbers that you put in those of your question?"
 )
+_IN_MM_TOO = "{} Besides, a length is in mm where metres belong."
+_OF_METRES = ("m/s²", "N")  # in which it makes an answer a thousand times as large
 _DIGITS = {3: "three", 4: "four"}
 
 
@@ -163,8 +165,21 @@ class NumberExercise(Exercise):
             or in_one([*ratios[:1], *mixed_up])
             or rounded
             or in_one(slip.reason for slip in carried)
+            or self._in_mm_too(given, machine, wrong)
             or self._far(given, right)
         )
+
+    def _in_mm_too(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
+        """Say what has happened to a number that comes of mm and goes wrong in another way, too."""
+        if self.unit not in _OF_METRES:
+            return ""
+        given /= MM_PER_M
+        reasons = (
+            [slip.reason for slip in self._brought_along(given, machine)]
+            or [reason for value, reason in wrong.items() if self._is_about(given, value)]
+            or [slip.reason for slip in self._carried_to(given, machine)]
+        )
+        return in_one(map(_IN_MM_TOO.format, (one for each in reasons for one in those_in(each))))
 
     def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> list[str]:
         """Return why a number is wrong that is a slip's: all reasons that it may have.
@@ -190,7 +205,9 @@ class NumberExercise(Exercise):
         earlier = [one.reason for one in self._carried_to(given, machine)]
         exact = [] if is_as_typed(given, slip) else [*ratios, *earlier]
         carried = (slip.reason for slip in brought)
-        return [*carried, *reasons, *self._mixed_up(given, machine), *exact]
+        is_alone = any(slip.alone and slip.reason in reasons for slip in self.slips)
+        mixed_up = [] if is_alone else self._mixed_up(given, machine)
+        return [*carried, *reasons, *mixed_up, *exact]
 
     def _mixed_up(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[str]:
         """Return what is said if numbers of the lesson's machine lead to a number, at most one.
@@ -270,10 +287,11 @@ class NumberExercise(Exercise):
             self._too("large"),
             self._too("small"),
         )
-        slips = (slip.reason for slip in (*self.slips, *self.carried))
-        brought = (YOURS.format("…", number) for number in self.goes_on_from)
+        slips = [slip.reason for slip in (*self.slips, *self.carried)]
+        slips += [YOURS.format("…", number) for number in self.goes_on_from]
+        in_mm = map(_IN_MM_TOO.format, slips if self.unit in _OF_METRES else ())
         return (
-            *(*slips, *brought, _IN_G, *self.ratios.values()),
+            *(*slips, *in_mm, _IN_G, *self.ratios.values()),
             *(OF_THE_LESSON, MIXED, *unknown),
         )
 

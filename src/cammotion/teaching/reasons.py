@@ -33,6 +33,10 @@ COMMON_RATIOS: Mapping[float, str] = {
 RATIOS_OF_SUMS = {ratio: COMMON_RATIOS[ratio] for ratio in (-1.0, 2.0, 1 / 2, math.pi / 180)}
 """Those that may be met in a sum of degrees, which has neither a factor pi nor squares in it."""
 
+_HUNDREDFOLD = (
+    "This is a hundred times too large. Has the 10 of tm = 10 B/N been lost, which counts twice? "
+    "Or is a length in cm where metres belong?"
+)
 _TOO_FAST: Mapping[float, str] = {
     3600.0: (
         "This is 3600 times too large, 60 squared. Were pieces per hour taken for pieces per "
@@ -48,6 +52,10 @@ _TIMES: Mapping[float, str] = {
     1 / 3600: (
         "This is 3600 times too small: the time in hours, or pieces per hour taken for pieces per "
         "second."
+    ),
+    1 / 10: (
+        "This is a tenth of what it should be. An hour has 3600 seconds and a turn 360 degrees, "
+        "which makes a factor 10."
     ),
     60.0: "This is 60 times too large. An hour has 60 minutes, and 3600 seconds.",
     1 / 60: (
@@ -66,7 +74,7 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
     "m/s²": {
         1000.0: "This is a thousand times too large. Is a length in mm where metres belong?",
         1 / 1000: "This is a thousand times too small. Was a length divided by 1000 twice?",
-        100.0: "This is a hundred times too large. Is a length in cm where metres belong?",
+        100.0: _HUNDREDFOLD,
         **_TOO_FAST,
     },
     "mm": {
@@ -90,7 +98,7 @@ UNIT_RATIOS: Mapping[str, Mapping[float, str]] = {
         1000.0: "This is a thousand times too large. Is a length in mm where metres belong, or a "
         "mass in grams?",
         1 / 1000: "This is a thousand times too small: it is in kN. Newtons are asked for.",
-        100.0: "This is a hundred times too large. Is a length in cm where metres belong?",
+        100.0: _HUNDREDFOLD,
         **_TOO_FAST,
     },
     "s": {**_TIMES, 1000.0: "This is in milliseconds. Seconds are asked for."},

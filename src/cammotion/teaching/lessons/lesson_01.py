@@ -65,6 +65,11 @@ EXERCISES = (
                 "halve that.",
             ),
             Slip(
+                lambda m: DEG_PER_TURN - (m.mill_angle_deg + m.work_deg) / 2,
+                "Here only what mill and work need was halved. Put brackets around the whole "
+                "difference, and halve that.",
+            ),
+            Slip(
                 lambda m: m.mill_angle_deg + m.work_deg,
                 "These are the degrees of mill and work. What do they leave of a turn, for two "
                 "ways?",
@@ -203,6 +208,21 @@ EXERCISES = (
             Slip(
                 lambda m: m.stroke_mm / m.pitch_mm,
                 "This is the ratio of the strokes alone. The two also have different angles.",
+            ),
+            Slip(
+                lambda m: m.pitch_mm / m.stroke_mm,
+                "This is the ratio of the strokes alone, and upside down: the mill's by the die's. "
+                "The two also have different angles.",
+            ),
+            Slip(
+                lambda m: m.mill_angle_deg / m.die_angle_deg,
+                "This is the ratio of the angles alone. It has to be squared, and the two do not "
+                "go equally far.",
+            ),
+            Slip(
+                lambda m: m.pitch_mm / m.stroke_mm * m.die_angle_deg / m.mill_angle_deg,
+                "This is the ratio of the velocities, the mill's divided by the die's. Turn it "
+                "over, and square the ratio of the angles.",
             ),
             Slip(
                 lambda m: m.pitch_mm / m.stroke_mm * (m.mill_angle_deg / m.die_angle_deg) ** 2,

@@ -1,7 +1,6 @@
 """Exercises of notebook 02, how hard the die is pushed."""
 
 import math
-from functools import partial
 
 import sympy
 
@@ -65,26 +64,31 @@ def _ratio(m: MillAndDie) -> float:
     return (m.rate_per_hour + FASTER) / m.rate_per_hour
 
 
+def _terms(m: MillAndDie, lower: sympy.Expr = 1, higher: sympy.Expr = 1) -> sympy.Expr:
+    """Return the acceleration of 02.2 with each of its two terms so many times."""
+    low, high = m.laws.powers
+    both = (lower * high * _x**low - higher * low * _x**high) / (high - low)
+    return _h_m / _t_m**2 * sympy.diff(both, _x, 2).subs(_x, _t / _t_m)
+
+
 def _only_the_first_divided(m: MillAndDie) -> sympy.Expr:
     low, high = m.laws.powers
-    if high - low == 1:  # nothing is divided
-        return sympy.nan
-    x = _t / _t_m
-    first = high * low * (low - 1) * x ** (low - 2) / (high - low)
-    return _h_m / _t_m**2 * (first - high * low * (high - 1) * x ** (high - 2))
+    by = high - low
+    return _terms(m, higher=by) if by > 1 else sympy.nan  # by 1 nothing is divided
 
 
-def _one_term(m: MillAndDie, which: int) -> sympy.Expr:
-    """Return what the lower of the two powers, or the higher one, leads to without the other."""
-    low, high = m.laws.powers
-    term = (high * _x**low, -low * _x**high)[which] / (high - low)
-    return _h_m / _t_m**2 * sympy.diff(term, _x, 2).subs(_x, _t / _t_m)
+def _numbers_of_one(m: MillAndDie) -> sympy.Expr:
+    """Return the powers of two derivatives with the numbers of the first one."""
+    low, high = (sympy.Integer(power) for power in m.laws.powers)
+    return _terms(m, 1 / (low - 1), 1 / (high - 1))
 
 
-_TERMS = (
-    "The term with the higher power is missing. Each of the two has a second derivative.",
-    "The term with the lower power is missing. Each of the two has a second derivative.",
-)
+_OTHER_LAWS = {
+    "simple harmonic": "simple harmonic motion, with pi²/2",
+    "modified trapezoid": "modified trapezoid, with 4.888",
+    "modified sine": "modified sine, with 5.528",
+    "3-4-5 polynomial": "3-4-5 polynomial, with 5.774",
+}
 
 _PEAK_SLIPS = (
     Slip(
@@ -148,11 +152,14 @@ _PEAK_SLIPS = (
         lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / math.radians(m.die_angle_deg) ** 2,
         "The angle stands where the time belongs, in radians. How many seconds does the die have?",
     ),
-    Slip(
-        lambda m: peak_acceleration(
-            m.stroke_mm, m.die_angle_deg, m.rate_per_hour, "simple harmonic"
-        ),
-        "This is the simple harmonic motion, with pi²/2. The cycloid has 2 pi.",
+    *(
+        Slip(
+            lambda m, law=law: peak_acceleration(  # type: ignore[misc]
+                m.stroke_mm, m.die_angle_deg, m.rate_per_hour, law
+            ),
+            f"This is the {said}. The cycloid has 2 pi.",
+        )
+        for law, said in _OTHER_LAWS.items()
     ),
     Slip(
         lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / float(f"{_time(m):.1g}") ** 2,
@@ -228,6 +235,7 @@ EXERCISES = (
         variables=("t", "h_m", "t_m"),
         along="t",
         until="t_m",
+        stands_for={"x": "t/t_m"},
         answer=lambda m: _h_m / _t_m**2 * _law(m, 2),
         right=(
             "It ends with a jump, from its hardest braking to nothing; a law with a square in it "
@@ -267,7 +275,26 @@ EXERCISES = (
                 _only_the_first_divided,
                 "What stands below the bracket divides both of its terms, not the first alone.",
             ),
-            *(Slip(partial(_one_term, which=which), said) for which, said in enumerate(_TERMS)),
+            Slip(
+                lambda m: _terms(m, higher=0),
+                "The term with the higher power is missing. Each of the two has a second "
+                "derivative.",
+            ),
+            Slip(
+                lambda m: _terms(m, lower=0),
+                "The term with the lower power is missing. Each of the two has a second "
+                "derivative.",
+            ),
+            Slip(
+                lambda m: _terms(m, higher=-1),
+                "The minus between the two terms has become a plus. Differentiating leaves it as "
+                "it is.",
+            ),
+            Slip(
+                _numbers_of_one,
+                "The powers are those of two derivatives, the numbers those of one. Each of the "
+                "two brings the power down as a factor.",
+            ),
             Slip(
                 lambda m: _h_m / _t_m**2 * _law(m, 1),
                 "This is the first derivative of the law, with the square of the time below it. "
@@ -365,6 +392,15 @@ EXERCISES = (
             Slip(
                 lambda m: _ratio(m) - 1,
                 "By this share the rate grows. By which factor does it, and the peak?",
+            ),
+            Slip(
+                lambda m: 100 * (_ratio(m) - 1),
+                "By so many percent the rate grows. By which factor does it, and the peak?",
+            ),
+            Slip(
+                lambda m: 2 * _ratio(m),
+                "This is twice the ratio of the rates. Its square is asked for: the ratio times "
+                "itself.",
             ),
             Slip(
                 lambda m: 1 / _ratio(m),

@@ -150,6 +150,7 @@ EXERCISES = (
             Slip(
                 _faster_alone,
                 "So fast the die could go. Who else meets that peak, and at which rate?",
+                alone=True,  # any peak of the mill that is below the die's leads to it
             ),
             Slip(
                 _faster_balanced,
