@@ -20,6 +20,7 @@ from notebook_lint import _svg_faults
 
 import cammotion as cm
 from cammotion.quantities import Floats
+from cammotion.views.animation.columns import Design
 from cammotion.views.animation.keyframes import trace_acceleration
 from cammotion.views.animation.picture import Animation, animate
 from cammotion.views.animation.player import speeds_for
@@ -505,6 +506,16 @@ def test_a_rule_that_is_broken_up_to_the_end_of_the_turn_says_so_and_is_drawn_so
     assert late.designs[0].verdict == "RULE BROKEN from 300 to 360°"
     early = animate(cm.TimingDiagram([mill.shifted(60), make_die()], 2000), rules=rule)
     assert [alarms(early, angle) for angle in (0, 30, 100, 360)] == [1, 1, 0, 1]
+
+
+def test_arcs_of_several_rules_are_merged_the_longest_first_and_none_is_cut() -> None:
+    """An arc within another one is no news; where not all have room, it says how much they are."""
+    deep = [cm.ClearanceRule(cm.beyond("die", n), only_while=cm.beyond("mill", 3)) for n in (30, 9)]
+    still = cm.ClearanceRule(cm.moving("mill"), only_while=cm.beyond("die", 0.0))
+    one = Design("today", BEFORE, (deep[0], still, deep[1]))
+    said = "RULE BROKEN from 167.8 to 342.2° and from 0 to 150°"
+    assert one.verdict == one.short_verdict(500) == said
+    assert one.short_verdict(344) == "RULE BROKEN over 324.5° of the turn"
 
 
 def alarms(animation: Animation, angle_deg: float) -> int:

@@ -9,7 +9,7 @@ from typing import Any
 import drawsvg as draw
 import numpy as np
 
-from cammotion.machine.arcs import Arc, arcs
+from cammotion.machine.arcs import Arc, arcs, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import as_text
@@ -38,6 +38,12 @@ INNER_PX, HEADER_PX, TIMING_PX, ACCELERATION_PX = 406, 64, 110, 80
 SIGN_PX = 26  # above the machine, where a broken rule is said: a machine has room for it nowhere
 ALARMS, ALARM_PX = 3, 38  # so many are written below the machine
 FEW = 3  # so many accelerations can be told apart, and named in a line
+_BROKEN = "RULE BROKEN"
+
+
+def _longest_first(arc: Arc) -> float:
+    start, end = arc
+    return round(start - end, 6)  # arcs that are alike stay in their order
 
 
 @dataclass(frozen=True)
@@ -92,15 +98,25 @@ class Design:
 
     @property
     def verdict(self) -> str:
-        """Whether and where a rule is broken, in words; nothing where there is no rule."""
+        """Whether and where a rule is broken, the longest arc first; nothing without a rule."""
         arcs_in_words = [
-            f"{broken.start_deg % DEG_PER_TURN:.4g} to "
-            f"{broken.end_deg % DEG_PER_TURN or DEG_PER_TURN:.4g}°"
-            for broken in self.violations
+            f"{start:.4g} to {end % DEG_PER_TURN or DEG_PER_TURN:.4g}°"
+            for start, end in sorted(unwrap(self._broken), key=_longest_first)
         ]
         if arcs_in_words:
-            return f"RULE BROKEN from {' and from '.join(arcs_in_words)}"
+            return f"{_BROKEN} from {' and from '.join(arcs_in_words)}"
         return ("", "rule kept", "rules kept")[min(len(self.rules), 2)]
+
+    def short_verdict(self, room: float) -> str:
+        """Return the verdict in so many px: over how much of a turn, where not all arcs fit."""
+        if not self._broken or text_px(self.verdict, svg.NORMAL, bold=True) <= room:
+            return self.verdict
+        return f"{_BROKEN} over {sum(end - start for start, end in self._broken):.4g}° of the turn"
+
+    @property
+    def _broken(self) -> list[Arc]:
+        """The arcs over which any rule is broken."""
+        return arcs((broken.start_deg, broken.end_deg) for broken in self.violations)
 
     def state(self, angle_deg: float) -> str:
         """Return where each motion is at a cam angle, in words."""
@@ -189,7 +205,7 @@ class Layout:
             alarmed: dict[str, Any] = (
                 {"fill": svg.ALARM, "font_weight": "bold"} if design.violations else {}
             )
-            header.append(svg.label(design.verdict, 0, 56, width=room, **alarmed))
+            header.append(svg.label(design.short_verdict(room), 0, 56, width=room, **alarmed))
         header.append(svg.placed(INNER_PX - 27, 24, draw_dial(self.turn_s)))
         name: dict[str, Any] = {"size": svg.SMALL, "text_anchor": "middle"}
         header.append(svg.label("camshaft", INNER_PX - 27, 57, **name))
@@ -204,7 +220,7 @@ class Layout:
         machine.append(svg.box(INNER_PX - 136, HEADER_PX, 136, SIGN_PX, fill=svg.ALARM))
         plain: dict[str, Any] = {"fill": "white", "stroke": "none", "font_weight": "bold"}
         word: dict[str, Any] = {"text_anchor": "middle", "size": svg.LARGE}
-        machine.append(svg.label("RULE BROKEN", INNER_PX - 68, HEADER_PX + 19, **word, **plain))
+        machine.append(svg.label(_BROKEN, INNER_PX - 68, HEADER_PX + 19, **word, **plain))
         alarm.append(machine)
         for slot, broken in enumerate(design.violations[:ALARMS]):
             top = self.top + self.scene + slot * ALARM_PX
