@@ -28,6 +28,7 @@ from table_machine import table_machine
 
 import cammotion as cm
 from cammotion.report.findings import find_all
+from cammotion.report.markup import Beside
 from cammotion.report.page import write_page
 from cammotion.teaching.classroom import histogram, page
 from cammotion.teaching.classroom.collect import read_class
@@ -133,7 +134,8 @@ def cartons(count: int) -> str:
 
 def report(machine: cm.Machine) -> str:
     found = find_all(machine, 20, lambda *_: None)
-    return write_page(found, date(2026, 11, 28), ["tables.xlsx", "codesys/die.txt"])
+    files = [Beside("of the design", ["tables.xlsx", "codesys/die.txt"]), Beside("no DXF")]
+    return write_page(found, date(2026, 11, 28), files)
 
 
 def class_page() -> str:

@@ -7,7 +7,9 @@ from playwright.sync_api import Browser
 
 import cammotion as cm
 from cammotion.report.live import live_figure
+from cammotion.report.markup import table
 
+HEADS = ("peak today, m/s²", "then, m/s²", "largest of the machine then, m/s²", "rate, pieces/h")
 SIZES = (1280, 768, 390, 320)
 HEBREW, ARABIC = "\u05de\u05db\u05d5\u05e0\u05d4", "\u0645\u0637\u0631\u0642\u0629"
 FITS = """async () => {
@@ -33,8 +35,12 @@ def test_the_live_figure_is_seen_whole(browser: Browser, tmp_path: Path, width: 
     machine = cm.Machine("press", cm.EXAMPLE.diagram, [cm.EXAMPLE.rule])
     style = Path(cm.__file__).with_name("report") / "page.css"
     page = tmp_path / "page.html"
+    rows = table(
+        "How", ["change", *HEADS], [(False, ["widen the " + "die " * 9, 1.0, 2.0, 3.0, 4.0])]
+    )
     page.write_text(
-        f"<!DOCTYPE html><style>{style.read_text('utf-8')}</style>{live_figure(machine)}", "utf-8"
+        f"<!DOCTYPE html><style>{style.read_text('utf-8')}</style>{rows}{live_figure(machine)}",
+        "utf-8",
     )
     shown = browser.new_page(viewport={"width": width, "height": 800})
     shown.goto(page.as_uri())
@@ -43,6 +49,7 @@ def test_the_live_figure_is_seen_whole(browser: Browser, tmp_path: Path, width: 
     is_drawn, room = frame.evaluate(FITS)
     assert is_drawn
     assert 0 <= room < 20
+    assert shown.evaluate("document.querySelector('.wide').scrollWidth <= innerWidth")
     shown.close()
 
 

@@ -1,5 +1,6 @@
 """The report of a machine: whole or not at all, true by its own tables, quick and small."""
 
+import html
 import math
 import re
 import subprocess
@@ -8,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
+from urllib.parse import unquote
 
 import pytest
 from bs4 import BeautifulSoup
@@ -19,6 +21,7 @@ from cammotion.quantities import WrongAnswerError
 from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
 from cammotion.report.live import live_figure
+from cammotion.report.page import rules_of
 from cammotion.report.sheets import sheets_of
 
 DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
@@ -173,14 +176,52 @@ def test_no_part_is_told_to_stay_where_all_have_still_arcs(tmp_path: Path) -> No
 
 def test_the_page_needs_nothing_else(pads: cm.Report, page: BeautifulSoup) -> None:
     text = pads.page.read_text("utf-8")
-    outside = [
-        tag[name] for tag in page.find_all(True) for name in ("src", "href") if tag.get(name)
-    ]
+    outside = [tag["src"] for tag in page.find_all(True) if tag.get("src")]
     assert outside
     assert all(str(one).startswith("data:") for one in outside)
     assert not re.search(r"https?://(?!www\.w3\.org)", text.split("<iframe")[0])
     assert all(image["alt"] for image in page("img"))
     assert sum(file.stat().st_size for file in pads.folder.rglob("*")) < LARGEST_BYTES
+
+
+def test_each_file_is_linked_and_said_to_be_of_the_design(
+    pads: cm.Report, page: BeautifulSoup
+) -> None:
+    linked = [pads.folder / unquote(str(link["href"])) for link in page("a")]
+    assert {*linked, pads.page} == {file for file in pads.folder.rglob("*") if file.is_file()}
+    book, *tables = (item.get_text() for item in page.select("li:has(a)"))
+    assert "of today's machine and of the design: " in book
+    assert all("of the design, not of today's machine: " in said for said in tables)
+
+
+def test_each_cell_says_what_it_is_where_a_row_is_a_block(page: BeautifulSoup) -> None:
+    for table in page("table"):
+        _, *heads = [head.get_text() for head in table.select("thead th")]
+        for row in table.select("tbody tr"):
+            assert [cell["data-head"] for cell in row("td")] == heads
+
+
+def test_the_page_speaks_to_a_shop(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of Python it says nothing, of a turret only where there is one, and a reason once."""
+    flap = cm.motion("flap", cm.return_(20, over_deg=180), cm.rise(20, over_deg=180))
+    diagram = cm.TimingDiagram([*cm.EXAMPLE.diagram.motions, flap], 2000)
+    rules = [cm.EXAMPLE.rule, cm.DistanceRule("die", above="flap", at_least_mm=1)]
+    monkeypatch.setattr(findings, "improvements", lambda _: ())  # which take long
+    found = findings.find_all(cm.Machine("press", diagram, rules, STILL), 1, lambda *_: None)
+    (note,) = found.notes
+    assert "none like 'the die stays at least 1 mm above the flap'" in note
+    of_turret, of_flap = BeautifulSoup(rules_of(found), "html.parser").select("tbody tr")
+    assert "mm from its stop" in of_turret.get_text()
+    assert "stop" not in of_flap.get_text()
+    assert not re.search(r"\(\)|find_", note + of_turret.get_text())
+
+
+def test_a_reason_why_there_is_neither_design_nor_bound_is_said_once() -> None:
+    rule = cm.ClearanceRule(cm.beyond("die", 40), only_while=cm.beyond("mill", 3))
+    machine = cm.Machine("press", PRESS.diagram, [rule], STILL)
+    found = findings.find_all(machine, 1, lambda *_: None)
+    (note,) = found.notes
+    assert note.startswith("There is no balance of all moves, and no bound. ")
 
 
 def test_every_number_opens_to_its_formula(page: BeautifulSoup) -> None:
@@ -339,8 +380,11 @@ def test_names_are_no_markup_and_no_paths(tmp_path: Path) -> None:
 def test_dxf_of_each_mechanism_that_comes_back(tmp_path: Path) -> None:
     report = cm.write_report(replace(PRESS, still={}), tmp_path, dxf=True)
     assert [file.name for file in (report.folder / "dxf").iterdir()] == ["2 die.dxf"]
+    text = report.page.read_text("utf-8")
+    assert "no DXF of the mill: it goes on by a pitch in each turn" in text
     (said,) = re.findall(
-        r"prime circle of ([\d.]+) mm, roller of 10", report.page.read_text("utf-8")
+        r"of today's machine: disc cam, radius of the prime circle ([\d.]+) mm, of the roller 10 ",
+        html.unescape(text),
     )
     roller = cm.TranslatingRoller(10)
     least = cm.smallest_prime_radius(cm.EXAMPLE.die, roller, pressure_angle_deg=30)

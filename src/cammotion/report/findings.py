@@ -9,6 +9,7 @@ from cammotion.limits.reserves import Reserve, reserves
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.own import Machine
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.rules.checks import has_limits
 from cammotion.whole.least_peak import LeastPeak, least_peak
 from cammotion.whole.optimise import Optimised, optimise
 
@@ -50,21 +51,18 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
     progress(0.0, "checking rules, looking what to change first")
     ranking = improvements(machine)
     left = reserves(machine.diagram, machine.rules)
-    notes: list[str] = []
     best, least = None, None
-    if not machine.free:
-        notes.append(
-            "No part that moves has still arcs, so that no design was sought and no bound: say in "
-            "the column 'still' of the table over which arcs each part has to stand."
-        )
-        return Findings(machine, ranking, left, best, least, tuple(notes))
+    if why := _not_sought(machine):
+        return Findings(machine, ranking, left, best, least, (why,))
+    notes: list[str] = []
+    refused: dict[str, str] = {}  # by the reason, which both may have
     progress(_RANKED, "balancing all moves at once")
     try:
         best = optimise(machine.diagram, machine.rules, still=machine.free, seconds=_OPTIMISING_S)
     except KeyboardInterrupt:
         notes.append("The balance of all moves was interrupted: there is none.")
     except (InputError, WrongAnswerError) as wrong:
-        notes.append(f"There is no balance of all moves. {wrong}")
+        refused[str(wrong)] = "There is no balance of all moves"
     progress(_BALANCED, "proving what no motions can be below (Ctrl-C takes the best so far)")
 
     def told(found: LeastPeak) -> None:
@@ -84,5 +82,24 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
     except KeyboardInterrupt:
         notes.append("The search for the bound was interrupted before it had one.")
     except (InputError, WrongAnswerError) as wrong:
-        notes.append(f"There is no bound. {wrong}")
+        both = f"{refused[str(wrong)]}, and no bound" if str(wrong) in refused else ""
+        refused[str(wrong)] = both or "There is no bound"
+    notes += [f"{what}. {why}" for why, what in refused.items()]
     return Findings(machine, ranking, left, best, least, tuple(notes))
+
+
+def _not_sought(machine: Machine) -> str:
+    """Return why neither a design nor a bound can be sought; "" if both can."""
+    if not machine.free:
+        return (
+            "No part that moves has still arcs, so that no design was sought and no bound: say in "
+            "the column 'still' of the table over which arcs each part has to stand."
+        )
+    others = [rule for rule in machine.rules if not has_limits(rule)]
+    if not others:
+        return ""
+    return (
+        "No design was sought and no bound: both know rules of beyond and within alone, and none "
+        f"like '{others[0]}'. Say it by these if you can, like 'the die may be beyond 19 mm only "
+        "while the mill is within 0.65 mm'. What it leaves today is in the table of the rules."
+    )

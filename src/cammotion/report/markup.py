@@ -4,6 +4,7 @@ import base64
 from collections.abc import Iterable, Sequence
 from html import escape
 from typing import NamedTuple
+from urllib.parse import quote
 
 from cammotion.quantities import as_text
 from cammotion.views.whole_page import wide_table
@@ -19,17 +20,30 @@ class Opened(NamedTuple):
 Cell = str | float | Opened
 
 
+class Beside(NamedTuple):
+    """What is said of files beside the page, with their paths from there; none where none is."""
+
+    said: str
+    paths: Sequence[str] = ()
+
+
 def short(value: float) -> str:
     """Return a number with four digits."""
     return as_text(value, ".4g")
+
+
+def beside(one: Beside) -> str:
+    """Return what is said of files, with links to them."""
+    links = ", ".join(f'<a href="{quote(path)}">{escape(path)}</a>' for path in one.paths)
+    return f"{links}{': ' if links else ''}{escape(one.said)}"
 
 
 def table(caption: str, heading: Sequence[str], rows: Iterable[tuple[bool, Sequence[Cell]]]) -> str:
     """Return a table; a row comes with whether it is to be marked as broken."""
     head = "".join(f'<th scope="col">{escape(name)}</th>' for name in heading)
     body = "".join(
-        f"<tr{_BROKEN if broken else ''}>{''.join(_cell(cell, n) for n, cell in enumerate(row))}"
-        "</tr>\n"
+        f"<tr{_BROKEN if broken else ''}>"
+        f"{''.join(_cell(cell, n, heading[n]) for n, cell in enumerate(row))}</tr>\n"
         for broken, row in rows
     )
     return wide_table(caption, head, body)
@@ -54,10 +68,12 @@ def picture(content: bytes, mime: str, words: str) -> str:
 _BROKEN = ' class="broken"'
 
 
-def _cell(cell: Cell, column: int) -> str:
+def _cell(cell: Cell, column: int, head: str) -> str:
+    """Return a cell; on a narrow page it stands in a line of its own, beside its heading."""
+    named = f' data-head="{escape(head)}"'
     if isinstance(cell, Opened):
-        return f'<td class="number">{opened(cell)}</td>'
+        return f'<td class="number"{named}>{opened(cell)}</td>'
     if isinstance(cell, float):
-        return f'<td class="number">{short(cell)}</td>'
-    tag, scope = ("th", ' scope="row"') if column == 0 else ("td", "")
-    return f"<{tag}{scope}>{escape(cell)}</{tag}>"
+        return f'<td class="number"{named}>{short(cell)}</td>'
+    tag, of_it = ("td", named) if column else ("th", ' scope="row"')
+    return f"<{tag}{of_it}>{escape(cell)}</{tag}>"

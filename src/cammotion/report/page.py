@@ -7,12 +7,22 @@ from pathlib import Path
 
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.motions import Motion
 from cammotion.own import Machine
 from cammotion.quantities import rate_as_text
 from cammotion.report.bound import bound_said, free_parts, one_height_said, stays_most
 from cammotion.report.findings import Findings
 from cammotion.report.live import live_figure
-from cammotion.report.markup import Cell, Opened, opened, paragraph, short, table
+from cammotion.report.markup import (
+    Beside,
+    Cell,
+    Opened,
+    beside,
+    opened,
+    paragraph,
+    short,
+    table,
+)
 from cammotion.report.numbers import of_peak, of_rate, of_velocity
 from cammotion.report.pictures import moving, timing
 from cammotion.rules.clearance import ClearanceRule
@@ -21,16 +31,20 @@ from cammotion.rules.rule import Clearance, Rule
 from cammotion.views.whole_page import whole_page
 
 _STYLE = Path(__file__).with_name("page.css")
+_ORDER = (
+    "First comes what mends a broken rule, then what makes the machine's largest peak smaller, "
+    "then what takes most from the peak of its own mechanism. Each change is computed and checked."
+)
 _NOTHING = 2e-7  # of the ways in a rule, that is left where it is just kept
 
 
-def write_page(found: Findings, made: date, files: Sequence[str]) -> str:
+def write_page(found: Findings, made: date, files: Sequence[Beside]) -> str:
     """Return the page as HTML; `made` is the day that stands on it, `files` are beside it."""
     machine = found.machine
     sections = (
         ("The machine in motion", moving(found)),
         ("The timing diagram", timing(found)),
-        ("Rules", _rules(found)),
+        ("Rules", rules_of(found)),
         ("Mechanisms", _mechanisms(found)),
         ("What to change first", _ranking(found)),
         ("The design, and what no design can be below", _design(found)),
@@ -74,7 +88,8 @@ def _summary(found: Findings) -> str:
     return "".join(said)
 
 
-def _rules(found: Findings) -> str:
+def rules_of(found: Findings) -> str:
+    """Return what each rule leaves, today and in the design, and what is to be known of it."""
     machine = found.machine
     if not machine.rules:
         return paragraph("The table has no rules.")
@@ -83,7 +98,7 @@ def _rules(found: Findings) -> str:
     both = zip(machine.rules, machine.clearances, found.improved.clearances, strict=True)
     for rule, now, then in both:
         left = reserve[rule]
-        whence = f"{left}. The reserve is the smaller one of early and late; see reserves()."
+        whence = f"{left}. The reserve is the smaller one of early and late."
         cells: list[Cell] = [str(rule), _clearance(machine, rule, now)]
         cells.append(Opened(short(left.deg), whence))
         if found.best:
@@ -131,13 +146,15 @@ def _clearance(machine: Machine, rule: Rule, one: Clearance) -> Opened | str:
     if one.angle_deg is None:
         return "never in the way"
     at = one.angle_deg % DEG_PER_TURN
-    there = " and ".join(
-        f"the {name} is at {float(machine.diagram[name].offset_mm(at)):.4g} mm"
-        for name in rule.motions
-    )
-    whence = f"Least at {at:.5g} deg: there {there} (of a turret: from its stop). {_meant(rule)}"
+    there = " and ".join(_place(machine.diagram[name], at) for name in rule.motions)
+    whence = f"Least at {at:.5g} deg: there {there}. {_meant(rule)}"
     value = 0.0 if abs(one.clearance_mm) < _nothing_mm(machine, rule) else one.clearance_mm
     return Opened(short(value), whence)
+
+
+def _place(motion: Motion, angle_deg: float) -> str:
+    from_what = " from its stop" if motion.is_indexing else ""
+    return f"the {motion.name} is at {float(motion.offset_mm(angle_deg)):.4g} mm{from_what}"
 
 
 def _nothing_mm(machine: Machine, rule: Rule) -> float:
@@ -203,8 +220,8 @@ def _ranking(found: Findings) -> str:
         "largest of the machine then, m/s²",
         "rate at today's largest peak, pieces/h",
     ]
-    caption = "One change at a time, all else as it is; each is computed and checked"
-    notes = map(paragraph, (found.ranking.hardest, *found.ranking.notes))
+    caption = "One change at a time, all else as it is"
+    notes = map(paragraph, (found.ranking.hardest, _ORDER, *found.ranking.notes))
     return f"{''.join(notes)}{table(caption, heading, rows)}"
 
 
@@ -233,8 +250,8 @@ def _design(found: Findings) -> str:
     return "".join(parts)
 
 
-def _files(files: Sequence[str]) -> str:
-    return f"<ul>{''.join(f'<li>{escape(name)}</li>' for name in files)}</ul>\n"
+def _files(files: Sequence[Beside]) -> str:
+    return f"<ul>{''.join(f'<li>{beside(one)}</li>' for one in files)}</ul>\n"
 
 
 def _method(found: Findings) -> str:

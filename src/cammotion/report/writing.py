@@ -21,12 +21,17 @@ from cammotion.hardware.roller_cam import RollerCam
 from cammotion.own import Machine
 from cammotion.quantities import InputError, Quantity, WrongAnswerError, shorten
 from cammotion.report.findings import Findings, Progress, find_all
+from cammotion.report.markup import Beside
 from cammotion.report.page import write_page
 from cammotion.report.sheets import sheets_of
 
 PAGE, BOOK, TABLES, CODESYS, DXF = "report.html", "tables.xlsx", "cam tables", "codesys", "dxf"
 ROLLER_MM, PRESSURE_DEG, MARGIN = 10.0, 30.0, 1.02
 
+_INDEXES = (
+    "it goes on by a pitch in each turn, and the follower of a disc cam comes back; a turret has "
+    "an indexing cam"
+)
 _SECONDS = Quantity("time for the bound", "s", example=20)
 _WRITING = 0.85
 _MOST = 1000
@@ -85,7 +90,7 @@ def write_report(
     found = find_all(machine, limit, tell)
     tell(_WRITING, "writing")
     with _part(place) as part:
-        files = [PAGE, BOOK, *_write_tables(found, part)]
+        files = [_book(found), *_write_tables(found, part)]
         files += _write_cams(found, part) if dxf else []
         write_new(part / BOOK, sheets_as_xlsx(sheets_of(found)))
         write_new(part / PAGE, write_page(found, date.today(), files))
@@ -98,32 +103,49 @@ def _silent(_: float, __: str) -> None:
     """Tell nobody."""
 
 
-def _write_tables(found: Findings, part: Path) -> list[str]:
-    for name, form in ((TABLES, "plain"), (CODESYS, "codesys")):
+def _book(found: Findings) -> Beside:
+    both = " and of the design" if found.best else ""
+    said = f"of today's machine{both}: its table, peaks and clearances, and the cam tables"
+    return Beside(said, [BOOK])
+
+
+def _whose(found: Findings) -> str:
+    """Return in words whose cams are written."""
+    return "of the design, not of today's machine" if found.best else "of today's machine"
+
+
+def _write_tables(found: Findings, part: Path) -> list[Beside]:
+    said = []
+    for name, form, how in (
+        (TABLES, "plain", "CSV with semicolons, each degree"),
+        (CODESYS, "codesys", "as CODESYS SoftMotion imports it"),
+    ):
         (part / name).mkdir()
-        write_cam_tables(found.design, part / name, step_deg=1, form=form)
-    return [
-        f"{TABLES}: position over cam angle of each mechanism, CSV with semicolons, each degree",
-        f"{CODESYS}: the same as CODESYS SoftMotion imports it",
-    ]
+        paths = write_cam_tables(found.design, part / name, step_deg=1, form=form)
+        files = [path.relative_to(part).as_posix() for path in paths.values()]
+        said.append(Beside(f"{_whose(found)}: position over cam angle, {how}", files))
+    return said
 
 
-def _write_cams(found: Findings, part: Path) -> list[str]:
+def _write_cams(found: Findings, part: Path) -> list[Beside]:
     """Write a disc cam of each mechanism that comes back; return what was written, and what not."""
     (part / DXF).mkdir()
     said = []
     roller = TranslatingRoller(ROLLER_MM)
     for number, motion in enumerate(found.design.motions, 1):
         if motion.is_indexing or not motion.moves:
+            why = _INDEXES if motion.is_indexing else "it stands all the turn"
+            said.append(Beside(f"no DXF of the {motion.name}: {why}"))
             continue
-        file = f"{number} {next(stems([motion.name]))}.dxf"
+        file = f"{DXF}/{number} {next(stems([motion.name]))}.dxf"
         try:
             least = smallest_prime_radius(motion, roller, pressure_angle_deg=PRESSURE_DEG)
             radius = max(MARGIN * least, 2 * ROLLER_MM)
-            write_cam(RollerCam(motion, roller, prime_radius_mm=radius), part / DXF / file)
-            said.append(f"{DXF}/{file}: prime circle of {radius:.4g} mm, roller of {ROLLER_MM:g}")
+            write_cam(RollerCam(motion, roller, prime_radius_mm=radius), part / file)
+            what = f"radius of the prime circle {radius:.4g} mm, of the roller {ROLLER_MM:g} mm"
+            said.append(Beside(f"{_whose(found)}: disc cam, {what}", [file]))
         except (InputError, WrongAnswerError) as wrong:
-            said.append(f"no DXF of the {motion.name}: {wrong}")
+            said.append(Beside(f"no DXF of the {motion.name}: {wrong}"))
     return said
 
 
