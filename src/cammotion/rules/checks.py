@@ -5,7 +5,7 @@ All kinds of rules are asked alike.
 
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, TypeGuard
 
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.quantities import InputError, listed, shorten
@@ -80,7 +80,7 @@ def _as_spelled(diagram: TimingDiagram, rule: Rule) -> Rule:
     return rule if all(name == own for name, own in called.items()) else rule.renamed(called)
 
 
-def has_limits(rule: Rule) -> bool:
+def has_limits(rule: Rule) -> TypeGuard[ClearanceRule]:
     """Tell whether a rule is a clearance rule with a limit in mm of each motion."""
     return isinstance(rule, ClearanceRule) and in_mm(rule)
 
@@ -92,7 +92,7 @@ def as_rules(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tuple[Clea
     """
     found = []
     for rule in every_rule(diagram, rules):
-        if not (isinstance(rule, ClearanceRule) and has_limits(rule)):
+        if not has_limits(rule):
             raise InputError(
                 f"The rule '{rule}' is one of those that are not covered here: say it by beyond "
                 "and within if you can, like 'the die may be beyond 19 mm only while the mill is "
