@@ -72,6 +72,12 @@ def test_the_balanced_cycloids_are_above_it() -> None:
     assert max(peaks) > both().reached > both().bound
 
 
+def test_where_no_motions_were_found_yet_all_may_be_better() -> None:
+    found = replace(both(), design=None)
+    assert (found.reached, found.gap) == (math.inf, 1)
+    assert repr(found).startswith("No motions were found yet; no motions of mill and die can")
+
+
 def test_it_says_so_with_its_conditions() -> None:
     lines = repr(both()).splitlines()
     assert len(lines) > 1  # a notebook would break a longer one within its words
