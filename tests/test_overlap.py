@@ -696,6 +696,22 @@ def test_no_rule_is_broken_by_nothing_and_leaves_the_widest_move() -> None:
     assert free.angle_deg > cm.widest_move(make_diagram(), "die", RULE).angle_deg
 
 
+@pytest.mark.parametrize(
+    ("limits_mm", "why"),
+    [((60, 0.65), "the die is never beyond 60 mm"), ((19, 60), "the mill is always within 60 mm")],
+)
+def test_a_rule_that_nothing_can_break_is_said_to_be_one(
+    limits_mm: tuple[float, float], why: str
+) -> None:
+    rule = ClearanceRule(beyond("die", limits_mm[0]), within("mill", limits_mm[1]))
+    found = cm.widest_move(make_diagram(), "die", [RULE, rule])
+    assert found.idle == (why,)
+    assert repr(found).endswith(f"; a rule that nothing can break: {why})")
+    shown = cm.animate(make_diagram(), rules=rule)
+    assert f"; rule kept: {why})" in shown.description
+    assert cm.widest_move(make_diagram(), "die", RULE).idle == ()
+
+
 @pytest.mark.parametrize("question", QUESTIONS[:3])
 @pytest.mark.parametrize("diagram", [None, 3, make_die()], ids=["None", "3", "a motion"])
 def test_rules_are_for_a_diagram(question: Callable[..., object], diagram: object) -> None:

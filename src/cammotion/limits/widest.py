@@ -37,7 +37,8 @@ class WidestMove:
     are the indexing angles Bm of its moves. `tight` is the clearance that is used up; it is None
     where nothing but the turn of 360 deg sets the bound, and where a reserve was asked for it is
     what is left. `elsewhere` are violations of rules in which the motion has no part: no move of it
-    can mend them, and none is to blame for them.
+    can mend them, and none is to blame for them. `idle` says of each rule that nothing can break
+    why that is so, like "the die is never beyond 60 mm": see whether its limit is what was meant.
     """
 
     diagram: TimingDiagram
@@ -45,11 +46,13 @@ class WidestMove:
     angles_deg: tuple[float, ...]
     tight: Clearance | None
     elsewhere: tuple[Violation, ...] = ()
+    idle: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         angles = " and ".join(f"{angle:.4g}" for angle in dict.fromkeys(self.angles_deg))
         name, peak = shorten(self.mechanism, of=str), as_text(self.peak_acceleration, ".4g")
-        return f"WidestMove(the {name} over {angles} deg, {peak} m/s²)"
+        idle = "".join(f"; a rule that nothing can break: {why}" for why in self.idle)
+        return f"WidestMove(the {name} over {angles} deg, {peak} m/s²{idle})"
 
     @property
     def angle_deg(self) -> float:
@@ -86,12 +89,12 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
     widest pairs the one with the smallest peak velocity); with `each_way=False` both get one, even
     if that is harder. Of each rule `reserve_deg` and `reserve_mm` are kept in hand: however much of
     the one the motion is early or late, a clearance of the other is left. What is broken
-    `elsewhere`, by others alone, is listed in the answer. With a `DistanceRule` both get one angle,
-    and laws that do not turn back. The answer is checked before it is returned: no rule is broken,
-    what stood still stands where it did, and no single angle that is a thousandth of a degree wider
-    is free. Raises InputError if no move keeps the rules, for a motion of another build or one
-    whose moves hand over a velocity, for a reserve below 0, and for what are no rules of this
-    diagram.
+    `elsewhere`, by others alone, is listed in the answer, and why a rule is `idle`. With a
+    `DistanceRule` both get one angle, and laws that do not turn back. The answer is checked before
+    it is returned: no rule is broken, what stood still stands where it did, and no single angle
+    that is a thousandth of a degree wider is free. Raises InputError if no move keeps the rules,
+    for a motion of another build or one whose moves hand over a velocity, for a reserve below 0,
+    and for what are no rules of this diagram.
 
     >>> import cammotion as cm
     >>> found = widest_move(cm.EXAMPLE.diagram, "die", cm.EXAMPLE.rule)
@@ -115,7 +118,8 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
             tight = _tight(wider, frame.met(events, angles), dict(zip(own, touching, strict=True)))
             others = [rule for rule in given if rule not in touching]
             elsewhere = find_violations(diagram, others)
-            return WidestMove(wider, motion, angles, tight, elsewhere)
+            idle = tuple(filter(None, (rule.idle(wider) for rule in given)))
+            return WidestMove(wider, motion, angles, tight, elsewhere, idle)
     narrow = diagram.with_motion(frame.with_angles([NARROW_DEG] * len(frame.anchors)))
     broken = "; ".join(map(str, find_violations(narrow, own)))
     reserve = f" with {deg:g} deg and {mm:g} mm to spare" if own != touching else ""

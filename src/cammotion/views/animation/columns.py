@@ -98,14 +98,19 @@ class Design:
 
     @property
     def verdict(self) -> str:
-        """Whether and where a rule is broken, the longest arc first; nothing without a rule."""
+        """Whether and where a rule is broken, the longest arc first; nothing without a rule.
+
+        Of one that nothing can break it says why.
+        """
         arcs_in_words = [
             f"{start:.4g} to {end % DEG_PER_TURN or DEG_PER_TURN:.4g}°"
             for start, end in sorted(unwrap(self._broken), key=_longest_first)
         ]
         if arcs_in_words:
             return f"{_BROKEN} from {' and from '.join(arcs_in_words)}"
-        return ("", "rule kept", "rules kept")[min(len(self.rules), 2)]
+        kept = ("", "rule kept", "rules kept")[min(len(self.rules), 2)]
+        idle = " and ".join(filter(None, (rule.idle(self.diagram) for rule in self.rules)))
+        return f"{kept}: {idle}" if idle else kept
 
     def short_verdict(self, room: float) -> str:
         """Return the verdict in so many px: over how much of a turn, where not all arcs fit."""
