@@ -48,7 +48,7 @@ def turn_on_screen(turn_s: float) -> Shows:
 
     def show(machine: MillAndDie, factor: float) -> Shown:
         made = math.sqrt(factor) * float(cycle_time(machine.rate_per_hour))
-        about = f"about {float(f'{made:.1g}'):g} s"
+        about = f"about {_told_from(turn_s, made)} s"
         said = _compare(
             made,
             turn_s,
@@ -63,6 +63,12 @@ def turn_on_screen(turn_s: float) -> Shows:
         )
 
     return show
+
+
+def _told_from(asked: float, made: float) -> str:
+    """Return a number in two digits, or in as many as tell it from the one that is asked for."""
+    rounded = (float(f"{made:.{digits}g}") for digits in range(2, 10))
+    return f"{next((number for number in rounded if number != asked), made):.9g}"
 
 
 def turn_by_play(asked_deg: Measure, radius_mm: Measure) -> Shows:
