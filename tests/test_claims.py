@@ -33,6 +33,21 @@ def test_the_force_that_holds_an_upright_die() -> None:
     assert says("02", "24 percent, not by 80")
 
 
+def test_what_the_margin_of_a_millimetre_is_worth_in_degrees() -> None:
+    """The mill may be so late that it comes to 0.65 mm when the tip comes to the rim."""
+    widest = cm.widest_move(cm.EXAMPLE.diagram, "die", _deep(19)).diagram
+    (reserve,) = cm.reserves(widest, [_deep(20)])
+    assert reserve.deg == pytest.approx(1.3, abs=0.05)
+    rim = brentq(lambda at: widest.position_mm("die", at) - 20, 130, 140)
+    assert widest["mill"].offset_mm(rim - 1.5) == pytest.approx(0.68, abs=0.005)
+    assert says("03", "a millimetre bears a mill that is 1.3 degrees late")
+    assert says("03", "the mill still has 0.68 mm to go")
+
+
+def _deep(limit_mm: float) -> cm.ClearanceRule:
+    return cm.ClearanceRule(cm.beyond("die", limit_mm), only_while=cm.within("mill", 0.65))
+
+
 def test_a_wider_angle_makes_another_cam_under_the_same_roller() -> None:
     """Where the die is set off the cam of 55 deg is hollow, and that of 124.8 deg is not."""
     x, g = 0.25, 9.80665

@@ -1,7 +1,9 @@
-"""What notebook 07 says of its numbers, by paper and by rolling, without the package's cams."""
+"""What notebook 07 says of its numbers, by paper and by rolling; the package's cam is rolled."""
 
+import json
 import math
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -9,8 +11,9 @@ from known_slips import law, widest
 from machines import Array
 from rolling import roller_height
 from scipy.optimize import brentq, minimize_scalar
-from test_claims import says
+from test_claims import LESSONS, says
 
+import cammotion as cm
 from cammotion.teaching.example import EXAMPLE
 
 STROKE, ROLLER, PRIME = 50, 10, 60
@@ -62,6 +65,22 @@ def test_prime_circles() -> None:
     assert says("07", "58 % of what drives it")
 
 
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [("60, 10", "100, 30"), ("over_deg=55)", 'over_deg=55, law="constant acceleration")')],
+)
+def test_the_cells_hold_for_another_roller_and_for_a_law_that_jumps(
+    said: str, instead: str
+) -> None:
+    (path,) = LESSONS.glob("07_*.ipynb")
+    cells = {cell["id"]: "".join(cell["source"]) for cell in json.loads(path.read_text())["cells"]}
+    given = {"steel_guess": Mock()}
+    assert said in cells["setup-imports"]
+    exec(cells["setup-imports"].replace(said, instead), given)  # noqa: S102 - our own
+    for name in ("envelope-lines", "steel-primes"):
+        exec(cells[name], given)  # noqa: S102 - our own
+
+
 def test_the_flat_face_of_the_die_needs_a_large_base_circle() -> None:
     rad = math.radians(BEFORE)
 
@@ -77,24 +96,44 @@ def test_the_flat_face_of_the_die_needs_a_large_base_circle() -> None:
 def test_the_spring() -> None:
     """12 kg, 0.5 N/mm: the least force over x, and the rate at which 40 N are used up."""
 
-    def least(wide: float, rate: float, preload: float) -> float:
+    def least(wide: float, rate: float, preload: float, weight: float = 0) -> float:
         tm = wide / 360 * 3600 / rate
 
         def force(x: float) -> float:
             a = 2 * math.pi * STROKE / 1000 / tm**2 * math.sin(2 * math.pi * x)
-            return 12 * a + 0.5 * STROKE * law(x) + preload
+            return 12 * a + 0.5 * STROKE * law(x) + preload - weight
 
-        return float(minimize_scalar(force, bounds=(0.5, 1), method="bounded").fun)
+        inside = float(minimize_scalar(force, bounds=(0.5, 1), method="bounded").fun)
+        return min(inside, preload - weight)  # at the lowest position
 
     assert least(BEFORE, 2000, 0) == pytest.approx(-27.3, abs=0.05)
-    assert least(AFTER, 2000, 0) > 0
+    assert least(AFTER, 2000, 0) == 0
+    assert least(BEFORE, 2000, 0, 12 * 9.80665) == pytest.approx(-145, abs=0.05)
+    assert least(AFTER, 2000, 0, 12 * 9.80665) == pytest.approx(-117.7, abs=0.05)
     for wide, rate in ((BEFORE, 2241), (AFTER, 5087)):
         leaves = brentq(lambda n, wide=wide: least(wide, n, 40), 1000, 9000)
         assert leaves == pytest.approx(rate, abs=0.6)
         assert says("07", f"{rate}")
     assert says("07", "27.3 N are missing")
     assert pytest.approx(118, abs=0.5) == 12 * 9.80665
-    assert says("07", "118 N more")
+    assert says("07", "`weight_N=-118` puts that in")
+    assert says("07", "145 with the weight of our die")
+    assert says("07", "from 145 N to 118, or moving level from 27 to none")
+    load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=0.5, weight_N=-118)
+    assert load.least_force(cm.EXAMPLE.die, 2000).value == pytest.approx(-145.3, abs=0.05)
+
+
+def test_an_offset_above_zero_lies_on_the_left_and_asks_for_175_mm() -> None:
+    """Rolled under a slide 10 mm left of the axis and 10 mm right of it, the cam turning right."""
+    roller = cm.TranslatingRoller(ROLLER, offset_mm=10)
+    assert 174 < cm.smallest_prime_radius(cm.EXAMPLE.die, roller) < 175
+    x, y = cm.RollerCam(cm.EXAMPLE.die, roller, 175).profile_mm(np.linspace(0, 360, 36_001)).T
+    outline, low = np.asarray(x + 1j * y, np.complex128), math.sqrt(175**2 - 10**2)
+    left, right = (roller_height(outline, 180, ROLLER, side) - low for side in (-10, 10))
+    assert left == pytest.approx(float(cm.EXAMPLE.die.position_mm(180)), abs=1e-3)
+    assert abs(right - left) > 1
+    assert says("07", "above zero to its left")
+    assert says("07", "the prime circle has to be 175")
 
 
 def test_an_error_of_the_outline_lifts_by_more() -> None:
