@@ -443,6 +443,10 @@ def test_saving_never_overwrites_unasked(tmp_path: Path) -> None:
         animation.save(tmp_path / "nowhere" / "machine.svg")
     with pytest.raises(cm.InputError, match="The path of the file is None: give one"):
         animation.save(None)  # type: ignore[arg-type]
+    for name in ("a.gif", "a.mp4", "a.png", "a.html", "a"):
+        for picture in (animation, animation.still(0)):
+            with pytest.raises(cm.InputError, match=rf" {name}: let its name end in .svg"):
+                picture.save(tmp_path / name)
 
 
 SLOWER = cm.TimingDiagram([MILL, DIE], rate_per_hour=1800)

@@ -74,6 +74,8 @@ def test_a_segment_takes_any_angle_up_to_a_turn(angle: float) -> None:
         for wrong in (-angle, 0, 360.001):
             with pytest.raises(cm.InputError, match=r"^The angle of a segment is"):
                 make(wrong)
+        with pytest.raises(cm.InputError, match="is 0 deg; leave it out"):
+            make(0)
 
 
 def test_a_dwell_stands_still() -> None:

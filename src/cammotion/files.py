@@ -4,7 +4,7 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
@@ -144,6 +144,24 @@ def read_bytes(path: str | Path, *, at_most: int | None = None) -> bytes:
             "this kind needs: give the table alone."
         )
     return content
+
+
+def ending(path: Any, of: str, among: Sequence[str]) -> str:
+    """Return the ending of a file's name in small letters; raise InputError for another one.
+
+    `of` says what the file is of.
+
+    >>> ending("chart.PDF", "chart", [".pdf", ".svg"])
+    '.pdf'
+    """
+    found = as_path(path).suffix.lower()
+    if found in among:
+        return found
+    *others, last = among
+    asked = f"{', '.join(others)} or {last}" if others else last
+    raise InputError(
+        f"The file of the {of} is called {_name(as_path(path))}: let its name end in {asked}."
+    )
 
 
 def is_folder(path: Path) -> bool:

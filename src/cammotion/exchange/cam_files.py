@@ -13,14 +13,14 @@ from ezdxf import units
 from ezdxf.filemanagement import new as new_drawing
 
 from cammotion.arguments import checked
-from cammotion.files import write_new
+from cammotion.files import ending, write_new
 from cammotion.hardware.disc_cam import DiscCam
 from cammotion.hardware.drawing import Stroke, strokes
 from cammotion.hardware.flat_faced_cam import FlatFacedCam
 from cammotion.hardware.outline import TOLERANCE, chords_along
 from cammotion.hardware.prime_circle import smallest_base_radius, smallest_prime_radius
 from cammotion.hardware.roller_cam import RollerCam
-from cammotion.quantities import Floats, InputError, shorten
+from cammotion.quantities import Floats, InputError
 
 _COLOURS = {  # of each layer: AutoCAD's number, and what SVG writes
     "PROFILE": (7, "black"),
@@ -72,12 +72,7 @@ def write_cam(  # noqa: PLR0913 - what a workshop may ask for
     0.0,0.0,150.0,0.0,160.0
     """
     tolerance = TOLERANCE.number(tolerance_mm)
-    kind = Path(path).suffix.lower() if isinstance(path, str | Path) else ""
-    if kind not in {*_DRAWINGS, *_TABLES}:
-        raise InputError(
-            f"The file of the cam is called {shorten(str(path))}: let its name end in .dxf, .svg, "
-            ".csv or .txt."
-        )
+    kind = ending(path, "cam", [*_DRAWINGS, *_TABLES])
     is_bored = bore_mm is not None or keyway_mm is not None
     _check_wishes(cam, kind, groove=groove, bore=is_bored)
     if not undercut:

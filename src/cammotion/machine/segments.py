@@ -28,6 +28,8 @@ def part_angle(angle_deg: float) -> float:
             f"The angle of a segment is {angle:g} deg, and a turn of the cam is 360: give at most "
             f"that, or {angle / 2:.12g} if you count the 720 deg of a crankshaft."
         )
+    if angle == 0:
+        raise InputError("The angle of a segment is 0 deg; leave it out, or give for example 55.")
     return PART_ANGLE.number(angle)
 
 
@@ -51,13 +53,8 @@ class Segment:
     law: str | MotionLaw | None = None
 
     def __post_init__(self) -> None:
-        keep_numbers(
-            self,
-            from_deg=CAM_ANGLE.number,
-            from_mm=POSITION.number,
-            to_deg=CAM_ANGLE.number,
-            to_mm=POSITION.number,
-        )
+        keep_numbers(self, from_deg=CAM_ANGLE.number, from_mm=POSITION.number)
+        keep_numbers(self, to_deg=CAM_ANGLE.number, to_mm=POSITION.number)
         span = f"from {self.from_deg:.12g} to {self.to_deg:.12g} deg"
         if self.angle_deg < 0:
             later = self.from_deg + (self.angle_deg % DEG_PER_TURN or DEG_PER_TURN)

@@ -14,11 +14,11 @@ import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from cammotion.arguments import checked
-from cammotion.files import as_path, write_new
+from cammotion.files import ending, write_new
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import arc_mm
 from cammotion.measured.inch import MM_PER_INCH
-from cammotion.quantities import InputError, one_of, shorten
+from cammotion.quantities import one_of
 from cammotion.rules.checks import every_rule, find_clearances, find_violations
 from cammotion.rules.rule import Rule
 from cammotion.views.chart_lanes import (
@@ -79,12 +79,7 @@ def write_chart(  # noqa: PLR0913 - what a page may have is given by name
     ...     page.read_bytes()[:5]
     b'%PDF-'
     """
-    suffix = as_path(path).suffix.lower()
-    if suffix not in _KINDS:
-        raise InputError(
-            f"The file of the chart is called {shorten(str(path))}: let its name end in .pdf, .svg "
-            "or .png."
-        )
+    suffix = ending(path, "chart", [*_KINDS])
     width = PAPERS[one_of("paper", paper, PAPERS)]
     given = every_rule(diagram, rules)
     radii = _radii(diagram, radius_mm or {})

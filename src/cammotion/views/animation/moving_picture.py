@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from pathlib import Path
 from typing import Any
 
-from cammotion.files import write_new
+from cammotion.files import ending, write_new
 from cammotion.views.animation.player import Player
 from cammotion.views.animation.still import as_image
 
@@ -30,11 +30,12 @@ class MovingPicture(ABC):
         """How long a turn takes in the machine, in s."""
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
-        """Write the SVG to a file and return its path.
+        """Write the SVG to a file that ends in .svg and return its path.
 
         A file that is there already is left as it is, with an InputError, unless `overwrite` is
         True.
         """
+        ending(path, "picture", [".svg"])
         return write_new(path, self.svg, overwrite=overwrite)
 
     def player(self) -> Player:

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from cammotion.files import write_new
+from cammotion.files import ending, write_new
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.views.paper import STYLE
 from cammotion.views.scales import trimmed
@@ -30,11 +30,12 @@ class Still:
     description: str
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
-        """Write the SVG to a file and return its path.
+        """Write the SVG to a file that ends in .svg and return its path.
 
         A file that is there already is left as it is, with an InputError, unless `overwrite` is
         True.
         """
+        ending(path, "picture", [".svg"])
         return write_new(path, self.svg, overwrite=overwrite)
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:

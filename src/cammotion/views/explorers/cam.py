@@ -203,6 +203,7 @@ def _sentences(curves: _Curves, motion: Motion, mm: str) -> Iterator[Say]:
     most = _largest(curves.sharpness, motion)
     steepest = _largest(sp.Abs(curves.pressure_deg, evaluate=False), motion)
     numbers = {"radius": ROLLER / most, "roller": ROLLER, "times": 1 / most}
+    finer = f".{int(mm[1:-1]) + 1}g"  # a radius that is hardly too small looks so
     yield Say(
         f"NO CAM: the prime circle has a radius of {{prime:{mm}}} mm, and has to be larger than "
         f"the offset, {{offset:{mm}}} mm, and the roller, {{roller:{mm}}} mm",
@@ -211,7 +212,7 @@ def _sentences(curves: _Curves, motion: Motion, mm: str) -> Iterator[Say]:
         Say("pressure angle: up to {angle:.3g} deg", {"angle": steepest}),
     )
     yield Say(
-        f"UNDERCUT: at its sharpest the pitch curve has a radius of {{radius:{mm}}} mm, and the "
+        f"UNDERCUT: at its sharpest the pitch curve has a radius of {{radius:{finer}}} mm, and the "
         f"roller one of {{roller:{mm}}} mm",
         numbers,
         (_ROOM > 0) & (most > 1),

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 import traitlets
 
-from cammotion.files import write_new
+from cammotion.files import ending, write_new
 from cammotion.quantities import InputError, shorten
 from cammotion.views.live import page
 from cammotion.views.live.describe import Describer, Description
@@ -129,9 +129,11 @@ class LiveFigure(anywidget.AnyWidget):
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a page with the living figure, which needs neither kernel nor network.
 
-        It begins with the present settings. A file that is there already is left as it is, with an
-        InputError, unless `overwrite` is True. Returns the path.
+        The name of the file ends in .html. It begins with the present settings. A file that is
+        there already is left as it is, with an InputError, unless `overwrite` is True. Returns the
+        path.
         """
+        ending(path, "figure", [".html", ".htm"])
         return write_new(path, self.as_page(), overwrite=overwrite)
 
     def as_page(self) -> str:
