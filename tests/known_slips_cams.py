@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from known_slips import KnownSlip, die, law, law_in_degrees, peak, stroke
+from known_slips import KnownSlip, die, law, law_in_degrees, peak, stroke, time, with_lessons
 
 from cammotion.teaching.example import MillAndDie
 
@@ -58,13 +58,23 @@ def push(m: MillAndDie) -> float:
 
 
 def spring(m: MillAndDie) -> float:
-    """Return the stiffness of the question, to one digit."""
-    return float(f"{0.4 * push(m) / late(m):.0e}")
+    """Return the stiffness of the question, to one digit, which is not 1/2, 1 or 2."""
+    stiffness = float(f"{0.4 * push(m) / late(m):.0e}")
+    return {0.5: 0.45, 1: 0.9, 2: 1.8}.get(stiffness, stiffness)
 
 
 def needed(m: MillAndDie) -> float:
     """Return the prime circle for 30 deg at mid-stroke."""
     return 2 * mean(m) / TAN_30 - stroke(m) / 2
+
+
+def preload(m: MillAndDie, **instead: float) -> float:
+    """Return the preload, with a number in place of one of the question."""
+    own = {"mass": m.die_mass_kg, "way": stroke(m), "angle": die(m), "rate": m.rate_per_hour}
+    given = {**own, "k": spring(m), **instead}
+    tm = given["angle"] / 360 * 3600 / given["rate"]
+    pushed = given["mass"] * 2 * math.pi * given["way"] / 1000 / tm**2
+    return pushed - given["k"] * given["way"] * law(0.75)
 
 
 X = np.linspace(0, 1, 20_001)
@@ -139,6 +149,29 @@ SLIPS = [
     KnownSlip("07.1", "all over", steepest_all_over, "all over"),
     KnownSlip("07.1", "roller", lambda m: degrees(2 * mean(m), high(m) + 10), "roller's radius"),
     KnownSlip("07.1", "roller off", lambda m: degrees(2 * mean(m), high(m) - 10), "roller's rad"),
+    KnownSlip("07.1", "diameter", lambda m: degrees(2 * mean(m), prime(m) + high(m)), "diameter"),
+    KnownSlip(
+        "07.1", "less half", lambda m: degrees(2 * mean(m), prime(m) - stroke(m) / 2), "taken away"
+    ),
+    KnownSlip(
+        "07.1",
+        "the lesson's stroke",
+        with_lessons(lambda m: degrees(100 / rad(m), prime(m) + 25)),
+        "a number of the lesson",
+    ),
+    KnownSlip(
+        "07.1",
+        "the lesson's circle",
+        lambda m: degrees(2 * mean(m), 60 + stroke(m) / 2),
+        "a number of the lesson",
+    ),
+    KnownSlip(
+        "07.2", "2 pi", lambda m: 2 * math.pi * mean(m) / TAN_30 - stroke(m) / 2, "acceleration"
+    ),
+    KnownSlip(
+        "07.2", "cosine", lambda m: 4 * mean(m) / math.sqrt(3) - stroke(m) / 2, "by the cosine"
+    ),
+    KnownSlip("07.2", "mean alone", lambda m: mean(m) / TAN_30, "mean slope, stroke"),
     KnownSlip("07.2", "roller", lambda m: needed(m) + 10, "roller's radius"),
     KnownSlip("07.2", "roller off", lambda m: needed(m) - 10, "roller's radius"),
     KnownSlip("07.2", "to the axis", lambda m: 2 * mean(m) / TAN_30, "nearer"),
@@ -169,6 +202,8 @@ SLIPS = [
     KnownSlip("07.3", "two strokes", lambda m: 2 * stroke(m), "stroke"),
     KnownSlip("07.3", "2 pi", lambda m: 2 * math.pi * mean(m), "2 pi"),
     KnownSlip("07.3", "mean, one side", mean, "mean slope"),
+    KnownSlip("07.3", "second derivative", bend, "second derivative"),
+    KnownSlip("07.3", "second derivative, both", lambda m: 2 * bend(m), "second derivative"),
     KnownSlip("07.4", "no second", lambda m: base(m) + late(m), "second derivative"),
     KnownSlip("07.4", "plus", lambda m: base(m) + late(m) + bend(m), "brakes"),
     KnownSlip("07.4", "no displacement", lambda m: base(m) - bend(m), "displacement is missing"),
@@ -189,6 +224,39 @@ SLIPS = [
     ),
     KnownSlip("07.4", "lost sign", lambda m: base(m) + early(m) - bend(m), "sign of the sine"),
     KnownSlip("07.4", "x = 1/4", lambda m: base(m) + stroke(m) * law(0.25) - bend(m), "1/4"),
+    KnownSlip(
+        "07.4", "all at 1/4", lambda m: base(m) + stroke(m) * law(0.25) + bend(m), "at x = 1/4"
+    ),
+    KnownSlip("07.4", "half", lambda m: base(m) + stroke(m) / 2 - bend(m), "mid-stroke"),
+    KnownSlip("07.4", "no circle", lambda m: late(m) - bend(m), "base circle is missing"),
+    KnownSlip("07.4", "roller", lambda m: base(m) + late(m) - bend(m) - 10, "roller's radius"),
+    KnownSlip(
+        "07.4", "2 pi lost", lambda m: base(m) + late(m) - stroke(m) / rad(m) ** 2, "factor 2 pi"
+    ),
+    KnownSlip(
+        "07.4",
+        "no square",
+        lambda m: base(m) + late(m) - 2 * math.pi * stroke(m) / rad(m),
+        "squared",
+    ),
+    KnownSlip(
+        "07.4",
+        "per degree once",
+        lambda m: base(m) + late(m) - 2 * math.pi * stroke(m) / rad(m) / die(m),
+        "square the angle",
+    ),
+    KnownSlip(
+        "07.4",
+        "the lesson's stroke",
+        with_lessons(lambda m: base(m) + 50 * law(0.75) - 100 * math.pi / rad(m) ** 2),
+        "a number of the lesson",
+    ),
+    KnownSlip(
+        "07.4",
+        "the lesson's angle",
+        with_lessons(lambda m: base(m) + late(m) - 2 * math.pi * stroke(m) / math.radians(55) ** 2),
+        "a number of the lesson",
+    ),
     KnownSlip("07.5", "no spring", push, "whole force"),
     KnownSlip("07.5", "added", lambda m: push(m) + spring(m) * late(m), "added"),
     KnownSlip("07.5", "whole", lambda m: push(m) - spring(m) * stroke(m), "whole stroke"),
@@ -216,6 +284,29 @@ SLIPS = [
         "less weight",
         lambda m: push(m) - spring(m) * late(m) - 9.80665 * m.die_mass_kg,
         "weight",
+    ),
+    KnownSlip("07.5", "less 9.81 m", lambda m: preload(m) - 9.81 * m.die_mass_kg, "weight"),
+    KnownSlip("07.5", "less 10 m", lambda m: preload(m) - 10 * m.die_mass_kg, "weight"),
+    KnownSlip("07.5", "no stiffness", lambda m: preload(m, k=1), "stiffness of the spring is miss"),
+    KnownSlip("07.5", "the way", lambda m: preload(m) / spring(m), "by how many mm"),
+    KnownSlip(
+        "07.5", "2 pi lost", lambda m: push(m) / 2 / math.pi - spring(m) * late(m), "factor 2 pi"
+    ),
+    KnownSlip(
+        "07.5",
+        "no square",
+        lambda m: push(m) * time(m, die(m)) - spring(m) * late(m),
+        "squared",
+    ),
+    *(
+        KnownSlip("07.5", f"the lesson's {name}", with_lessons(answer), "a number of the lesson")
+        for name, answer in {
+            "mass": lambda m: preload(m, mass=12),
+            "stroke": lambda m: preload(m, way=50),
+            "angle": lambda m: preload(m, angle=55),
+            "rate": lambda m: preload(m, rate=2000),
+            "spring": lambda m: preload(m, k=0.5),
+        }.items()
     ),
     KnownSlip(
         "07.5",

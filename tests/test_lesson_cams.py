@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from typing import Any
 from unittest.mock import Mock
 
@@ -15,6 +16,8 @@ from test_claims import LESSONS, says
 
 import cammotion as cm
 from cammotion.teaching.example import EXAMPLE
+from cammotion.teaching.lessons import EXERCISES
+from cammotion.teaching.variants import machine_for
 
 STROKE, ROLLER, PRIME = 50, 10, 60
 BEFORE, AFTER = 55.0, widest(EXAMPLE)
@@ -134,6 +137,12 @@ def test_an_offset_above_zero_lies_on_the_left_and_asks_for_175_mm() -> None:
     assert abs(right - left) > 1
     assert says("07", "above zero to its left")
     assert says("07", "the prime circle has to be 175")
+
+
+def test_no_learner_gets_a_spring_that_hides_a_slip() -> None:
+    """With 1 N/mm a stiffness may be forgotten, with 2 or 1/2 an answer in mm looks like a half."""
+    asked = [EXERCISES["07.5"].question(machine_for(who)) for who in range(60)]
+    assert not [text for text in asked if re.search(r"\b(1|2|0\.5) N/mm", text)]
 
 
 def test_an_error_of_the_outline_lifts_by_more() -> None:

@@ -9,9 +9,11 @@ from cammotion.machine.kinematics import (
     DEG_PER_TURN,
     MINUTES_PER_HOUR,
     STANDARD_GRAVITY,
+    indexing_time,
     peak_acceleration,
 )
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.copied import with_one_of_the_lesson
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, law_in_degrees
 from cammotion.teaching.number_exercise import NumberExercise
@@ -20,6 +22,8 @@ from cammotion.teaching.shown.cams import face_under_contact, push_at_mid_stroke
 
 STEEPEST_DEG = 30
 ROLLER_MM = 10  # that of the lesson
+_PRIME_MM, _BASE_MM, _STIFFNESS = 60, 296, 0.5  # of the lesson, in mm and N/mm
+_UNSEEN = (0.5, 1.0, 2.0)  # N/mm, for which forgotten or one too many is right, or another reason
 HARDEST = 3 / 4  # x at which the cycloid brakes hardest
 
 PER_DEG = (
@@ -38,6 +42,11 @@ _ROLLER = (
     "the radius is not in it."
 )
 _WEIGHT = "The weight was counted. The die moves level: it neither presses nor pulls."
+_G = (STANDARD_GRAVITY, 9.81, 10)  # m/s², as one reckons with it
+_BEND = (
+    "This slope is the second derivative, 2 pi times the stroke over the square of the angle. How "
+    "far the contact goes aside is the first one, twice the stroke over the angle."
+)
 _LAW = LAWS["cycloidal"]
 
 
@@ -63,7 +72,11 @@ def _hardest_mm(m: MillAndDie) -> float:
 
 def _bend(m: MillAndDie) -> float:
     """Return the largest second derivative in mm/rad²."""
-    return 2 * math.pi * m.stroke_mm / _angle(m) ** 2
+    return _bend_over(m.stroke_mm, m.die_angle_deg)
+
+
+def _bend_over(stroke_mm: float, angle_deg: float) -> float:
+    return 2 * math.pi * stroke_mm / math.radians(angle_deg) ** 2
 
 
 def base_mm(m: MillAndDie) -> float:
@@ -108,8 +121,12 @@ def _push(m: MillAndDie, angle_deg: float | None = None) -> float:
 
 
 def stiffness(m: MillAndDie) -> float:
-    """Return the stiffness of the spring in N/mm that is asked about, to one digit."""
-    return float(f"{0.4 * _push(m) / _hardest_mm(m):.1g}")
+    """Return the stiffness of the spring in N/mm that is asked about, to one digit.
+
+    It is a tenth less where that would hide that it was forgotten, or make it a factor 2.
+    """
+    rounded = float(f"{0.4 * _push(m) / _hardest_mm(m):.1g}")
+    return 0.9 * rounded if rounded in _UNSEEN else rounded
 
 
 def _preload(m: MillAndDie, stretched_mm: float | None = None) -> float:
@@ -138,7 +155,25 @@ def _in_degrees(m: MillAndDie) -> float:
 
 
 def _radius(m: MillAndDie) -> float:
-    return base_mm(m) + _hardest_mm(m) - _bend(m)
+    return _radius_of(m.stroke_mm, m.die_angle_deg, base_mm(m))
+
+
+def _pressure_of(stroke_mm: float, angle_deg: float, prime: float) -> float:
+    """Return the pressure angle of 07.1 by what stands in its question."""
+    return _pressure(2 * stroke_mm / math.radians(angle_deg), prime + stroke_mm / 2)
+
+
+def _radius_of(stroke_mm: float, angle_deg: float, base: float) -> float:
+    """Return the radius of 07.4 by what stands in its question."""
+    return base + stroke_mm * float(_LAW(HARDEST)) - _bend_over(stroke_mm, angle_deg)
+
+
+def _preload_of(
+    mass_kg: float, stroke_mm: float, angle_deg: float, rate: float, spring: float
+) -> float:
+    """Return the preload of 07.5 by what stands in its question."""
+    peak = float(peak_acceleration(stroke_mm, angle_deg, rate))
+    return mass_kg * peak - spring * stroke_mm * float(_LAW(HARDEST))
 
 
 def _sharpest_all_over(m: MillAndDie) -> float:
@@ -161,6 +196,11 @@ EXERCISES = (
         ),
         unit="deg",
         answer=lambda m: _pressure(_slope(m), _height(m)),
+        mixed=lambda m: with_one_of_the_lesson(
+            _pressure_of,
+            (m.stroke_mm, m.die_angle_deg, prime_mm(m)),
+            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, _PRIME_MM),
+        ),
         right="Only slope and distance from the axis count: the roller's radius is not in it.",
         slips=(
             Slip(
@@ -189,6 +229,16 @@ EXERCISES = (
             Slip(
                 lambda m: _pressure(_slope(m), (prime_mm(m) + m.stroke_mm) / 2),
                 "Half of the prime circle's radius was taken, as if that were its diameter.",
+            ),
+            Slip(
+                lambda m: _pressure(_slope(m), 2 * prime_mm(m) + m.stroke_mm / 2),
+                "The prime circle's diameter was taken. The distance from the axis is its radius, "
+                "and half the stroke.",
+            ),
+            Slip(
+                lambda m: _pressure(_slope(m), prime_mm(m) - m.stroke_mm / 2),
+                "Half the stroke was taken away. At mid-stroke the roller has gone out by it: add "
+                "it.",
             ),
             Slip(
                 lambda m: math.degrees(_slope(m) / _height(m)),
@@ -274,6 +324,21 @@ EXERCISES = (
                 PER_DEG,
             ),
             Slip(
+                lambda m: _needed(m, math.tan(math.radians(STEEPEST_DEG)) / math.pi),
+                "This slope is 2 pi times the mean one, and 2 pi belongs to the acceleration. The "
+                "largest slope of the cycloid is twice the mean one.",
+            ),
+            Slip(
+                lambda m: _needed(m, math.cos(math.radians(STEEPEST_DEG))),
+                "The slope was divided by the cosine. The two lengths are the short sides of the "
+                "triangle: take the tangent.",
+            ),
+            Slip(
+                lambda m: (_needed(m) + m.stroke_mm / 2) / 2,
+                "This is the mean slope, stroke over angle, over the tangent. At mid-stroke the "
+                "cycloid goes twice as fast, and the roller is half the stroke further out.",
+            ),
+            Slip(
                 lambda m: _needed(m, math.tan(STEEPEST_DEG)),
                 f"The tangent was taken of {STEEPEST_DEG} rad. Tell your calculator, or NumPy, "
                 "that it is in degrees.",
@@ -337,6 +402,8 @@ EXERCISES = (
                 lambda m: _slope(m) / 2,
                 "This is the mean slope. The largest one counts, and on both sides.",
             ),
+            Slip(_bend, _BEND),
+            Slip(lambda m: 2 * _bend(m), _BEND),
         ),
         hints=(
             "How far from the axis is the face touched, in terms of the displacement?",
@@ -354,6 +421,11 @@ EXERCISES = (
         ),
         unit="mm",
         answer=_radius,
+        mixed=lambda m: with_one_of_the_lesson(
+            _radius_of,
+            (m.stroke_mm, m.die_angle_deg, base_mm(m)),
+            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, _BASE_MM),
+        ),
         right="The acceleration is in the steel: what brakes hard makes the cam sharp.",
         slips=(
             Slip(
@@ -398,6 +470,37 @@ EXERCISES = (
                 lambda m: base_mm(m) + m.stroke_mm - _hardest_mm(m) - _bend(m),
                 "This displacement is the one at x = 1/4, where the die is still pushed.",
             ),
+            Slip(
+                lambda m: base_mm(m) + m.stroke_mm - _hardest_mm(m) + _bend(m),
+                "This is the radius at x = 1/4, where the die is pushed hardest, displacement and "
+                "second derivative. Put in x = 3/4.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + m.stroke_mm / 2 - _bend(m),
+                "This displacement is that of mid-stroke. At x = 3/4 the die has gone further.",
+            ),
+            Slip(
+                lambda m: _hardest_mm(m) - _bend(m),
+                "The base circle is missing: it is the first of the three lengths.",
+            ),
+            Slip(
+                lambda m: _radius(m) - ROLLER_MM,
+                "A roller's radius was taken off. Under a flat face there is none: this is the "
+                "profile itself.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / (2 * math.pi),
+                "The factor 2 pi of the second derivative is missing. Differentiate the law twice.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) * _angle(m),
+                "The angle has to be squared: in the second derivative it counts twice.",
+            ),
+            Slip(
+                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / math.degrees(1),
+                "The second derivative was made one by the radian once, and it has to be twice: "
+                "square the angle in radians.",
+            ),
         ),
         hints=(
             "Which three lengths add up to the radius of curvature under a flat face?",
@@ -416,6 +519,14 @@ EXERCISES = (
         ),
         unit="N",
         answer=_preload,
+        mixed=lambda m: with_one_of_the_lesson(
+            _preload_of,
+            (m.die_mass_kg, m.stroke_mm, m.die_angle_deg, m.rate_per_hour, stiffness(m)),
+            (
+                *(EXAMPLE.die_mass_kg, EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg),
+                *(EXAMPLE.rate_per_hour, _STIFFNESS),
+            ),
+        ),
         right="The spring brakes an open follower: four times as hard at twice the rate. A little "
         "before x = 3/4 it is pressed less, so all over the rise it needs a little more.",
         slips=(
@@ -457,8 +568,29 @@ EXERCISES = (
                 lambda m: stiffness(m) * _hardest_mm(m),
                 "This is what the spring gains by being pressed together. What is still missing?",
             ),
-            Slip(lambda m: _preload(m) + STANDARD_GRAVITY * m.die_mass_kg, _WEIGHT),
-            Slip(lambda m: _preload(m) - STANDARD_GRAVITY * m.die_mass_kg, _WEIGHT),
+            *(Slip(lambda m, g=g: _preload(m) + g * m.die_mass_kg, _WEIGHT) for g in _G),
+            *(Slip(lambda m, g=g: _preload(m) - g * m.die_mass_kg, _WEIGHT) for g in _G),
+            Slip(
+                lambda m: _push(m) - _hardest_mm(m),
+                "The stiffness of the spring is missing: the way that it is pressed together is in "
+                "mm. Multiply it by the stiffness, then take it away.",
+            ),
+            Slip(
+                lambda m: _preload(m) / stiffness(m),
+                "This is by how many mm the spring has to be pressed together at the start. Which "
+                "force has it then?",
+            ),
+            Slip(
+                lambda m: _push(m) / (2 * math.pi) - stiffness(m) * _hardest_mm(m),
+                "The factor 2 pi of the peak acceleration is missing.",
+            ),
+            Slip(
+                lambda m: (
+                    _push(m) * float(indexing_time(m.die_angle_deg, m.rate_per_hour))
+                    - stiffness(m) * _hardest_mm(m)
+                ),
+                "The time of the rise has to be squared: in an acceleration it counts twice.",
+            ),
             Slip(
                 lambda m: _push(m, DEG_PER_TURN) - stiffness(m) * _hardest_mm(m),
                 "The time of a whole turn was taken for that of the rise.",
