@@ -1,6 +1,7 @@
 """Exercises of notebook 07, from the diagram to the cam."""
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -132,6 +133,10 @@ def stiffness(m: MillAndDie) -> float:
 def _preload(m: MillAndDie, stretched_mm: float | None = None) -> float:
     way = _hardest_mm(m) if stretched_mm is None else stretched_mm
     return _push(m) - stiffness(m) * way
+
+
+def _weighed(m: MillAndDie, g: float) -> float:
+    return _preload(m) + g * m.die_mass_kg
 
 
 def _preload_all_over(m: MillAndDie) -> float:
@@ -568,8 +573,7 @@ EXERCISES = (
                 lambda m: stiffness(m) * _hardest_mm(m),
                 "This is what the spring gains by being pressed together. What is still missing?",
             ),
-            *(Slip(lambda m, g=g: _preload(m) + g * m.die_mass_kg, _WEIGHT) for g in _G),
-            *(Slip(lambda m, g=g: _preload(m) - g * m.die_mass_kg, _WEIGHT) for g in _G),
+            *(Slip(partial(_weighed, g=sign * g), _WEIGHT) for g in _G for sign in (1, -1)),
             Slip(
                 lambda m: _push(m) - _hardest_mm(m),
                 "The stiffness of the spring is missing: the way that it is pressed together is in "
