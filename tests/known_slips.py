@@ -78,6 +78,16 @@ def law_in_degrees(x: float) -> float:
     return x - math.sin(math.radians(2 * math.pi * x)) / (2 * math.pi)
 
 
+def law_with_plus(x: float) -> float:
+    """Return what the cycloid would be with a plus before its sine."""
+    return x + math.sin(2 * math.pi * x) / (2 * math.pi)
+
+
+def law_constant(x: float) -> float:
+    """Return the share of the stroke by constant acceleration."""
+    return 2 * x**2 if x < 0.5 else 1 - 2 * (1 - x) ** 2
+
+
 @cache
 def place(share: float, curve: Callable[[float], float] = law) -> float:
     """Return x at which a curve reaches a share, by halving."""
@@ -86,6 +96,11 @@ def place(share: float, curve: Callable[[float], float] = law) -> float:
         middle = (low + high) / 2
         low, high = (middle, high) if curve(middle) < share else (low, middle)
     return low
+
+
+def deep(m: MillAndDie) -> float:
+    """Return the share of its stroke at which the die is as deep as it may be."""
+    return (m.wait_mm - m.margin_mm) / stroke(m)
 
 
 def x_deep(m: MillAndDie, margin: float = -1) -> float:
@@ -495,6 +510,21 @@ SLIPS = [
     ),
     KnownSlip("03.1", "in m", lambda m: m.pitch_mm * law(0.1) / 1000, "metres"),
     KnownSlip("03.1", "0.65 %", lambda m: m.pitch_mm * 0.0065, "rounded"),
+    KnownSlip("03.1", "done", lambda _: law(0.9), "share of the stroke that is done"),
+    KnownSlip("03.1", "both ends", lambda m: m.pitch_mm * law(0.2), "both ends"),
+    KnownSlip(
+        "03.1",
+        "x of the die",
+        lambda m: m.pitch_mm * law(0.1 * m.mill_angle_deg / die(m)),
+        "die's move",
+    ),
+    KnownSlip(
+        "03.1",
+        "simple harmonic",
+        lambda m: m.pitch_mm * (1 - math.cos(0.1 * math.pi)) / 2,
+        "simple harmonic",
+    ),
+    KnownSlip("03.1", "constant", lambda m: m.pitch_mm * 0.02, "constant acceleration"),
     KnownSlip("03.2", "no overlap", die, "without overlap"),
     KnownSlip("03.2", "ends twice", lambda m: die(m) + 0.2 * m.mill_angle_deg, "[Bb]oth quiet"),
     KnownSlip("03.2", "one end", lambda m: (2 * die(m) + 0.1 * m.mill_angle_deg) / 2, "one of the"),
@@ -505,6 +535,21 @@ SLIPS = [
     ),
     KnownSlip("03.2", "effective angle", lambda m: 0.8 * m.mill_angle_deg, "effective"),
     KnownSlip("03.3", "share", lambda m: (m.wait_mm - m.margin_mm) / stroke(m), "share"),
+    KnownSlip("03.3", "share at the touch", lambda m: m.wait_mm / stroke(m), "touches the mill"),
+    KnownSlip("03.3", "plus", lambda m: place(deep(m), law_with_plus), "minus before the sine"),
+    KnownSlip("03.3", "constant", lambda m: place(deep(m), law_constant), "constant acceleration"),
+    KnownSlip(
+        "03.3",
+        "simple harmonic",
+        lambda m: math.acos(1 - 2 * deep(m)) / math.pi,
+        "simple harmonic",
+    ),
+    KnownSlip(
+        "03.3",
+        "the lesson's stroke",
+        with_lessons(lambda m: place((m.wait_mm - m.margin_mm) / 50)),
+        "a number of the lesson",
+    ),
     KnownSlip("03.3", "no margin", lambda m: x_deep(m, 0), "margin"),
     KnownSlip("03.3", "margin added", lambda m: x_deep(m, 1), "margin was added"),
     KnownSlip("03.3", "1 - x", lambda m: 1 - x_deep(m), "still to come"),
@@ -541,6 +586,14 @@ SLIPS = [
     KnownSlip("03.5", "new by old", lambda m: 1 / gain(m), "new by old"),
     KnownSlip("03.5", "quiet ends alone", lambda m: (later(m) / die(m)) ** 2, "quiet ends"),
     KnownSlip("03.5", "the peak", lambda m: peak(m, widest(m)), "peak itself"),
+    KnownSlip("03.5", "the old peak", lambda m: peak(m, die(m)), "old peak"),
+    KnownSlip("03.5", "share less", lambda m: 1 - 1 / gain(m), "by which share"),
+    KnownSlip(
+        "03.5",
+        "the lesson's angle",
+        with_lessons(lambda m: (widest(m) / 55) ** 2),
+        "a number of the lesson",
+    ),
     KnownSlip("03.5", "percent less", lambda m: 100 * (1 - 1 / gain(m)), "percent"),
     KnownSlip("03.5", "difference", lambda m: peak(m, die(m)) - peak(m, widest(m)), "difference"),
     KnownSlip("03.5", "third power", lambda m: gain(m) ** 1.5, "jerk"),
@@ -551,13 +604,20 @@ SLIPS = [
         "a number of the lesson|finite",
     ),
     KnownSlip(
-        "04.3",
-        "the lesson's angle",
-        with_lessons(
-            lambda m: 1000 * time(m, 110.32 - m.work_deg) if m.work_deg < 110 else math.nan
-        ),
-        "a number of the lesson|finite",
+        "04.1",
+        "the lesson's stroke",
+        with_lessons(lambda m: 50 * law(depth_x(m))),
+        "a number of the lesson",
     ),
+    *(
+        KnownSlip("04.3", f"the lesson's {name}", with_lessons(answer), "a number of the lesson")
+        for name, answer in {
+            "angle": lambda m: 1000 * time(m, 110.32 - m.work_deg),
+            "exact angle": lambda m: 1000 * time(m, 110.18 - m.work_deg),
+            "work": lambda m: 1000 * time(m, 260 - 2 * widest(m)),
+        }.items()
+    ),
+    KnownSlip("04.1", "x", depth_x, "x itself"),
     KnownSlip("04.1", "no overlap", lambda m: stroke(m) * law(1 - 30 / die(m)), "without overlap"),
     KnownSlip("04.1", "still to go", lambda m: stroke(m) * law(1 - depth_x(m)), "still has to go"),
     KnownSlip("04.1", "constant velocity", lambda m: stroke(m) * depth_x(m), "constant velocity"),
@@ -571,9 +631,12 @@ SLIPS = [
     ),
     KnownSlip("04.2", "no square", slower, "counts twice|square"),
     KnownSlip("04.2", "upside down", lambda m: 1 / slower(m) ** 2, "[Uu]pside down"),
+    KnownSlip("04.2", "both", lambda m: 1 / slower(m), "Upside down, and not squared"),
     KnownSlip("04.2", "third power", lambda m: slower(m) ** 3, "jerk"),
     KnownSlip("04.2", "per minute", lambda m: (60 * slower(m)) ** 2, "per minute"),
     KnownSlip("04.3", "in s", lambda m: time(m, rest(m)), r"in seconds"),
+    KnownSlip("04.3", "one move", lambda m: 1000 * time(m, widest(m)), "one move"),
+    KnownSlip("04.3", "no overlap", lambda m: 1000 * time(m, m.mill_angle_deg), "without overlap"),
     KnownSlip("04.3", "both moves", lambda m: 1000 * time(m, 2 * widest(m)), "both moves"),
     KnownSlip("04.3", "in degrees", rest, "in degrees"),
     KnownSlip(

@@ -4,7 +4,8 @@ import math
 
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, peak_acceleration
-from cammotion.teaching.example import QUIET_SHARE, MillAndDie
+from cammotion.teaching.copied import with_one_of_the_lesson
+from cammotion.teaching.example import EXAMPLE, QUIET_SHARE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
@@ -20,6 +21,11 @@ IN_DEGREES = (
 PLUS = "There is a minus before the sine of the law, which makes it start gently."
 
 _LAW = LAWS["cycloidal"]
+_CONSTANT, _HARMONIC = LAWS["constant acceleration"], LAWS["simple harmonic"]
+_BY_CONSTANT = (
+    "This is so by the law of constant acceleration. The cycloid starts and ends more gently."
+)
+_BY_HARMONIC = "This is so by the simple harmonic law. The cycloid starts and ends more gently."
 
 
 def _way(share: float) -> float:
@@ -46,6 +52,17 @@ def _place_in_degrees(m: MillAndDie) -> float:
     The sine of so small an angle is the angle.
     """
     return m.limit_mm / m.stroke_mm / law_in_degrees(1)
+
+
+def _place_with_plus(share: float) -> float:
+    """Return x at which x + sin(2 pi x)/(2 pi) is a share: the law, half a move further on."""
+    turns, place = divmod(share + 0.5, 1)
+    return turns + _way(place) - 0.5
+
+
+def _place_of(stroke_mm: float, wait_mm: float, margin_mm: float) -> float:
+    """Return the x of 03.3 by what stands in its question."""
+    return _way((wait_mm - margin_mm) / stroke_mm)
 
 
 def _quiet_way_mm(m: MillAndDie) -> float:
@@ -102,6 +119,21 @@ EXERCISES = (
                 "Here x is a part of the whole turn. x counts within the mill's own move: 0 at its "
                 "start, 1 at its end.",
             ),
+            Slip(
+                lambda m: m.pitch_mm * float(_LAW(m.quiet_deg / m.die_angle_deg)),
+                "Here x is a part of the die's move. It is the mill that moves: take its angle.",
+            ),
+            Slip(
+                lambda m: m.pitch_mm * float(_LAW(2 * QUIET_SHARE)),
+                "This is with x = 0.2, both ends of the move. Only the last one is asked about.",
+            ),
+            Slip(
+                lambda _: 1 - float(_LAW(QUIET_SHARE)),
+                "This is the share of the stroke that is done. How many millimetres are still to "
+                "go?",
+            ),
+            Slip(lambda m: m.pitch_mm * float(_CONSTANT(QUIET_SHARE)), _BY_CONSTANT),
+            Slip(lambda m: m.pitch_mm * float(_HARMONIC(QUIET_SHARE)), _BY_HARMONIC),
         ),
         hints=(
             "How large a part of its move is still to come, in x?",
@@ -179,6 +211,11 @@ EXERCISES = (
         ),
         unit="",
         answer=_place,
+        mixed=lambda m: with_one_of_the_lesson(
+            _place_of,
+            (m.stroke_mm, m.wait_mm, m.margin_mm),
+            (EXAMPLE.stroke_mm, EXAMPLE.wait_mm, EXAMPLE.margin_mm),
+        ),
         shows=place_of_die,
         right="The unknown stands inside a sine: there is an answer, but no closed formula for it.",
         slips=(
@@ -186,6 +223,14 @@ EXERCISES = (
                 lambda m: m.limit_mm / m.stroke_mm,
                 "This is S, the share of the stroke. At which x does the law have this value?",
             ),
+            Slip(
+                lambda m: m.wait_mm / m.stroke_mm,
+                "This is the share of the stroke at which the die touches the mill. Take the "
+                "margin away first. And at which x does the law have that value?",
+            ),
+            Slip(lambda m: _place_with_plus(_share(m)), PLUS),
+            Slip(lambda m: float(_CONSTANT.inverse(_share(m))), _BY_CONSTANT),
+            Slip(lambda m: float(_HARMONIC.inverse(_share(m))), _BY_HARMONIC),
             Slip(
                 lambda m: _way(m.wait_mm / m.stroke_mm),
                 "At this x the die touches the mill. With a margin it may be less deep than that.",
@@ -306,6 +351,7 @@ EXERCISES = (
         unit="",
         answer=lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 2,
         goes_on_from={"03.4": lambda m, angle: (angle / m.die_angle_deg) ** 2},
+        mixed=lambda m: ((m.widest_deg / EXAMPLE.die_angle_deg) ** 2,),
         shows=peak_of_die(
             "With a peak so many times smaller",
             peak=lambda m, times: (
@@ -332,6 +378,14 @@ EXERCISES = (
                     m.stroke_mm, m.overlapped_deg / (1 - _place(m)), m.rate_per_hour
                 ),
                 "This is the new peak itself, in m/s². How many times smaller than the old one?",
+            ),
+            Slip(
+                lambda m: peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour),
+                "This is the old peak itself, in m/s². How many times smaller is the new one?",
+            ),
+            Slip(
+                lambda m: 1 - (m.die_angle_deg * (1 - _place(m)) / m.overlapped_deg) ** 2,
+                "This is by which share it is smaller. How many times is it: old by new.",
             ),
             Slip(
                 lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 3,

@@ -1,7 +1,7 @@
 """Exercises of notebook 04, the machine in motion."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from cammotion.laws.catalogue import LAWS
@@ -21,6 +21,9 @@ BEFORE_DOWN_DEG = 30  # in 04.1
 TURN_S = 9  # in 04.2
 
 
+_LESSONS_DEG = (round(EXAMPLE.widest_deg, 2), 124.91)  # as 03 and 04 print it
+
+
 def _depth(m: MillAndDie, angle_deg: float) -> float:
     """Return how deep the die is shortly before it is down, with an indexing angle."""
     die = with_angle(m.die, angle_deg)
@@ -32,9 +35,17 @@ def _x(m: MillAndDie) -> float:
     return 1 - BEFORE_DOWN_DEG / m.widest_deg
 
 
-def _with_lessons_angle(m: MillAndDie, of: Callable[[float], float]) -> Iterable[float]:
-    """Yield what follows from the widest angle of the lesson's die, as it is printed."""
-    return with_one_of_the_lesson(of, (m.widest_deg,), (round(EXAMPLE.widest_deg, 2),))
+def _with_lessons_numbers(
+    of: Callable[..., float], own: Sequence[float], lessons: Sequence[float]
+) -> Iterator[float]:
+    """Yield what follows from the numbers of a question, the widest angle first, with one other."""
+    for widest_deg in _LESSONS_DEG:
+        yield from with_one_of_the_lesson(of, own, (widest_deg, *lessons))
+
+
+def _depth_of(widest_deg: float, down_deg: float, stroke_mm: float, asked_deg: float) -> float:
+    """Return the depth of 04.1 by what stands in its question."""
+    return stroke_mm * float(LAWS["cycloidal"](1 - (down_deg - asked_deg) / widest_deg))
 
 
 def _from_the_quiet_end(m: MillAndDie) -> float:
@@ -50,10 +61,13 @@ def _rest_deg(m: MillAndDie) -> float:
     return DEG_PER_TURN - m.work_deg - 2 * m.widest_deg
 
 
-def _rest_ms(m: MillAndDie, widest_deg: float) -> float:
-    """Return how long the die rests at the top."""
-    rest_deg = DEG_PER_TURN - m.work_deg - 2 * widest_deg
-    return 1000 * float(indexing_time(rest_deg, m.rate_per_hour))
+def _rest_ms(widest_deg: float, work_deg: float, rate_per_hour: float) -> float:
+    """Return how long the die rests at the top by what stands in the question of 04.3.
+
+    It may be below 0, with a number that is not one of the question's.
+    """
+    rest_deg = DEG_PER_TURN - work_deg - 2 * widest_deg
+    return 1000 * rest_deg / DEG_PER_TURN * float(cycle_time(rate_per_hour))
 
 
 EXERCISES = (
@@ -66,7 +80,11 @@ EXERCISES = (
         ),
         unit="mm",
         answer=lambda m: _depth(m, m.widest_deg),
-        mixed=lambda m: _with_lessons_angle(m, partial(_depth, m)),
+        mixed=lambda m: _with_lessons_numbers(
+            partial(_depth_of, asked_deg=m.down_deg - BEFORE_DOWN_DEG),
+            (m.widest_deg, m.down_deg, m.stroke_mm),
+            (EXAMPLE.down_deg, EXAMPLE.stroke_mm),
+        ),
         shows=depth_before_down(BEFORE_DOWN_DEG),
         right="You can now stop the animation anywhere and say beforehand what it will show.",
         slips=(
@@ -82,6 +100,7 @@ EXERCISES = (
                 lambda m: m.stroke_mm * (1 - BEFORE_DOWN_DEG / m.widest_deg),
                 "This would be so at constant velocity. Put x into the law.",
             ),
+            Slip(_x, "This is x itself. Put it into the law, and multiply by the stroke."),
             Slip(
                 lambda m: _depth(m, m.widest_deg) / m.stroke_mm,
                 "This is S, the share of the stroke. Multiply it by the stroke.",
@@ -135,6 +154,10 @@ EXERCISES = (
                 "Upside down: how many times smaller is it on the screen?",
             ),
             Slip(
+                lambda m: cycle_time(m.rate_per_hour) / TURN_S,
+                "Upside down, and not squared: in an acceleration the time counts twice.",
+            ),
+            Slip(
                 lambda m: (TURN_S / cycle_time(m.rate_per_hour)) ** 3,
                 "The third power belongs to the jerk.",
             ),
@@ -165,8 +188,13 @@ EXERCISES = (
             f"{m.rate_per_hour:g} pieces per hour?"
         ),
         unit="ms",
-        answer=lambda m: _rest_ms(m, m.widest_deg),
-        mixed=lambda m: _with_lessons_angle(m, partial(_rest_ms, m)),
+        is_sum=True,
+        answer=lambda m: _rest_ms(m.widest_deg, m.work_deg, m.rate_per_hour),
+        mixed=lambda m: _with_lessons_numbers(
+            _rest_ms,
+            (m.widest_deg, m.work_deg, m.rate_per_hour),
+            (EXAMPLE.work_deg, EXAMPLE.rate_per_hour),
+        ),
         tolerance=0.01,
         shows=rest_in_turn,
         right=(
@@ -186,6 +214,15 @@ EXERCISES = (
             Slip(
                 lambda m: 1000 * indexing_time(2 * m.widest_deg, m.rate_per_hour),
                 "This is the time of both moves. How long does it rest?",
+            ),
+            Slip(
+                lambda m: 1000 * indexing_time(m.widest_deg, m.rate_per_hour),
+                "This is the time of one move. What do both moves and the work leave?",
+            ),
+            Slip(
+                lambda m: 1000 * indexing_time(m.mill_angle_deg, m.rate_per_hour),
+                "This is how long the die rests without overlap, while the mill moves. With "
+                "overlap its moves take more of the turn.",
             ),
             Slip(
                 lambda m: 1000 * indexing_time(m.work_deg, m.rate_per_hour),
