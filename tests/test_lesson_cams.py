@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from contextlib import nullcontext
 from typing import Any
 from unittest.mock import Mock
 
@@ -69,11 +70,14 @@ def test_prime_circles() -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "instead"),
-    [("60, 10", "100, 30"), ("over_deg=55)", 'over_deg=55, law="constant acceleration")')],
+    ("said", "instead", "refused"),
+    [
+        ("60, 10", "100, 30", ""),
+        ("over_deg=55)", 'over_deg=55, law="constant acceleration")', "acceleration jump"),
+    ],
 )
-def test_the_cells_hold_for_another_roller_and_for_a_law_that_jumps(
-    said: str, instead: str
+def test_the_cells_hold_for_another_roller_and_say_why_not_for_a_law_that_jumps(
+    said: str, instead: str, refused: str
 ) -> None:
     (path,) = LESSONS.glob("07_*.ipynb")
     cells = {cell["id"]: "".join(cell["source"]) for cell in json.loads(path.read_text())["cells"]}
@@ -81,7 +85,8 @@ def test_the_cells_hold_for_another_roller_and_for_a_law_that_jumps(
     assert said in cells["setup-imports"]
     exec(cells["setup-imports"].replace(said, instead), given)  # noqa: S102 - our own
     for name in ("envelope-lines", "steel-primes"):
-        exec(cells[name], given)  # noqa: S102 - our own
+        with pytest.raises(AssertionError, match=refused) if refused else nullcontext():
+            exec(cells[name], given)  # noqa: S102 - our own
 
 
 def test_the_flat_face_of_the_die_needs_a_large_base_circle() -> None:
