@@ -149,6 +149,7 @@ def test_a_folder_that_several_have_by_this_name_is_nobodys_name(tmp_path: Path)
     computers = ("pc 1/work-fay", "pc 2/work-fay", "pc 3/work-gert")
     assert names_by_places(tmp_path / "c", *computers) == ["fay", "fay", "gert"]
     assert names_by_places(tmp_path / "d", "Fay/cam") == ["cam"]
+    assert names_by_places(tmp_path / "e", "Fay/cam/work", "Fay/cam/Gert") == ["cam", "Gert"]
 
 
 def test_what_was_done_in_the_solutions_is_no_student(tmp_path: Path) -> None:

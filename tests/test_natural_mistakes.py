@@ -65,6 +65,11 @@ MISTAKES: dict[str, tuple[Callable[[], object], str]] = {
         r"^The span of the axis is -5 mm; .* above 0 mm",
     ),
     "half a name": (lambda: cm.LAWS["cycloid"], r"no motion law 'cycloid': did you mean 'cycloid"),
+    "a part of a name": (
+        lambda: cm.LAWS["sin"],
+        "no motion law 'sin': did you mean 'modified sine' or 'simple harmonic'",
+    ),
+    "without hyphens": (lambda: cm.LAWS["345"], "'345': did you mean '3-4-5 polynomial'"),
     "masked": (
         lambda: cm.cycle_time(np.ma.masked_array([1.0, 2.0], [False, True])),
         r"has masked values.*\.compressed\(\)",

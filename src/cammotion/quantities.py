@@ -274,10 +274,16 @@ def _folded(names: Mapping[str, str]) -> dict[str, list[str]]:
 def _near(given: str, folded: Mapping[str, list[str]]) -> str:
     """Return in words the names that may be meant, an empty text for none."""
     ones = dict.fromkeys(one for meant in folded.values() for one in meant)
-    holding = [one for one in ones if len(given) >= _WORD and given in one.casefold()]
+    said = _bare(given)
+    holding = [one for one in ones if len(said) >= _WORD and said in _bare(one.casefold())]
     close = [one for each in get_close_matches(given, folded) for one in folded[each]]
     meant = dict.fromkeys(f"'{one}'" for one in [*holding, *close])
     return " or ".join([*meant][:_NEAR])
+
+
+def _bare(name: str) -> str:
+    """Return the letters and digits of a name: 345 stands in "3-4-5 polynomial"."""
+    return "".join(filter(str.isalnum, name))
 
 
 def broadcast(**arrays: Floats) -> None:
