@@ -29,7 +29,7 @@ def part_angle(angle_deg: float) -> float:
             f"that, or {angle / 2:.12g} if you count the 720 deg of a crankshaft."
         )
     if angle == 0:
-        what = "The angle of a segment is 0 deg: leave it out, or let it take an angle"
+        what = "The angle of a segment is 0 deg; leave it out, or let it take an angle"
         raise InputError(f"{what}: give for example 55 deg.")
     return PART_ANGLE.number(angle)
 
