@@ -385,12 +385,33 @@ def test_what_stops_a_move_that_shares_the_turn_is_named() -> None:
 
 def test_beside_a_distance_each_move_has_its_own_angle() -> None:
     """The rule stops nothing: the pusher is never below 10 mm, the flap never above 5 mm."""
-    one = widened(folder(5), "pusher")
+    found = cm.improvements(folder(5))
+    (one,) = (each for each in found if (each.mechanism, each.kind) == ("pusher", "widen"))
     assert one.said == (
         "widen the return from 80 to 190 deg and the rise from 120 to 130 deg of the pusher "
         "(then: its still arc)"
     )
     assert one.after == pytest.approx(2 * math.pi * 0.05 / (130 / 360 * 6) ** 2, rel=1e-6)
+    told = [f"Of the {name} each end of a move was put out by itself" for name in folder(5).still]
+    assert [note.partition(", which need not be the best. ")[0] for note in found.notes] == told
+    assert all("the pusher stays at least 5 mm above the flap" in note for note in found.notes)
+
+
+@pytest.mark.parametrize("limit_mm", [4, 2])
+def test_a_part_that_has_to_stand_over_a_whole_dwell_may_stand_longer(limit_mm: float) -> None:
+    """It has to be up until the gate is down; about its dwell that left the rise 40 deg."""
+    up, down = cm.rise(16, over_deg=107), cm.return_(16, over_deg=183)
+    out, back = cm.rise(10, over_deg=20), cm.return_(10, over_deg=40)
+    slide = cm.motion("slide", up, cm.dwell(70), down, start_deg=355)
+    gate = cm.motion("gate", cm.dwell(140), out, cm.dwell(150), back, cm.dwell(10))
+    rule = cm.ClearanceRule(cm.beyond("gate", 5), only_while=cm.beyond("slide", limit_mm))
+    diagram, still = cm.TimingDiagram([slide, gate], 5400), {"slide": [(102, 172)]}
+    machine = cm.Machine("m", diagram, [rule], still)
+    first = cm.improvements(machine)[0]
+    assert (first.mechanism, first.mends) == ("slide", 1)
+    assert first.after == pytest.approx(cm.optimise(diagram, rule, still=still).reached)
+    widest = cm.widest_move(diagram, "slide", rule)
+    assert first.after < 0.5 * widest.peak_acceleration
 
 
 def test_a_distance_that_stops_a_move_is_named() -> None:

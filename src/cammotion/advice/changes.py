@@ -68,7 +68,8 @@ def changes_of(
     What makes a broken rule worse is left out. What cannot be told, since a check has failed, is
     put among the `failed`.
     """
-    if not machine.diagram[name].moves:
+    motion = machine.diagram[name]
+    if not motion.moves or hands_over(motion):  # it would get a stop where it has none
         return
     rules = [rule for rule in machine.rules if name in rule.motions]
     yield from _wider(machine, name, rules, failed)
@@ -160,8 +161,6 @@ def _other_law(
     After it come those that mend more of the broken rules, and are still gentler than today's.
     """
     motion, before = machine.diagram[name], machine.peaks[name]
-    if hands_over(motion):  # it would get a stop from a law that rests at its ends
-        return
     broken = {violation.rule for violation in machine.violations}
     old = " and ".join(dict.fromkeys(as_law(move.law).name for move in motion.moves))
     mended = -1

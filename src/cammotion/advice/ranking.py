@@ -128,19 +128,19 @@ def improvements(machine: Machine, *, seconds: float | None = None) -> Improveme
 
     Each mechanism is asked by itself, all others as they are: how wide can its moves be
     (`widest_move`), and does a gentler law of the catalogue, one with a finite jerk, keep the
-    rules? Where still arcs leave it more room than its dwells do, and with more than a rise and a
-    return, starts and angles are free between these arcs (`optimise`). With rules that this does
-    not know, and where no moves of a part keep a rule that is broken, each end of a move is put out
-    as far as it goes, which need not be the best. What mends a broken rule comes first, then what
-    makes the largest peak of the machine smaller, then what makes that of its own mechanism smaller
-    by most. What mends a rule only by a move so narrow that at today's largest peak the machine
-    makes less than half of today's pieces, is told as `left_out`. (Rise and return of the three
-    hardest may get two angles; of the others one, unless only two are a gain.) With `seconds` the
-    balance of all moves at once is sought for so long (`optimise`; the parts with still arcs are
-    free). Each change is checked before it is returned: it breaks no rule that was kept and makes
-    none worse that is broken, and its peak is that of the changed diagram. Where a check fails, it
-    is told what cannot be known, and the other changes are there. A motion that hands a velocity
-    from move to move is not asked.
+    rules? With still arcs its starts and angles are free between these (`optimise`), and the better
+    of both is told. Where a rule or a move forbids these searches, or no moves of a part keep a
+    rule that is broken, each end of a move is put out as far as it goes, which need not be the
+    best: of which part, and why, is told. What mends a broken rule comes first, then what makes the
+    largest peak of the machine smaller, then what makes that of its own mechanism smaller by most.
+    What mends a rule only by a move so narrow that at today's largest peak the machine makes less
+    than half of today's pieces, is told as `left_out`. (Rise and return of the three hardest may
+    get two angles; of the others one, unless only two are a gain.) With `seconds` the balance of
+    all moves at once is sought for so long (`optimise`; the parts with still arcs are free). Each
+    change is checked before it is returned: it breaks no rule that was kept and makes none worse
+    that is broken, and its peak is that of the changed diagram. Where a check fails, it is told
+    what cannot be known, and the other changes are there. A motion that hands a velocity from move
+    to move is not asked.
     Raises InputError for what is no Machine.
 
     >>> import cammotion as cm

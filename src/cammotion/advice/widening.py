@@ -1,12 +1,12 @@
 """How wide the moves of one mechanism can be beside all others, and what stops them there."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, replace
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 from cammotion.advice.worse import SAME_DEG, Faults, faults_in, noted, worsened
-from cammotion.limits.frame import hands_over
+from cammotion.laws.catalogue import as_law
 from cammotion.limits.widest import widest_move
 from cammotion.machine.arcs import Arc, arcs, complement, intersect
 from cammotion.machine.diagram import TimingDiagram
@@ -15,6 +15,8 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, arcs_of, with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError
+from cammotion.rules.clearance import ClearanceRule
+from cammotion.rules.conditions import Moving
 from cammotion.rules.rule import Rule
 from cammotion.whole.optimise import optimise
 
@@ -89,6 +91,7 @@ class _Search:
     name: str
     rules: Sequence[Rule]
     failed: list[str]
+    refusals: list[str] = field(default_factory=list)
 
     @cached_property
     def still(self) -> Sequence[Arc]:
@@ -106,13 +109,18 @@ class _Search:
         """Yield all that is found; where that is no gain, also what puts out each end by itself."""
         about, best = self._about(), None
         starts: list[Motion] = []
-        if self.still and not (about and self._stands_where_it_has_to(about)):
+        if self.still and not (about and self._is_best(about)):
             best = self._best()
             starts = [] if best else [self.motion, *([about[self.name]] if about else ())]
         found = [each for each in (about, best) if each]
         yield from found
         if not starts and self._is_stuck(found):
             starts = [self.motion]
+        if starts and self.refusals and not best:
+            self.failed.append(
+                f"Of the {self.name} each end of a move was put out by itself, which need not be "
+                f"the best. {self.refusals[-1]}"
+            )
         for start in starts:
             yield from self._put_out_all(start)
 
@@ -146,7 +154,7 @@ class _Search:
         is_hard = self.name in [*self.machine.peaks][:_HARDEST]
         found = None
         for each_way in (None, False) if is_hard else (False, None):
-            with suppress(InputError), noted(self.failed, f"wider moves of the {self.name}"):
+            with self._noted("wider", is_last_word=each_way is False):
                 widest = widest_move(self.machine.diagram, self.name, rules, each_way=each_way)
                 found = found or widest.diagram
                 if once or widest.peak_acceleration < self.machine.peaks[self.name]:
@@ -159,16 +167,44 @@ class _Search:
         Then no moves of it keep the rules, or one of these is of another kind.
         """
         still = {self.name: self.still}
-        with suppress(InputError), noted(self.failed, f"all moves of the {self.name}"):
+        with self._noted("all"):
             found = optimise(self.machine.diagram, self.rules, still=still, seconds=_SECONDS)
             return found.design
         return None
 
-    def _stands_where_it_has_to(self, about: TimingDiagram) -> bool:
-        """Tell whether it stands there, and has to stand wherever `widest_move` lets it stand."""
+    @contextmanager
+    def _noted(self, which: str, *, is_last_word: bool = True) -> Iterator[None]:
+        """Go on where a search is refused or its check fails, and keep why."""
+        try:
+            with noted(self.failed, f"{which} moves of the {self.name}"):
+                yield
+        except InputError as refusal:
+            if is_last_word:
+                self.refusals.append(f"{refusal}")
+
+    def _is_best(self, about: TimingDiagram) -> bool:
+        """Tell whether no other moves between the still arcs can be better than these.
+
+        So it is where it has to stand all along between them, and no rule needs it to stand longer.
+        """
         moves = self.motion.moves
-        is_held = _is_still((moves[0].to_deg, moves[-1].from_deg), self.still)
-        return is_held and not self.motion.is_indexing and _stands(about[self.name], self.still)
+        laws = {as_law(move.law) for move in moves}
+        return (
+            _is_still((moves[0].to_deg, moves[-1].from_deg), self.still)
+            and not self.motion.is_indexing
+            and len(laws) == 1  # with two of them one angle is not the best for both
+            and laws.pop().is_monotone
+            and all(self._forbids_its_place(rule) for rule in self.rules)
+            and _stands(about[self.name], self.still)
+        )
+
+    def _forbids_its_place(self, rule: Rule) -> bool:
+        """Tell whether a rule only ever forbids it to be where it stands between its moves."""
+        if not isinstance(rule, ClearanceRule):
+            return False
+        own = rule.when if rule.when.motion == self.name else rule.only_while.opposite
+        is_high = self.motion.moves[0].change_mm > 0
+        return not isinstance(own, Moving) and own.is_beyond == is_high
 
     def _put_out_all(self, motion: Motion) -> Iterator[TimingDiagram]:
         """Yield the diagram in which each end of the moves is put out as far as it goes.
@@ -182,7 +218,7 @@ class _Search:
                 self.faults, changed, self.rules, strict=True
             )
 
-        if not keeps(motion) or hands_over(motion):
+        if not keeps(motion):
             return
         for share in _SHARES:
             for place in _ends(motion, () if self.still else _works(motion)):

@@ -268,10 +268,10 @@ def _sentences(found: Findings) -> Iterator[str]:
         "What to change first: each mechanism by itself gets wider moves beside the others, or a "
         "gentler law with a finite jerk; narrower moves only where they mend a broken rule. Its "
         "moves are the widest about what stays of it, or the best that was found of all that stand "
-        "where the table says. Where rules of a distance, or of what moves or stands, forbid that "
-        "search, or no moves of it keep a rule that is broken today, each end is put out as far as "
-        "it goes, and there may be better ones. Each change was checked again by the rules: it "
-        "breaks none, and none that is broken by more or for longer."
+        "where the table says. Where a rule or a move forbids that search, or no moves of it keep "
+        "a rule that is broken today, each end is put out as far as it goes, and there may be "
+        "better ones: of whom that is true, and why, is said above. Each change was checked again "
+        "by the rules: it breaks none, and none that is broken by more or for longer."
     )
     if found.best:
         yield (
