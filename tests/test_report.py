@@ -20,6 +20,7 @@ import cammotion as cm
 from cammotion.quantities import WrongAnswerError
 from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
+from cammotion.report.bound import bound_said, design_said
 from cammotion.report.live import live_figure
 from cammotion.report.page import rules_of
 from cammotion.report.sheets import sheets_of
@@ -104,6 +105,30 @@ def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
     assert float(low) < float(reached) < 2
     assert int(above) == math.ceil(100 * (float(reached) / float(low) - 1))
     assert "The mill stays as it is: the table does not say where it has to stand." in text
+
+
+def test_where_there_is_no_design_the_bound_is_not_compared_with_the_machine_of_today() -> None:
+    """Its rule is broken, and so "the design is at most -95 % above the best"."""
+    odd = cm.Machine("odd", PRESS.diagram, (), {"die": [(205, 305)]})
+    least = cm.LeastPeak(odd.diagram, 5.0, odd.diagram, {"die": 1.0})
+    found = findings.Findings(odd, cm.improvements(odd), (), None, least, ())
+    said = "No motions of the die can have a largest peak below 5.0000 m/s²"
+    assert bound_said(found) == (
+        f"{said}; there is no design, but motions that keep their rules were found, with 4.1542."
+    )
+    assert bound_said(replace(found, least=replace(least, design=None))) == f"{said}."
+
+
+def test_a_design_is_called_the_best_only_where_all_were_searched() -> None:
+    best = cm.optimise(PRESS.diagram, PRESS.rules, still=STILL)
+    all_of_them = "the best of all starts and angles with these laws, to a thousandth"
+    assert all_of_them in design_said(best)
+    said = design_said(replace(best, bound=0.5 * best.bound))
+    assert said.startswith(
+        "The design has 0.9435 m/s², and with these laws none has less than 0.47"
+    )
+    assert "the time was too short to search all starts and angles through" in said
+    assert all_of_them not in said
 
 
 def test_a_part_that_could_stand_all_the_turn_has_no_bound(tmp_path: Path) -> None:

@@ -5,8 +5,10 @@ import math
 from cammotion.own import Machine
 from cammotion.quantities import outward
 from cammotion.report.findings import Findings
+from cammotion.whole.optimise import Optimised
 
 _SAME = 1e-6  # of its way, two heights of a part
+_SEARCHED = 1e-3  # of a peak: a bound as near as that is the end of a search
 
 
 def free_parts(machine: Machine, all_of_them: str) -> str:
@@ -23,8 +25,11 @@ def stays_most(machine: Machine) -> str:
 
 
 def bound_said(found: Findings) -> str:
-    """Return in a sentence how near the design is to what no motions can be below."""
-    least = found.least
+    """Return in a sentence how near to what no motions can be below is what was found.
+
+    That is the design, and where there is none, motions that keep the rules, if any were found.
+    """
+    least, best = found.least, found.best
     if least is None:
         return ""
     whose = free_parts(found.machine, "these parts")
@@ -33,13 +38,31 @@ def bound_said(found: Findings) -> str:
             f"Nothing in the table makes {whose} move, so that no bound is above 0: say of more "
             "than one dwell in the column 'still' that a part has to stand there."
         )
-    reached = max(found.improved.peaks[name] for name in least.parts)
+    reached = max(best.peaks.values()) if best else least.reached
     low, high = outward(least.bound, reached)
     sentence = f"No motions of {whose} can have a largest peak below {low} m/s²"
-    if least.bound > 0 and math.isfinite(reached):
+    if best and least.bound > 0 and math.isfinite(reached):
         above = math.ceil(100 * (reached / least.bound - 1))
         sentence += f", so that the design, with {high}, is at most {above} % above the best"
+    elif least.design and not best:
+        sentence += (
+            f"; there is no design, but motions that keep their rules were found, with {high}"
+        )
     return f"{sentence}."
+
+
+def design_said(best: Optimised) -> str:
+    """Return in words how near the design is to the best of all starts and angles."""
+    trusted = "as far as the solver HiGHS can be trusted"
+    checked = "The rules and peaks of the design were checked by their curves."
+    if best.reached <= best.bound * (1 + _SEARCHED):
+        of_all = "the best of all starts and angles with these laws, to a thousandth"
+        return f"The design is {of_all}, {trusted}. {checked}"
+    low, high = outward(best.bound, best.reached)
+    return (
+        f"The design has {high} m/s², and with these laws none has less than {low}, {trusted}: the "
+        f"time was too short to search all starts and angles through. {checked}"
+    )
 
 
 def one_height_said(found: Findings) -> str:

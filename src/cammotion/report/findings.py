@@ -34,7 +34,7 @@ class Findings:
 
     @property
     def design(self) -> TimingDiagram:
-        """The diagram to be built: the best one that was found, or else that of today."""
+        """What is drawn and written: the best diagram, if one was found, or else that of today."""
         return self.best.design if self.best else self.machine.diagram
 
     @cached_property

@@ -10,7 +10,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.own import Machine
 from cammotion.quantities import rate_as_text
-from cammotion.report.bound import bound_said, free_parts, one_height_said, stays_most
+from cammotion.report.bound import bound_said, design_said, free_parts, one_height_said, stays_most
 from cammotion.report.findings import Findings
 from cammotion.report.live import live_figure
 from cammotion.report.markup import (
@@ -244,6 +244,7 @@ def _design(found: Findings) -> str:
         ]
         heading = ["mechanism", "move", "from, deg", "over, deg", "law"]
         parts.append(table("Starts and angles of all moves", heading, rows))
+        parts.append(paragraph(design_said(found.best)))
     if found.least:
         parts.append(paragraph(bound_said(found)))
         parts.append(opened(Opened("The conditions of this bound", f"{found.least!r}")))
@@ -273,11 +274,6 @@ def _sentences(found: Findings) -> Iterator[str]:
         "better ones: of whom that is true, and why, is said above. Each change was checked again "
         "by the rules: it breaks none, and none that is broken by more or for longer."
     )
-    if found.best:
-        yield (
-            "The design is the best of all starts and angles with these laws, as far as the solver "
-            "HiGHS can be trusted; its rules and peaks were checked by their curves."
-        )
     if found.least:
         yield (
             "The bound holds for any motions of the parts: a mixed-integer program asks less than "
