@@ -470,6 +470,7 @@ ODD_MACHINES = [
 def test_an_odd_machine_has_a_report(tmp_path: Path, machine: cm.Machine) -> None:
     text = cm.write_report(machine, tmp_path, seconds=1).page.read_text("utf-8")
     assert "nan" not in BeautifulSoup(text, "html.parser").main.get_text()  # type: ignore[union-attr]
+    assert ("of the table over which arcs each part has to stand" in text) == (not machine.still)
 
 
 def test_the_figure_is_of_a_move_from_rest_to_rest() -> None:

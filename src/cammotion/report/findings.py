@@ -19,6 +19,10 @@ Progress = Callable[[float, str], None]
 _GAP = 0.01
 _RANKED, _BALANCED, _PROVED = 0.1, 0.3, 0.8  # the shares of what is done then
 _OPTIMISING_S = 10.0
+_UNASKED = (
+    "No part that moves has still arcs, so that no design was sought and no bound: say in the "
+    "column 'still' of the table over which arcs each part has to stand."
+)
 
 
 @dataclass(frozen=True)
@@ -91,10 +95,7 @@ def find_all(machine: Machine, seconds: float, progress: Progress) -> Findings:
 def _not_sought(machine: Machine) -> str:
     """Return why neither a design nor a bound can be sought; "" if both can."""
     if not machine.free:
-        return (
-            "No part that moves has still arcs, so that no design was sought and no bound: say in "
-            "the column 'still' of the table over which arcs each part has to stand."
-        )
+        return _UNASKED if any(machine.peaks.values()) else "Nothing moves."
     others = [rule for rule in machine.rules if not has_limits(rule)]
     if not others:
         return ""
