@@ -65,8 +65,8 @@ def changes_of(
 ) -> Iterator[Improvement]:
     """Yield what can be changed of one mechanism with a gain, or so that a broken rule is kept.
 
-    What makes a broken rule worse is left out. What cannot be told, since a check has failed, is
-    put among the `failed`.
+    What makes a broken rule worse is left out. What cannot be told, since a check has failed or a
+    search is refused, is put among the `failed`.
     """
     motion = machine.diagram[name]
     if not motion.moves or hands_over(motion):  # it would get a stop where it has none

@@ -13,7 +13,7 @@ from cammotion.advice.changes import (
     gentle_laws,
     improvement,
 )
-from cammotion.advice.widening import is_usual
+from cammotion.advice.ends import is_usual
 from cammotion.advice.worse import noted
 from cammotion.arguments import checked
 from cammotion.limits.frame import hands_over

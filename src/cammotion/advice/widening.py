@@ -1,18 +1,27 @@
 """How wide the moves of one mechanism can be beside all others, and what stops them there."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from dataclasses import dataclass, field
+from functools import cached_property
 
-from cammotion.advice.worse import SAME_DEG, Faults, faults_in, noted, worsened
+from cammotion.advice.ends import (
+    at_work,
+    by_a_hair,
+    ends,
+    furthest,
+    is_still,
+    is_usual,
+    room,
+    stands,
+    works,
+)
+from cammotion.advice.worse import Faults, faults_in, noted, worsened
 from cammotion.laws.catalogue import as_law
 from cammotion.limits.widest import widest_move
-from cammotion.machine.arcs import Arc, arcs, complement, intersect
+from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment, arcs_of, with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError
 from cammotion.rules.clearance import ClearanceRule
@@ -26,12 +35,7 @@ WORTH = 1e-3
 _SECONDS = 5.0  # for all moves of one mechanism
 _HARDEST = 3  # mechanisms whose rise and return are asked each for itself, which takes longer
 _SHARES = (0.5, 0.5, 0.5, 1)  # of its room that an end may take at a time, and leave to others
-_LEAST_DEG = 1e-3  # by which an end is put out, if it is
-_HALVINGS = 20  # of that, until it is known where it stops
-_HAIR_DEG, _HAIR = 0.1, 0.01  # by which an end is moved to see what stops it; of its move at most
 _STILL_ARC = "its still arc"
-
-Place = tuple[int, int]  # of an end: the number of its move, and 0 for its beginning, 1 for its end
 
 
 def wider(
@@ -39,15 +43,10 @@ def wider(
 ) -> Iterator[TimingDiagram]:
     """Yield diagrams with other angles of a mechanism's moves, wider ones or such that mend a rule.
 
-    What cannot be told, since a check has failed, is put among the `failed`.
+    What cannot be told, since a check has failed or a search is refused, is put among the `failed`.
     """
     search = _Search(machine, name, rules, failed)
-    yield from (found for found in search.found() if _stands(found[name], search.still))
-
-
-def is_usual(motion: Motion) -> bool:
-    """Tell whether a motion is of the build that can be widened about what stays of it."""
-    return len(motion.moves) == (1 if motion.is_indexing else 2)
+    yield from (found for found in search.found() if stands(found[name], search.still))
 
 
 def stops(
@@ -59,25 +58,13 @@ def stops(
     """
     motion, still = changed[name], machine.still.get(name, ())
     faults = faults_in(changed, rules)
-    for place in _ends(motion, _at_work(motion, still)):
-        put_out = _by_a_hair(motion, place)
-        if not _stands(put_out, still):
+    for place in ends(motion, at_work(motion, still)):
+        farther = by_a_hair(motion, place)
+        if not stands(farther, still):
             yield _STILL_ARC
         else:
-            there = changed.with_motion(put_out)
+            there = changed.with_motion(farther)
             yield from map(str, worsened(faults, there, rules, strict=True))
-
-
-def _by_a_hair(motion: Motion, place: Place) -> Motion:
-    """Return the motion with an end of a move a little further out, if need be into the next."""
-    (number, end), count = place, len(motion.moves)
-    hair = min(_HAIR_DEG, _HAIR * min(move.angle_deg for move in motion.moves))
-    if _room(motion, place) < hair:
-        if count == 1:
-            return motion
-        beside = (number + (1 if end else -1)) % count, 1 - end
-        motion = _put_out(motion, beside, -hair)
-    return _put_out(motion, place, hair)
 
 
 @dataclass(frozen=True)
@@ -127,7 +114,7 @@ class _Search:
     def _is_stuck(self, found: Sequence[TimingDiagram]) -> bool:
         """Tell whether nothing that was found is a gain, though not every move was looked at."""
         before = self.machine.peaks[self.name] * (1 - WORTH)
-        standing = (each for each in found if _stands(each[self.name], self.still))
+        standing = (each for each in found if stands(each[self.name], self.still))
         if any(each.peak_acceleration(self.name) < before for each in standing):
             return False
         is_asked = bool(self.still) or is_usual(self.motion)
@@ -190,12 +177,12 @@ class _Search:
         moves = self.motion.moves
         laws = {as_law(move.law) for move in moves}
         return (
-            _is_still((moves[0].to_deg, moves[-1].from_deg), self.still)
+            is_still((moves[0].to_deg, moves[-1].from_deg), self.still)
             and not self.motion.is_indexing
             and len(laws) == 1  # with two of them one angle is not the best for both
             and laws.pop().is_monotone
             and all(self._forbids_its_place(rule) for rule in self.rules)
-            and _stands(about[self.name], self.still)
+            and stands(about[self.name], self.still)
         )
 
     def _forbids_its_place(self, rule: Rule) -> bool:
@@ -214,96 +201,13 @@ class _Search:
 
         def keeps(motion: Motion) -> bool:
             changed = self.machine.diagram.with_motion(motion)
-            return _stands(motion, self.still) and not worsened(
+            return stands(motion, self.still) and not worsened(
                 self.faults, changed, self.rules, strict=True
             )
 
         if not keeps(motion):
             return
         for share in _SHARES:
-            for place in _ends(motion, () if self.still else _works(motion)):
-                most = share * _room(motion, place)
-                motion = _furthest(partial(_put_out, motion, place), keeps, most)
+            for place in ends(motion, () if self.still else works(motion)):
+                motion = furthest(motion, place, share * room(motion, place), keeps)
         yield self.machine.diagram.with_motion(motion)
-
-
-def _furthest(
-    put_out: Callable[[float], Motion], keeps: Callable[[Motion], bool], most: float
-) -> Motion:
-    """Return what is put out all the way, or to where it is seen to stop, be it at once."""
-    if keeps(furthest := put_out(most)):
-        return furthest
-    if not keeps(put_out(min(most / 2, _LEAST_DEG))):
-        return put_out(0.0)
-    reached = 0.0
-    for _ in range(_HALVINGS):
-        middle = (reached + most) / 2
-        reached, most = (middle, most) if keeps(put_out(middle)) else (reached, middle)
-    return put_out(reached)
-
-
-def _ends(motion: Motion, fixed: Iterable[Place]) -> list[Place]:
-    """Return the ends of the moves but for the fixed ones, those of the hardest move first.
-
-    Of moves that are as hard the one that begins first comes first, in whatever order they are.
-    """
-    pushes = [float(f"{_push(move):.4g}") for move in motion.moves]
-    starts = [move.from_deg % DEG_PER_TURN for move in motion.moves]
-    hardest = sorted(range(len(pushes)), key=lambda number: (-pushes[number], starts[number]))
-    places = [(number, end) for number in hardest for end in (0, 1)]
-    return [place for place in places if place not in fixed]
-
-
-def _works(motion: Motion) -> tuple[Place, ...]:
-    """Return the ends at work of a part whose still arcs are not known: between rise and return."""
-    return () if motion.is_indexing else ((0, 1), (len(motion.moves) - 1, 0))
-
-
-def _at_work(motion: Motion, still: Sequence[Arc]) -> tuple[Place, ...]:
-    """Return the ends of the dwell over which a part with one more dwell has to stand all along."""
-    if not still:
-        return _works(motion)
-    if motion.is_indexing or not is_usual(motion):
-        return ()
-    first, last = motion.moves
-    dwells = {
-        ((0, 1), (1, 0)): (first.to_deg, last.from_deg),
-        ((1, 1), (0, 0)): (last.to_deg, first.from_deg + DEG_PER_TURN),
-    }
-    held = [ends for ends, arc in dwells.items() if _is_still(arc, still)]
-    return held[0] if len(held) == 1 else ()
-
-
-def _is_still(dwell: Arc, still: Iterable[Arc]) -> bool:
-    """Tell whether a part has to stand all along a dwell."""
-    over, free = arcs([dwell]), complement(arcs(still))
-    return bool(over) and sum(end - start for start, end in intersect(over, free)) < SAME_DEG
-
-
-def _push(move: Segment) -> float:
-    return move.curve.derived(2).largest
-
-
-def _room(motion: Motion, place: Place) -> float:
-    """Return how far an end of a move can be put out, in deg, until the next one begins or ends."""
-    (number, end), moves = place, motion.moves
-    begins = [*(move.from_deg for move in moves), moves[0].from_deg + DEG_PER_TURN]
-    ends = [moves[-1].to_deg - DEG_PER_TURN, *(move.to_deg for move in moves)]
-    return max(begins[number + end] - ends[number + end], 0.0)  # rounding may make them overlap
-
-
-def _put_out(motion: Motion, place: Place, by_deg: float) -> Motion:
-    """Return the motion with an end of a move that much further out."""
-    (number, end), moves = place, [*motion.moves]
-    move = moves[number]
-    moves[number] = (
-        replace(move, to_deg=move.to_deg + by_deg)
-        if end
-        else replace(move, from_deg=move.from_deg - by_deg)
-    )
-    return replace(motion, segments=tuple(with_dwells(moves)))
-
-
-def _stands(motion: Motion, still: Iterable[Arc]) -> bool:
-    """Tell whether a motion stands over its still arcs."""
-    return not intersect(arcs_of(motion.moves), arcs(still))
