@@ -228,6 +228,14 @@ def test_moves_beside_a_broken_rule_that_are_not_widened_are_found(
     assert not examine("mut", 7, ("advised",))
 
 
+def test_a_part_that_could_stand_longer_and_so_be_gentler_is_found(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(widening._Search, "_is_best", lambda *_: True)
+    (found,) = examine("l73", 0, ("advised",))
+    assert "m/s², but 3.692" in str(found)
+
+
 def test_moves_that_are_torn_apart_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     slide = cm.motion(
         "slide",
