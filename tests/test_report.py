@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import date
 from pathlib import Path
 from typing import Any, NoReturn
 from urllib.parse import unquote
@@ -22,7 +23,7 @@ from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
 from cammotion.report.bound import bound_said, design_said
 from cammotion.report.live import live_figure
-from cammotion.report.page import rules_of
+from cammotion.report.page import rules_of, write_page
 from cammotion.report.sheets import sheets_of
 
 DATA = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
@@ -117,6 +118,7 @@ def test_where_there_is_no_design_the_bound_is_not_compared_with_the_machine_of_
         f"{said}; there is no design, but motions that keep their rules were found, with 4.1542."
     )
     assert bound_said(replace(found, least=replace(least, design=None))) == f"{said}."
+    assert "The mill stays as it is" in write_page(found, date.today(), [])
 
 
 def test_a_design_is_called_the_best_only_where_all_were_searched() -> None:
