@@ -207,6 +207,12 @@ def test_it_says_what_the_smoothing_spline_makes(
     assert said(figure) == pytest.approx([lowest / INCH_M, lowest, bars], abs=0.051)
 
 
+def test_the_one_error_is_at_a_reading_that_there_is() -> None:
+    """A quarter of a turn lies between two of 30 readings."""
+    controls = cm.explore_measured(wave(30), RATE).description["controls"]
+    assert controls[-1]["options"] == ["alternate", "one, at 84°", "all alike"]
+
+
 @pytest.mark.parametrize("number", [1, 4, 17])
 def test_it_keeps_so_many_harmonics(figure: LiveFigure, number: int) -> None:
     figure.values = {ERROR: 0, EXPONENT: -7, HARMONICS: number}
