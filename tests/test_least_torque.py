@@ -2,7 +2,7 @@
 
 import math
 from functools import cache, partial
-from itertools import product
+from itertools import count, product
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from scipy.optimize import differential_evolution
 import cammotion as cm
 from cammotion.laws.catalogue import as_law
 from cammotion.quantities import InputError, WrongAnswerError
+from cammotion.whole import torque_search
 from cammotion.whole.optimise import Optimised
 from cammotion.whole.shaft_torque import ShaftTorque, push
 
@@ -111,6 +112,41 @@ def test_it_is_never_worse_than_today_or_than_the_least_peak() -> None:
     assert found.reached == pytest.approx(largest(found.design))
     again = cm.optimise(cm.Camshaft(found.design, LOADS), RULE, still=STILL, minimise="torque")
     assert again.reached <= found.reached * (1 + 1e-6)
+
+
+def test_however_short_the_time_it_is_not_worse_than_today() -> None:
+    """Angles that stay as they are: what is left are the starts, and four masses that add up."""
+    parts = [("A", 50, 132.07910219), ("B", 60, 146.98345627), ("C", 70, 70.16752204)]
+    parts.append(("D", 80, 255.39518234))
+    motions, still = [], {}
+    for name, wide, start in parts:
+        moves = cm.rise(40, over_deg=wide), cm.dwell(20), cm.return_(40, over_deg=wide)
+        motions.append(cm.motion(name, *moves, cm.dwell(340 - 2 * wide), start_deg=start))
+        ends = start + 2 * wide + 20
+        still[name] = [(ends + 160 - wide, ends + 161 - wide)]
+    diagram = cm.TimingDiagram(motions, 2000)
+    masses = zip("ABCD", (5, 9, 13, 20), strict=True)
+    shaft = cm.Camshaft(diagram, {name: cm.FollowerLoad(mass_kg=mass) for name, mass in masses})
+    angles: dict[str, Any] = {name: [(wide, wide)] * 2 for name, wide, _ in parts}
+    asked: dict[str, Any] = {"still": still, "angles_deg": angles, "seconds": 0.1}
+    found = cm.optimise(shaft, [], minimise="torque", **asked)
+    assert found.reached <= abs(shaft.peak_torque().value)
+
+
+def test_polishing_ends_with_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It went on for 30 s where a second was given. Here each look at the clock takes one."""
+    now, asked = count(), []
+    monkeypatch.setattr(torque_search, "monotonic", lambda: float(next(now)))
+    at_samples = ShaftTorque.at_samples
+
+    def counted(self: ShaftTorque, moves: Any) -> Any:
+        asked.append(self)
+        return at_samples(self, moves)
+
+    monkeypatch.setattr(ShaftTorque, "at_samples", counted)
+    found = cm.optimise(SHAFT, RULE, still=STILL, minimise="torque", seconds=1)
+    assert len(asked) < 60  # an iteration asks eight times, and there are 40 for each of four
+    assert found.reached <= largest(make_diagram())
 
 
 def test_one_mass_alone_gets_all_the_angle_there_is() -> None:

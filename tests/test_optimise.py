@@ -15,6 +15,7 @@ from cammotion.limits.frame import rests_at
 from cammotion.quantities import InputError, WrongAnswerError
 from cammotion.whole.mixed import Mixed, Rows
 from cammotion.whole.optimise import Optimised, optimise
+from cammotion.whole.wide_moves import Found
 
 STILL = {"mill": [DOWN_DEG], "die": [DOWN_DEG]}
 BALANCE_DEG, BALANCED = 163.267, 0.94285  # deg and m/s2, both with cycloids
@@ -156,6 +157,121 @@ def test_it_says_where_each_move_is() -> None:
     assert "0.9429 m/s² (before: 4.1542)" in text
     assert "  rise over 163.267 deg from 353.366 deg, cycloidal" in text
     assert "  return over 115.447 deg from 305.000 deg, cycloidal" in text
+
+
+# What is there today
+
+
+@pytest.fixture(name="touching")
+def fixture_touching() -> cm.TimingDiagram:
+    """Return mill and die, which leaves its rest as the mill comes to it: no gap between both."""
+    return make_diagram(make_mill(), make_die())
+
+
+REST = cm.ClearanceRule(cm.beyond("die", 0), only_while=cm.within("mill", 0))
+ALONE = {"die": STILL["die"]}
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        {"still": ALONE},
+        {"still": STILL, "at_most": {"mill": 1.1170107212763709, "die": 4.154172103920388}},
+        {"still": STILL, "angles_deg": {"mill": [(150, 150)], "die": [(55, 55)] * 2}},
+        {"still": STILL, "angles_deg": {"die": [(55, 55)] * 2}},
+        {"still": ALONE, "minimise": "torque", "seconds": 0.5},
+    ],
+)
+def test_what_is_kept_today_is_never_refused(
+    touching: cm.TimingDiagram, asked: dict[str, Any]
+) -> None:
+    """Arcs that just touch: the solver's rounding kept them a little apart, and so from each other.
+
+    The bound, too, is then what no diagram is below, today's among them.
+    """
+    shaft = cm.Camshaft(touching, {"mill": cm.FollowerLoad(mass_kg=40)})
+    found = optimise(shaft if "minimise" in asked else touching, REST, **asked)
+    assert found.design["die"] == touching["die"]
+    if "minimise" not in asked:
+        assert found.bound <= peak(touching)
+        assert found.reached <= peak(touching)
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        {"angles_deg": {"mill": [(150, 150)], "die": [(56, 56), (55, 55)]}},
+        {
+            "starts_deg": {"mill": [(1, 2)]},
+            "angles_deg": {"mill": [(150, 150)], "die": [(55, 55)] * 2},
+        },
+        {"laws": ["modified sine"], "angles_deg": {"mill": [(150, 150)], "die": [(55, 55)] * 2}},
+    ],
+)
+def test_today_is_no_answer_where_it_is_not_allowed(
+    touching: cm.TimingDiagram, asked: dict[str, Any]
+) -> None:
+    if "laws" in asked:
+        found = optimise(touching, REST, still=STILL, **asked)
+        assert found.design["die"].moves[0].law == cm.LAWS["modified sine"]
+    else:
+        with pytest.raises(InputError, match="No starts and angles"):
+            optimise(touching, REST, still=STILL, **asked)
+
+
+def test_what_is_good_today_stays_as_it_is() -> None:
+    found = optimise(make_diagram(), RULE, still=STILL).design
+    assert optimise(found, RULE, still=STILL).design == found
+
+
+def test_what_is_found_worse_than_today_is_not_returned(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bound that today's peak refutes is none, too."""
+    best = optimise(make_diagram(), RULE, still=STILL).design
+    monkeypatch.setattr("cammotion.whole.optimise.place", lambda *_: Found(None, np.inf))
+    found = optimise(best, RULE, still=STILL)
+    assert (found.design, found.bound) == (best, 0)
+
+
+def test_no_move_is_given_up_for_rounding() -> None:
+    """What the solver said of all moves was more than each had by its rounding: all seemed stuck.
+
+    The second rise of B was left at 13.883 deg. A and C are as they bind it, with a limit as high
+    as a rest.
+    """
+    p, q, h = "3-4-5 polynomial", "4-5-6-7 polynomial", "simple harmonic"
+    a = cm.motion(
+        "A",
+        *(
+            cm.rise(30.537765209, over_deg=131.31, law=h),
+            cm.return_(30.537765209, over_deg=206.87, law=q),
+        ),
+        cm.dwell(21.82),
+    )
+    b = cm.motion(
+        "B",
+        *(cm.rise(40.849229145, over_deg=15.18), cm.dwell(91.44)),
+        *(cm.rise(40.849229145, over_deg=102.7, law=p), cm.dwell(89.51)),
+        cm.return_(81.69845829, over_deg=61.17, law=h),
+        start_deg=720.5,
+        start_mm=5,
+    )
+    c = cm.motion(
+        "C",
+        *(cm.rise(15.783223134, over_deg=60.5, law=p), cm.dwell(86.81)),
+        *(cm.return_(15.783223134, over_deg=109.78, law=q), cm.dwell(102.91)),
+        start_mm=-3,
+    )
+    rules = [
+        cm.ClearanceRule(cm.within("C", -2.4720759590745067), cm.within("B", 45.849229145)),
+        cm.ClearanceRule(cm.beyond("A", 0.30537765209), cm.within("B", 11.806015872630443)),
+    ]
+    still: dict[str, Any] = {
+        "A": [(338.18, 360)],
+        "B": [(735.68, 827.12), (929.82, 1019.33)],
+        "C": [(95.77098391392956, 119.10839839897778)],
+    }
+    found = optimise(cm.TimingDiagram([a, b, c], 5400), rules, still=still)
+    assert found.design["B"].moves[1].angle_deg == pytest.approx(102.7)
 
 
 # By other ways

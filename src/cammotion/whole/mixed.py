@@ -43,6 +43,20 @@ class Rows:
         self._rows: list[tuple[float, float]] = []
         self._entries: tuple[list[int], list[int], list[float]] = ([], [], [])
 
+    def copied(self) -> "Rows":
+        """Return the same once more, for what is asked only once."""
+        twin = Rows()
+        twin.low, twin.high, twin.cost, twin.whole = (
+            [*self.low],
+            [*self.high],
+            [*self.cost],
+            [*self.whole],
+        )
+        twin.choices, twin._rows = [*self.choices], [*self._rows]
+        rows, columns, factors = self._entries
+        twin._entries = [*rows], [*columns], [*factors]
+        return twin
+
     def unknowns(self, low: Any, high: Any, *, whole: bool = False, cost: float = 0.0) -> list[int]:
         """Add unknowns between two ends, arrays of one length; return their numbers."""
         first, count = len(self.low), len(low)
@@ -63,14 +77,21 @@ class Rows:
         self.choices.append(taken)
         return taken
 
-    def row(self, terms: Sequence[tuple[int, float]], low: float, high: float) -> None:
-        """Bind a sum of factors times unknowns to a range."""
+    def row(self, terms: Sequence[tuple[int, float]], low: float, high: float) -> int:
+        """Bind a sum of factors times unknowns to a range; return the number of the row."""
         rows, columns, factors = self._entries
         for column, factor in terms:
             rows.append(len(self._rows))
             columns.append(column)
             factors.append(factor)
         self._rows.append((low, high))
+        return len(self._rows) - 1
+
+    def tighten(self, numbers: Sequence[int], by: float) -> None:
+        """Raise the low ends of rows."""
+        for number in numbers:
+            low, high = self._rows[number]
+            self._rows[number] = low + by, high
 
     def within(self, terms: Sequence[tuple[int, float]], by: int, times: float) -> None:
         """Bind the magnitude of a sum to another unknown times a factor."""

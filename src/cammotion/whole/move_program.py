@@ -9,7 +9,6 @@ off, is a whole number.
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
@@ -21,40 +20,8 @@ from cammotion.whole.free_moves import Apart, Mover, Placed
 from cammotion.whole.mixed import Mixed, Rows
 
 _NARROWEST_DEG = 1e-3
-_APART_DEG = 4e-6  # so far arcs are kept apart, for what the solver rounds
+_APART_DEG = 4e-6  # so far arcs are kept apart in the end, for what the solver rounds
 _MORE_TURNS = 4  # than its start is one part ahead of another
-_HELD = 1e-8  # of what is held
-_SAME = 1e-6  # what differs by less of it, is one
-
-
-class Inside(NamedTuple):
-    """What binds the start and the angle of each move, these two after each other: rows and ends.
-
-    `columns` are their numbers among all unknowns.
-    """
-
-    columns: list[int]
-    rows: Floats
-    low: Floats
-    high: Floats
-    ends: tuple[Floats, Floats]
-
-
-def place(
-    movers: Sequence[Mover], apart: Sequence[Apart], seconds: float
-) -> tuple[list[list[Placed]], float] | None:
-    """Return the moves of all parts, and the share that no others can be below; None if none are.
-
-    The largest peak is as small as can be; with its part held that of the next one, and so on.
-    Raises InputError where the time was too short to tell.
-    """
-    program = MoveProgram(movers, apart)
-    program.rows.cost[program.least] = -1.0
-    found = program.solved(seconds)
-    if found.unknowns is None or found.bound is None:
-        return None
-    x = program.settle(found.unknowns)
-    return x if x is None else (program.moves(program.widened(program.of_part, x)), -found.bound)
 
 
 class MoveProgram:
@@ -68,6 +35,7 @@ class MoveProgram:
         self.starts: list[list[int]] = []
         self.widths: list[list[list[int]]] = []
         self.whole: list[int] = []
+        self.apart: list[int] = []
         self.none_after: dict[tuple[int, int], int | None] = {}
         starts = [start for mover in movers for ends in mover.starts for start in ends]
         farthest = 2 * max(map(abs, starts), default=0.0)
@@ -143,11 +111,12 @@ class MoveProgram:
         waived = [(one, 2.0 * DEG_PER_TURN) for one in none if one is not None]
         shift = [(turns[0], float(DEG_PER_TURN))]
         for later, earlier, turned in ((c, b, shift), (a, d, [(turns[0], -float(DEG_PER_TURN))])):
-            known = earlier[1] - later[1] + _APART_DEG
+            known = earlier[1] - later[1]
             if earlier is d:
                 known -= DEG_PER_TURN
             minus = [(column, -factor) for column, factor in earlier[0]]
-            self.rows.row(_summed([*later[0], *minus, *turned, *waived]), known, np.inf)
+            terms = _summed([*later[0], *minus, *turned, *waived])
+            self.apart.append(self.rows.row(terms, known, np.inf))
 
     def _none_after(self, part: int, move: int) -> int | None:
         """Return the unknown that is 1 only where there is no dwell after a move.
@@ -195,61 +164,19 @@ class MoveProgram:
     def settle(self, x: Floats) -> Floats | None:
         """Keep the whole numbers that were found; return the best unknowns with these.
 
-        None if there are none: then only rounding, of numbers as large as a turn, has let them be.
+        All arcs are a little apart then. None if there are none: then some have to touch each
+        other, or only rounding, of numbers as large as a turn, has let them be.
         """
         for column in self.whole:
             self.rows.low[column] = self.rows.high[column] = float(np.round(x[column]))
             self.rows.whole[column] = 0
+        self.rows.tighten(self.apart, _APART_DEG)
         return self.rows.solve().unknowns
 
-    def inside(self, x: Floats) -> Inside:
-        """Return what binds starts and angles, with whole numbers and laws as they were found."""
-        columns: list[int] = []
-        for starts, widths in zip(self.starts, self.widths, strict=True):
-            for start, width in zip(starts, widths, strict=True):
-                chosen = width[int(np.argmax(x[width]))]
-                columns += [start, chosen]
-                for other in {*width} - {chosen}:
-                    self.rows.low[other] = self.rows.high[other] = 0.0
-        matrix, low, high = self.rows.scaled()
-        others = np.setdiff1d(np.arange(matrix.shape[1]), columns)
-        own = abs(matrix[:, others]).sum(axis=1).A1 == 0
-        ends = np.array(self.rows.low)[columns], np.array(self.rows.high)[columns]
-        return Inside(columns, matrix[own][:, columns].toarray(), low[own], high[own], ends)
-
-    def raised(self, owns: Sequence[int], before: Floats) -> tuple[float, Floats]:
-        """Return how wide the moves of some parts can be together, and the unknowns then."""
-        self.rows.cost = [0.0] * len(self.rows.cost)
-        together = self.rows.unknown(0.0, np.inf, cost=-1.0)
-        for own in owns:
-            self.rows.row([(own, 1.0), (together, -1.0)], 0.0, np.inf)
-        found = self.rows.solve()
-        x = before if found.unknowns is None else found.unknowns
-        best = 0.0 if found.unknowns is None else float(x[together])
-        self.rows.high[together] = 0.0  # it asks for nothing any more
-        return best, x
-
-    def widened(self, parts: Sequence[Sequence[int]], x: Floats) -> Floats:
-        """Return the unknowns with the narrowest move of some parts as wide as can be.
-
-        With its part held, so is that of the next one; with all parts held, their other moves.
-        """
-        x = self._filled(parts, x)
-        return self._filled([[own] for part in parts for own in part], x)
-
-    def _filled(self, groups: Sequence[Sequence[int]], x: Floats) -> Floats:
-        """Return the unknowns with the narrowest of each group as wide as those before leave it."""
-        free = [group for group in groups if group]
-        while free:
-            owns = [own for group in free for own in group]
-            least, x = self.raised(owns, x)
-            for own in owns:
-                self.rows.low[own] = max(self.rows.low[own], least * (1 - _HELD))
-            enough = least * (1 + _SAME)
-            tight = [group for group in free if x[[*group]].min() <= enough]
-            held = [group for group in tight if self.raised(group, x)[0] <= enough]
-            free = [group for group in free if group not in (held or free)]
-        return x
+    def touching(self) -> Floats | None:
+        """Return what `settle` does, for arcs that may touch each other to the last digit."""
+        self.rows.tighten(self.apart, -_APART_DEG)
+        return self.rows.solve().unknowns
 
     def moves(self, x: Floats) -> list[list[Placed]]:
         """Return the moves of each part."""

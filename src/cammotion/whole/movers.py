@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
 
+from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -12,7 +13,7 @@ from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment, with_dwells
 from cammotion.quantities import InputError
 from cammotion.rules.conditions import Condition
-from cammotion.whole.asked_of_all import Task
+from cammotion.whole.asked_of_all import Task, faults_of
 from cammotion.whole.asked_of_moves import read_laws, read_ranges
 from cammotion.whole.crossings import Span, fixed_spans, spans
 from cammotion.whole.free_moves import Apart, Begin, Mover, Placed
@@ -36,6 +37,28 @@ def read_moves(task: Task, laws: Any, ranges: tuple[Any, Any]) -> tuple[list[Mov
         for part, own in zip(task.parts, chosen, strict=True)
     ]
     return movers, list(_apart(task, chosen))
+
+
+def today(task: Task, movers: Sequence[Mover]) -> TimingDiagram | None:
+    """Return the diagram as it is; None if its moves are not allowed or do not keep all."""
+    allowed = all(map(_allows, movers, (part.motion for part in task.parts)))
+    return task.diagram if allowed and not [*faults_of(task, task.diagram)] else None
+
+
+def _allows(mover: Mover, motion: Motion) -> bool:
+    """Whether the moves of a motion have laws, angles and starts that are allowed."""
+    for number, move in enumerate(motion.moves):
+        (low, high), begin = mover.angles[number], mover.begins[number]
+        if as_law(move.law) not in mover.laws[number]:
+            return False
+        if not low - _ROUNDING_DEG <= move.angle_deg <= high + _ROUNDING_DEG:
+            return False
+        if begin:
+            first, last = begin.range_deg
+            late = (move.from_deg - first + _ROUNDING_DEG) % DEG_PER_TURN
+            if late > last - first + 2 * _ROUNDING_DEG:
+                return False
+    return True
 
 
 def built(task: Task, placed: Sequence[Sequence[Placed]]) -> TimingDiagram:

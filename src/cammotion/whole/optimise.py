@@ -2,8 +2,9 @@
 
 `widest_move` widens one part after the other, and the order decides. Here no order is chosen: what
 is asked is a mixed-integer linear program (see `whole.move_program`), and its answer is the best
-of all diagrams whose moves go from rest to rest by the given laws. What other motions could do,
-`least_peak` says. The least torque on the camshaft is sought by `whole.torque_search`.
+of all diagrams whose moves go from rest to rest by the given laws, each still arc in its dwell of
+today. What other motions could do, `least_peak` says. The least torque on the camshaft is sought by
+`whole.torque_search`.
 """
 
 from collections.abc import Iterable, Mapping
@@ -18,13 +19,14 @@ from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.segments import Segment
 from cammotion.quantities import InputError, Quantity, WrongAnswerError, in_decimals, one_of
 from cammotion.rules.rule import Rule
 from cammotion.whole.asked_of_all import Task, faults_of, read_task, weighted_peak
 from cammotion.whole.asked_of_moves import Laws, Ranges
-from cammotion.whole.move_program import place
-from cammotion.whole.movers import built, read_moves
+from cammotion.whole.movers import built, read_moves, today
 from cammotion.whole.torque_search import least_torque, peak_torque
+from cammotion.whole.wide_moves import place
 
 _SECONDS = Quantity("time", "s", example=20)
 _SHARE = 1e-5  # of a peak, that may be rounding
@@ -36,7 +38,8 @@ class Optimised:
     """The best diagram with moves by given laws: `design`, in place of `diagram`.
 
     `reached` is its largest peak, each times its weight, in `unit`; `bound` is what no other
-    diagram of such moves can be below, and nearly the same unless the time was too short.
+    diagram of such moves can be below, each still arc being in its dwell of today, and nearly the
+    same unless the time was too short; 0 if none is known.
 
     With a `shaft` whose torque was made small, `reached` is the largest torque on it. Then `bound`
     is 0, for none is known, and `tried` has what was reached from each start, the least first.
@@ -104,10 +107,12 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
 
     The parts named in `still` are free: each of their moves, rises and returns each with their own
     start and indexing angle. Over the `still` arcs, pairs of cam angles in deg, a part stands where
-    it does in the diagram; strokes and the order of the moves stay; all rules that a free part has
-    a share in are kept, exactly. All other parts stay as they are. `laws` may be a list for all,
-    or one for each part by its name, of which each move gets the best; without it each keeps its
-    own. `starts_deg` and `angles_deg` give for a part a range, or None, for each of its moves.
+    it does in the diagram; strokes and the order of the moves stay, and so does the dwell in which
+    a still arc is: another one at the same height is not tried in its place. All rules that a free
+    part has a share in are kept, exactly. All other parts stay as they are. `laws` may be a list
+    for all, or one for each part by its name, of which each move gets the best; without it each
+    keeps its own. `starts_deg` and `angles_deg` give for a part a range, or None, for each of its
+    moves.
 
     The largest of the peak accelerations is made small, each times its weight (1 if none is given),
     in `unit`; then, with its part held there, the largest of the others, and so on; and last, of
@@ -120,14 +125,17 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     friction, the forces of the process, and the loads of parts that are not free. Masses that slow
     down pay for those that speed up, and so there is no program that finds the best: from many
     starts, the least peak and the machine of today among them, SciPy's SLSQP goes down to a low
-    place, and the best one is returned. No bound is known then; `tried` shows how far apart the
-    low places are. A part without a load counts for nothing in it: its peak stays at most what it
-    is today, or what `at_most` says.
+    place, and the best one is returned. Those two are always looked at, also where that takes
+    longer than the `seconds`. No bound is known then; `tried` shows how far apart the low places
+    are. A part without a load counts for nothing in it: its peak stays at most what it is today,
+    or what `at_most` says.
 
     Otherwise the answer is the best there is, not only the best of some tries, as far as the solver
     HiGHS can be trusted: it searches the program through, to a ten-thousandth (where the `seconds`
-    are enough; `bound` tells). What is found is checked before it is returned by `find_violations`
-    and by its curves; raises WrongAnswerError if that fails.
+    are enough; `bound` tells). Arcs that a rule keeps apart stay so by 4e-6 deg, for rounding, if
+    they need not touch. Today's diagram is returned where it keeps all of this and nothing better
+    is found. What is found is checked before it is returned by `find_violations` and by its curves;
+    raises WrongAnswerError if that fails.
     Raises InputError for what is out of range, for a force or a torque without a Camshaft, for laws
     that do not rest at both ends or whose velocity jumps, for an arc over which a part does not
     stand, for a rule that says no position of a free part (of a distance, or of what moves or
@@ -201,12 +209,40 @@ def best_moves(task: Task, laws: Laws, seconds: float) -> TimingDiagram | None:
 def _best(
     task: Task, laws: Any, ranges: tuple[Any, Any], seconds: float
 ) -> tuple[TimingDiagram, float] | None:
-    """Return the best diagram and its bound, which nothing has checked yet."""
-    found = place(*read_moves(task, laws, ranges), seconds)
-    if found is None:
-        return None
-    design = built(task, found[0])
-    return design, task.in_metres(1 / found[1] ** 2) if found[1] else 0.0
+    """Return the best diagram and its bound, which nothing has checked yet.
+
+    It is the one of today if that is allowed and what is found is no better. A bound that today's
+    is below is none.
+    """
+    movers, apart = read_moves(task, laws, ranges)
+    found, now = place(movers, apart, seconds), today(task, movers)
+    design = built(task, found.moves) if found.moves else None
+    if design and found.touching and [*faults_of(task, design)]:
+        design = None
+    bound = task.in_metres(found.bound)
+    if now:
+        least = weighted_peak(now, task.weights)
+        bound = min(bound, least) if least >= bound * (1 - _SHARE) else 0.0
+        design = design if design and _is_better(task, design) else now
+    return (design, bound) if design else None
+
+
+def _is_better(task: Task, design: TimingDiagram) -> bool:
+    """Whether a design is better than today's, or as good and one of its moves has less peak."""
+    old, new = (weighted_peak(each, task.weights) for each in (task.diagram, design))
+    if abs(new - old) > _SHARE * old:
+        return new < old
+    moves = (
+        zip(part.motion.moves, design[part.motion.name].moves, strict=True) for part in task.parts
+    )
+    return any(
+        _peak(after) < _peak(before) * (1 - _SHARE) for part in moves for before, after in part
+    )
+
+
+def _peak(move: Segment) -> float:
+    """Return the peak of a move, which is its acceleration in mm/deg2."""
+    return as_law(move.law).Ca * abs(move.change_mm) / move.angle_deg**2
 
 
 def _check(task: Task, answer: Optimised) -> None:

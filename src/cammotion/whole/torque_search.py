@@ -6,7 +6,7 @@ proves. All else is as with the least peak: once it is settled which arc comes f
 linear in starts and angles, and SciPy's SLSQP goes down within them, so that no step breaks a rule.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from time import monotonic
 from typing import Any, NamedTuple
@@ -17,12 +17,13 @@ from cammotion.drive.camshaft import Camshaft
 from cammotion.laws.catalogue import as_law
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Floats
-from cammotion.rules.checks import find_violations
 from cammotion.whole.asked_of_all import Task
 from cammotion.whole.free_moves import Apart, Mover
-from cammotion.whole.move_program import Inside, MoveProgram
-from cammotion.whole.movers import built
+from cammotion.whole.inside import inside
+from cammotion.whole.move_program import MoveProgram
+from cammotion.whole.movers import built, today
 from cammotion.whole.shaft_torque import Push, ShaftTorque, push
+from cammotion.whole.wide_moves import widened
 
 _STARTS = 16
 _LEAST_PEAK, _TODAY = 0, 1  # the first starts
@@ -57,40 +58,44 @@ def least_torque(
 ) -> tuple[TimingDiagram, tuple[float, ...]] | None:
     """Return the best diagram found, and the torque in N m that was reached from each start.
 
-    None if no moves keep all rules. The first start has the least peak, and the second, if it is
-    allowed, is the machine of today; no answer is worse than one of them.
+    None if no moves keep all rules. No answer is worse than the machine of today, if that is
+    allowed, or than the first start, which has the least peak: these two are looked at however
+    short the time is. All else ends with it, but for the step that is being made.
     """
-    search, end = _Search(shaft, task, movers), monotonic() + _SEARCHED * seconds
-    starts, lows = _Starts(task, movers, apart), list[_Low]()
+    search, now = _Search(shaft, task, movers), today(task, movers)
+    end = monotonic() + seconds
+    until = end - (1 - _SEARCHED) * seconds
+    starts, lows = _Starts(task, movers, apart), dict[int, _Low]()
     found: list[tuple[float, TimingDiagram]] = []
-    tried: list[float] = []  # the least from each start
+    tried: dict[int, float] = {}  # the least from each start
 
-    def offer(design: TimingDiagram, of: int) -> float:
+    def offer(design: TimingDiagram, number: int) -> float:
         found.append((peak_torque(shaft, design), design))
-        tried[of] = min(tried[of], found[-1][0])
+        tried[number] = min(tried.get(number, np.inf), found[-1][0])
         return found[-1][0]
 
     for number in range(_STARTS):
-        start = starts.find(number, min(lows, key=_torque_of, default=None), end - monotonic())
-        if start is not None:
-            own = len(tried)
-            tried.append(np.inf)
-            if number == _LEAST_PEAK:
-                offer(built(task, start.program.moves(start.x)), own)
-            if number == _TODAY and not find_violations(task.diagram, task.rules):
-                offer(task.diagram, own)
-            low = search.lowered(start, _COARSE)
-            reached = offer(built(task, low.program.moves(low.x)), own)
-            lows.append(low._replace(torque=reached))
-        if monotonic() > end or not lows:
+        if number > _TODAY and (monotonic() > until or not lows):
             break
-    for own in sorted(range(len(lows)), key=lambda number: lows[number].torque)[:_POLISHED]:
-        fine = search.lowered(lows[own], _FINE)
-        offer(built(task, fine.program.moves(search.eased(fine))), own)
+        best = min(lows.values(), key=_torque_of, default=None)
+        start = starts.find(number, best, until - monotonic())
+        if number == _TODAY and now:
+            offer(now, number)
+        if start is None:
+            continue
+        if number == _LEAST_PEAK:
+            offer(built(task, start.program.moves(start.x)), number)
+        low = search.lowered(start, _COARSE, until)
+        lows[number] = low._replace(torque=offer(built(task, low.program.moves(low.x)), number))
+    lowest = sorted(lows, key=lambda number: lows[number].torque)[:_POLISHED]
+    for number in lowest:
+        if number == lowest[0] or monotonic() < end:
+            fine = search.lowered(lows[number], _FINE, end)
+            offer(built(task, fine.program.moves(search.eased(fine))), number)
     if not found:
         return None
-    best = min(found[::-1], key=lambda each: float(f"{each[0]:.{_DIGITS}g}"))  # the last are eased
-    return best[1], tuple(sorted(max(torque, best[0]) for torque in tried))
+    least = min(found[::-1], key=lambda each: float(f"{each[0]:.{_DIGITS}g}"))  # the last are eased
+    return least[1], tuple(sorted(max(torque, least[0]) for torque in tried.values()))
 
 
 def _torque_of(low: _Low) -> float:
@@ -104,12 +109,15 @@ class _Search:
         self.shaft, self.task, self.movers = shaft, task, movers
         self._pushes: dict[tuple[Any, ...], Push] = {}
 
-    def lowered(self, start: _Low, samples: int) -> _Low:
-        """Return the low place below a start: the same if no lower one was found."""
+    def lowered(self, start: _Low, samples: int, end: float) -> _Low:
+        """Return the low place below a start, or what is reached when the clock says `end`.
+
+        It is the same if no lower one was found.
+        """
         from scipy.optimize import minimize
 
         program, x = start.program, start.x
-        within = program.inside(x)
+        within = inside(program, x)
         torque = self._torque(program, x, samples)
         first = x[within.columns]
         most = float(np.abs(torque.at_samples(first.reshape(-1, 2))).max(initial=0.0))
@@ -120,6 +128,10 @@ class _Search:
             asked = torque.at_samples(_PART_DEG * z[:-1].reshape(-1, 2)) / most
             return np.concatenate([z[-1] - asked, z[-1] + asked])
 
+        def watch(_: Floats) -> None:
+            if monotonic() > end:
+                raise StopIteration
+
         last = np.eye(1, len(first) + 1, len(first))[0]
         found = minimize(
             lambda z: z[-1],
@@ -127,12 +139,13 @@ class _Search:
             jac=lambda _: last,
             method="SLSQP",
             bounds=[*zip(*(ends / _PART_DEG for ends in within.ends), strict=True), (0.0, None)],
-            constraints=[{"type": "ineq", "fun": room}, *_linear(within)],
+            constraints=[{"type": "ineq", "fun": room}, *within.linear(_PART_DEG)],
+            callback=watch,
             options={"maxiter": _ROUNDS, "ftol": _LAST},
         )
         z = np.clip(_PART_DEG * found.x[:-1], *within.ends)
         reached = float(np.abs(torque.at_samples(z.reshape(-1, 2))).max())
-        if reached >= most or _missed(within, z) > _OFF_DEG:
+        if reached >= most or within.missed(z) > _OFF_DEG:
             return _Low(program, x, most)
         lower = x.copy()
         lower[within.columns] = z
@@ -151,7 +164,7 @@ class _Search:
             for column in [*starts, *(one for width in widths for one in width)]:
                 rows.low[column] = max(rows.low[column], low.x[column] - _OFF_DEG)
                 rows.high[column] = min(rows.high[column], low.x[column] + _OFF_DEG)
-        return program.widened(loose, low.x) if loose else low.x
+        return widened(program, loose, low.x) if loose else low.x
 
     def _torque(self, program: MoveProgram, x: Floats, samples: int) -> ShaftTorque:
         pushes: list[Push | None] = []
@@ -164,25 +177,6 @@ class _Search:
                 pushes.append(self._pushes.get(key))
         free = [part.motion.name for part in self.task.parts]
         return ShaftTorque(self.shaft, pushes, free, samples)
-
-
-def _linear(within: Inside) -> Iterator[dict[str, Any]]:
-    """Yield the rows of both sides as SLSQP takes them."""
-    rows = np.column_stack([_PART_DEG * within.rows, np.zeros(len(within.rows))])
-    for side, ends in ((1, within.low), (-1, within.high)):
-        bound = np.isfinite(ends)
-        matrix, limits = side * rows[bound], side * ends[bound]
-        if bound.any():
-            yield {
-                "type": "ineq",
-                "fun": lambda z, matrix=matrix, limits=limits: matrix @ z - limits,
-                "jac": lambda _, matrix=matrix: matrix,
-            }
-
-
-def _missed(within: Inside, z: Floats) -> float:
-    values = within.rows @ z
-    return float(np.maximum(within.low - values, values - within.high).max(initial=0.0))
 
 
 class _Starts:
@@ -219,11 +213,11 @@ class _Starts:
             return None
         if number == _TODAY:
             return _Low(program, x, np.inf)
-        widest = program.widened(program.of_part, settled)
+        widest = widened(program, program.of_part, settled)
         for own in program.own:  # what is held there
             rows.low[own] = 0.0
         share = float(self.rng.uniform(0, _FARTHEST)) if is_at_random else 0.0
-        widest[: len(x)] += share * (x - widest[: len(x)])
+        widest += share * (x - widest)
         return _Low(program, widest, np.inf)
 
     def _laws(self, number: int, best: _Low | None) -> list[int]:
