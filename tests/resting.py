@@ -283,8 +283,7 @@ def _part(rng: Rng, name: str) -> Part:
         if wide > 4 and rng.random() < 0.75:
             begin = times[2 * n + 1] + rng.uniform(0, 0.5) * (wide - 3)
             still.append((round(begin, 3), round(begin + rng.uniform(1, 3), 3)))
-    stops = bool(still) and still[-1][0] > times[-1]
-    free = rng.random() < 0.8 and (stops or not is_turret)
+    free = rng.random() < 0.8
     laws = tuple(str(rng.choice([*LAWS])) for _ in range(count))
     return Part(name, heights, laws, tuple(times), tuple(still) if free else (), is_turret)
 

@@ -152,6 +152,18 @@ def test_other_moves_of_the_hardest_part_take_nothing_from_the_next_part() -> No
     assert cm.find_violations(wide, rule)
 
 
+def test_a_turret_may_stand_at_a_pause_alone() -> None:
+    law = "modified trapezoid"
+    short, long = (cm.rise(50, over_deg=wide, law=law) for wide in (40, 120))
+    table = cm.indexing_motion("table", short, cm.dwell(100), long, cm.dwell(100), stops=8)
+    found = optimise(cm.TimingDiagram([table], 2000), [], still={"table": [(60, 120)]})
+    wide = cm.rise(50, over_deg=150, law=law)
+    by_hand = cm.indexing_motion("table", wide, cm.dwell(60), wide, stops=8, start_deg=-90)
+    expected = cm.TimingDiagram([by_hand], 2000).peak_acceleration("table")
+    assert found.reached == pytest.approx(expected)
+    assert found.design["table"].position_mm(60) == 50
+
+
 def test_it_says_where_each_move_is() -> None:
     text = repr(optimise(make_diagram(), RULE, still=STILL))
     assert "0.9429 m/s² (before: 4.1542)" in text
@@ -327,7 +339,10 @@ def test_an_evolution_finds_nothing_better() -> None:
         ({"starts_deg": {"mill": [(2, 1)]}}, "the smaller one first"),
         ({"starts_deg": {"mill": [None, None]}}, "it has 1 moves"),
         ({"starts_deg": {"mill": [(210, 300)]}}, "would lie in a still arc"),
+        ({"starts_deg": {"die": [(250, 260), None]}}, "would lie in a still arc"),
         ({"angles_deg": {"die": [(131, 140), (131, 140)]}}, "No starts and angles"),
+        ({"angles_deg": {"die": [(400, 500), None]}}, "from 400 to 500 deg; it can be from"),
+        ({"angles_deg": {"die": [None, (0, 0)]}}, "from 0 to 0 deg; it can be from"),
         ({"at_most": {"mill": 0.3}}, "No starts and angles"),
         ({"seconds": -1}, "time is -1 s"),
     ],

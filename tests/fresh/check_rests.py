@@ -21,8 +21,13 @@ def rests(machine: Machine) -> None:
     assert given.is_kept(given.times(found.design)), f"broken: {given}, {found}"
     assert found.reached <= reached * (1 + NEAR), f"{found}, but {reached}: {given}, {best}"
     if rng.random() < 0.3:
-        least = cm.least_peak(diagram, rules, still=still, gap=0.3, seconds=SHORT_S)
-        assert least.bound <= min(reached, found.reached) * (1 + NEAR), f"{least}: {given}"
+        try:
+            least = cm.least_peak(diagram, rules, still=still, gap=0.3, seconds=SHORT_S).bound
+        except cm.InputError as refusal:  # of a turret that stands at a pause alone
+            if "none of its stops" not in str(refusal):
+                raise
+            least = 0.0
+        assert least <= min(reached, found.reached) * (1 + NEAR), f"{least}: {given}"
     if rng.random() < 0.3:
         loads = {part.name: cm.FollowerLoad(mass_kg=rng.uniform(1, 50)) for part in given.parts}
         shaft = cm.Camshaft(diagram, loads)

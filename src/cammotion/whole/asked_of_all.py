@@ -10,7 +10,7 @@ import numpy as np
 from cammotion.arguments.by_name import as_given, by_name
 from cammotion.limits.corridors import even_nodes, travel_ends
 from cammotion.limits.faults import Asked, find_faults
-from cammotion.limits.standing import arcs_by_name, check_begins_at_a_stop
+from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import arcs, intersect, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, over_time
@@ -188,7 +188,6 @@ def read_task(  # noqa: PLR0913 - all but two are given by name
 
 def _check(part: Part) -> None:
     """Raise InputError for what makes no sense of a part by itself."""
-    check_begins_at_a_stop(part.motion, part.still)
     name = part.motion.name
     if part.motion.is_indexing and np.isfinite(part.travel_mm[0]):
         raise InputError(

@@ -8,12 +8,15 @@ from cammotion.arguments.by_name import as_given, by_name
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.limits.frame import rests_at
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, shorten
 from cammotion.whole.asked_of_all import FREE, Task
+from cammotion.whole.free_moves import NARROWEST_DEG
 
 Laws = Sequence[str | MotionLaw]
-Ranges = Sequence[tuple[float, float] | None]
+Range = tuple[float, float]
+Ranges = Sequence[Range | None]
 
 
 def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
@@ -43,8 +46,30 @@ def read_laws(task: Task, given: Any) -> list[list[list[MotionLaw]]]:
     return found
 
 
-def read_ranges(task: Task, what: str, given: Any) -> dict[str, list[tuple[float, float] | None]]:
-    """Return for each part the range of each of its moves, or None."""
+def read_starts(task: Task, given: Any) -> dict[str, list[Range | None]]:
+    """Return for each part the range of the start of each of its moves, or None."""
+    return _read_ranges(task, "start", given)
+
+
+def read_angles(task: Task, given: Any) -> dict[str, list[Range | None]]:
+    """Return for each part the range of the indexing angle of each of its moves, or None.
+
+    Raises InputError for one in which there is no angle that a move can have.
+    """
+    found, most = _read_ranges(task, "indexing angle", given), float(DEG_PER_TURN)
+    for name, ranges in found.items():
+        for low, high in filter(None, ranges):
+            if low > most or high < NARROWEST_DEG:
+                raise InputError(
+                    f"The indexing angle of a move of the {name} would be from {low:g} to {high:g} "
+                    f"deg; it can be from {NARROWEST_DEG:g} to {most:g} deg: give a range within "
+                    "these, or None for any."
+                )
+        found[name] = [one and (one[0], min(one[1], most)) for one in ranges]
+    return found
+
+
+def _read_ranges(task: Task, what: str, given: Any) -> dict[str, list[Range | None]]:
     example = "{'mill': [(150, 160)]}"
     listed = by_name(
         f"ranges of each {what}", given, list(task.weights), as_given, example, of=FREE
@@ -55,7 +80,7 @@ def read_ranges(task: Task, what: str, given: Any) -> dict[str, list[tuple[float
     }
 
 
-def _ranges_of(motion: Motion, what: str, given: Any) -> list[tuple[float, float] | None]:
+def _ranges_of(motion: Motion, what: str, given: Any) -> list[Range | None]:
     count = len(motion.moves)
     if given is None:
         return [None] * count

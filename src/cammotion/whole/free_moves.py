@@ -6,6 +6,9 @@ from typing import NamedTuple
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.whole.crossings import Span
 
+NARROWEST_DEG = 1e-3
+"""A move over less is none."""
+
 
 class Begin(NamedTuple):
     """A range in deg in which a move begins, in one of the turns from the first to the last."""

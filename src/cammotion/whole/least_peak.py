@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from cammotion.arguments import checked
+from cammotion.limits.standing import check_begins_at_a_stop
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import MM_PER_M
@@ -122,7 +123,8 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     nothing to it. Parts are rigid, and follow their motions exactly. The motions that are
     built are checked by `find_violations` and by their curves. Raises WrongAnswerError if they
     fail. Raises InputError for what is out of range, for an arc over which a part does not stand,
-    for a rule that says no position of a free part, and where no motions keep all of this.
+    for a turret that has to stand at none of its stops, for a rule that says no position of a free
+    part, and where no motions keep all of this.
 
     >>> import cammotion as cm
     >>> given = cm.EXAMPLE
@@ -138,6 +140,8 @@ def least_peak(  # noqa: PLR0913 - all but two are given by name
     task = read_task(
         diagram, rules, still=still, travel_mm=travel_mm, weights=weights, at_most=at_most
     )
+    for part in task.parts:
+        check_begins_at_a_stop(part.motion, part.still)
     wanted, end = _GAP.number(gap), began + _SECONDS.number(seconds)
     search = Search(task, end)
 

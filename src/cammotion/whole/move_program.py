@@ -16,10 +16,9 @@ from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError
 from cammotion.whole.crossings import Place
-from cammotion.whole.free_moves import Apart, Mover, Placed
+from cammotion.whole.free_moves import NARROWEST_DEG, Apart, Mover, Placed
 from cammotion.whole.mixed import Mixed, Rows
 
-_NARROWEST_DEG = 1e-3
 _APART_DEG = 4e-6  # so far arcs are kept apart in the end, for what the solver rounds
 _MORE_TURNS = 4  # than its start is one part ahead of another
 
@@ -82,7 +81,7 @@ class MoveProgram:
         """Add the angle of a move for each of its laws, of which one is taken."""
         rows, (low, high) = self.rows, angles
         width = rows.unknowns([0.0] * len(laws), [high] * len(laws))
-        rows.row([(one, 1.0) for one in width], max(low, _NARROWEST_DEG), high)
+        rows.row([(one, 1.0) for one in width], max(low, NARROWEST_DEG), high)
         if len(laws) > 1:
             taken = rows.choice(len(laws))
             self.whole += taken

@@ -14,7 +14,7 @@ from cammotion.machine.segments import Segment, with_dwells
 from cammotion.quantities import InputError
 from cammotion.rules.conditions import Condition
 from cammotion.whole.asked_of_all import Task, faults_of
-from cammotion.whole.asked_of_moves import read_laws, read_ranges
+from cammotion.whole.asked_of_moves import read_angles, read_laws, read_starts
 from cammotion.whole.crossings import Span, fixed_spans, spans
 from cammotion.whole.free_moves import Apart, Begin, Mover, Placed
 from cammotion.whole.parts import Part
@@ -28,10 +28,7 @@ def read_moves(task: Task, laws: Any, ranges: tuple[Any, Any]) -> tuple[list[Mov
     `ranges` are those of the starts and of the indexing angles, as a user gives them.
     """
     chosen = read_laws(task, laws)
-    starts, angles = (
-        read_ranges(task, what, given)
-        for what, given in zip(("start", "indexing angle"), ranges, strict=True)
-    )
+    starts, angles = read_starts(task, ranges[0]), read_angles(task, ranges[1])
     movers = [
         _mover(part, own, starts[part.motion.name], angles[part.motion.name])
         for part, own in zip(task.parts, chosen, strict=True)
@@ -122,6 +119,11 @@ def _windows(part: Part) -> tuple[list[float], list[float], list[float]]:
             if end + turned <= moves[on].from_deg + turn + _ROUNDING_DEG:
                 ends[number] = min(ends[number], start + turned)
                 low[on] = max(low[on], end + turned - turn)
+    for number in [*range(len(moves))] * 2:  # none begins before the one before, nor ends after
+        low[number] = max(low[number], low[number - 1] - (0.0 if number else float(DEG_PER_TURN)))
+    for number in [*range(len(moves))[::-1]] * 2:
+        on = (number + 1) % len(moves)
+        ends[number] = min(ends[number], ends[on] + (0.0 if on else float(DEG_PER_TURN)))
     return low, high, ends
 
 

@@ -108,11 +108,11 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     The parts named in `still` are free: each of their moves, rises and returns each with their own
     start and indexing angle. Over the `still` arcs, pairs of cam angles in deg, a part stands where
     it does in the diagram; strokes and the order of the moves stay, and so does the dwell in which
-    a still arc is: another one at the same height is not tried in its place. All rules that a free
-    part has a share in are kept, exactly. All other parts stay as they are. `laws` may be a list
-    for all, or one for each part by its name, of which each move gets the best; without it each
-    keeps its own. `starts_deg` and `angles_deg` give for a part a range, or None, for each of its
-    moves.
+    a still arc is: another one at the same height is not tried in its place. A turret need not
+    stand at a stop, but may at a pause between two. All rules that a free part has a share in are
+    kept, exactly. All other parts stay as they are. `laws` may be a list for all, or one for each
+    part by its name, of which each move gets the best; without it each keeps its own. `starts_deg`
+    and `angles_deg` give for a part a range, or None, for each of its moves.
 
     The largest of the peak accelerations is made small, each times its weight (1 if none is given),
     in `unit`; then, with its part held there, the largest of the others, and so on; and last, of
