@@ -39,6 +39,11 @@ def hands_over(motion: Motion) -> bool:
     return not motion.steps(1)
 
 
+def is_usual(motion: Motion) -> bool:
+    """Tell whether a motion is of the build that can be widened about what stays of it."""
+    return len(motion.moves) == (1 if motion.is_indexing else 2)
+
+
 class Event(NamedTuple):
     """Where a rule can begin or cease to hold: a move's number and Bm, and the cam angle."""
 
@@ -57,7 +62,7 @@ class Frame:
 
     def __init__(self, motion: Motion) -> None:
         self.motion, moves = motion, motion.moves
-        if len(moves) != (1 if motion.is_indexing else 2):
+        if not is_usual(motion):
             build = "one move" if motion.is_indexing else "one rise and one return"
             raise InputError(
                 f"The motion {motion.name!r} has {len(moves)} moves, and only one with {build} can "

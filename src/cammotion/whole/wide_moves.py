@@ -36,11 +36,13 @@ def place(movers: Sequence[Mover], apart: Sequence[Apart], seconds: float) -> Fo
     bound = _peak_of(found.bound)
     if found.unknowns is None:
         return Found(None, bound)
-    apart_x = program.settle(found.unknowns)
-    x = program.touching() if apart_x is None else apart_x
+    x = program.settle(found.unknowns)
+    touching = x is None
+    if x is None:
+        x = program.touching()
     if x is None:
         return Found(None, bound)
-    return Found(program.moves(widened(program, program.of_part, x)), bound, apart_x is None)
+    return Found(program.moves(widened(program, program.of_part, x)), bound, touching)
 
 
 def _peak_of(bound: float | None) -> float:
