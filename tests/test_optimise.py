@@ -1,6 +1,7 @@
 """The best starts, angles and laws of all moves: against orders, balances and an evolution."""
 
 import os
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -162,6 +163,15 @@ def test_a_turret_may_stand_at_a_pause_alone() -> None:
     expected = cm.TimingDiagram([by_hand], 2000).peak_acceleration("table")
     assert found.reached == pytest.approx(expected)
     assert found.design["table"].position_mm(60) == 50
+
+
+def test_a_search_that_was_cut_off_says_how_much_better_another_could_be() -> None:
+    found = optimise(make_diagram(), RULE, still=STILL)
+    assert found.is_best
+    assert "too short" not in repr(found)
+    cut_off = replace(found, bound=0.5)
+    assert not cut_off.is_best
+    assert "no such moves have less than 0.5000 m/s²; the time was too short" in repr(cut_off)
 
 
 def test_it_says_where_each_move_is() -> None:

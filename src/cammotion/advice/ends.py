@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from cammotion.advice.worse import SAME_DEG
+from cammotion.limits.frame import is_usual
 from cammotion.machine.arcs import Arc, arcs, complement, intersect
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
@@ -15,11 +16,6 @@ _HAIR_DEG, _HAIR = 0.1, 0.01  # by which an end is moved to see what stops it; o
 
 Place = tuple[int, int]
 """Of an end: the number of its move, and 0 for its beginning, 1 for its end."""
-
-
-def is_usual(motion: Motion) -> bool:
-    """Tell whether a motion is of the build that can be widened about what stays of it."""
-    return len(motion.moves) == (1 if motion.is_indexing else 2)
 
 
 def by_a_hair(motion: Motion, place: Place) -> Motion:

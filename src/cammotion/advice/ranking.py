@@ -13,10 +13,9 @@ from cammotion.advice.changes import (
     gentle_laws,
     improvement,
 )
-from cammotion.advice.ends import is_usual
 from cammotion.advice.worse import noted
 from cammotion.arguments import checked
-from cammotion.limits.frame import hands_over
+from cammotion.limits.frame import hands_over, is_usual
 from cammotion.own import Machine
 from cammotion.quantities import InputError, Quantity, in_decimals, rate_as_text
 from cammotion.shown import as_table

@@ -11,13 +11,13 @@ from cammotion.advice.ends import (
     ends,
     furthest,
     is_still,
-    is_usual,
     room,
     stands,
     works,
 )
 from cammotion.advice.worse import Faults, faults_in, noted, worsened
 from cammotion.laws.catalogue import as_law
+from cammotion.limits.frame import is_usual
 from cammotion.limits.widest import widest_move
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram

@@ -8,7 +8,6 @@ from cammotion.report.findings import Findings
 from cammotion.whole.optimise import Optimised
 
 _SAME = 1e-6  # of its way, two heights of a part
-_SEARCHED = 1e-3  # of a peak: a bound as near as that is the end of a search
 
 
 def free_parts(machine: Machine, all_of_them: str) -> str:
@@ -55,7 +54,7 @@ def design_said(best: Optimised) -> str:
     """Return in words how near the design is to the best of all starts and angles."""
     trusted = "as far as the solver HiGHS can be trusted"
     checked = "The rules and peaks of the design were checked by their curves."
-    if best.reached <= best.bound * (1 + _SEARCHED):
+    if best.is_best:
         of_all = "the best of all starts and angles with these laws, to a thousandth"
         return f"The design is {of_all}, {trusted}. {checked}"
     low, high = outward(best.bound, best.reached)

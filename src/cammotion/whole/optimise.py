@@ -20,7 +20,14 @@ from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.segments import Segment
-from cammotion.quantities import InputError, Quantity, WrongAnswerError, in_decimals, one_of
+from cammotion.quantities import (
+    InputError,
+    Quantity,
+    WrongAnswerError,
+    in_decimals,
+    one_of,
+    outward,
+)
 from cammotion.rules.rule import Rule
 from cammotion.whole.asked_of_all import Task, faults_of, read_task, weighted_peak
 from cammotion.whole.asked_of_moves import Laws, Ranges
@@ -30,6 +37,7 @@ from cammotion.whole.wide_moves import place
 
 _SECONDS = Quantity("time", "s", example=20)
 _SHARE = 1e-5  # of a peak, that may be rounding
+_SEARCHED = 1e-3  # of a peak: a bound as near as that is the end of a search
 _UNITS = {"peak": "m/s²", "force": "N", "torque": "N m"}
 
 
@@ -63,6 +71,11 @@ class Optimised:
         """The peak acceleration of each free part in m/s2."""
         return {name: self.design.peak_acceleration(name) for name in self.weights}
 
+    @property
+    def is_best(self) -> bool:
+        """Whether the search was finished: no other diagram is better by a thousandth."""
+        return self.reached <= self.bound * (1 + _SEARCHED)
+
     def __repr__(self) -> str:
         """Say what is reached, where it was before, and each move."""
         said = partial(in_decimals, decimals=4)
@@ -72,6 +85,12 @@ class Optimised:
             lines.append(
                 f"the best of {len(self.tried)} starts, which led to {least} to {most} "
                 f"{self.unit}; no bound is known for a torque"
+            )
+        elif not self.is_best:
+            low, _ = outward(self.bound, self.reached)
+            lines.append(
+                f"no such moves have less than {low} {self.unit}; the time was too short to search "
+                "them all through"
             )
         for name, peak in self.peaks.items():
             lines.append(f"{name}: {said(peak)} m/s²")

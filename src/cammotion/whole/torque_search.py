@@ -7,6 +7,7 @@ linear in starts and angles, and SciPy's SLSQP goes down within them, so that no
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from time import monotonic
 from typing import Any, NamedTuple
@@ -102,6 +103,10 @@ def _torque_of(low: _Low) -> float:
     return low.torque
 
 
+class _EndedError(Exception):
+    """The time is over; SciPy 1.16 knows of no other way to end a search early."""
+
+
 class _Search:
     """The way down from a start; what the moves ask of the shaft is computed once."""
 
@@ -128,22 +133,30 @@ class _Search:
             asked = torque.at_samples(_PART_DEG * z[:-1].reshape(-1, 2)) / most
             return np.concatenate([z[-1] - asked, z[-1] + asked])
 
-        def watch(_: Floats) -> None:
+        begin = seen = np.append(first / _PART_DEG, 1.0)
+
+        def watch(z: Floats) -> None:
+            nonlocal seen
+            seen = np.array(z)
             if monotonic() > end:
-                raise StopIteration
+                raise _EndedError
 
         last = np.eye(1, len(first) + 1, len(first))[0]
-        found = minimize(
-            lambda z: z[-1],
-            np.append(first / _PART_DEG, 1.0),
-            jac=lambda _: last,
-            method="SLSQP",
-            bounds=[*zip(*(ends / _PART_DEG for ends in within.ends), strict=True), (0.0, None)],
-            constraints=[{"type": "ineq", "fun": room}, *within.linear(_PART_DEG)],
-            callback=watch,
-            options={"maxiter": _ROUNDS, "ftol": _LAST},
-        )
-        z = np.clip(_PART_DEG * found.x[:-1], *within.ends)
+        with suppress(_EndedError):
+            seen = minimize(
+                lambda z: z[-1],
+                begin,
+                jac=lambda _: last,
+                method="SLSQP",
+                bounds=[
+                    *zip(*(ends / _PART_DEG for ends in within.ends), strict=True),
+                    (0.0, None),
+                ],
+                constraints=[{"type": "ineq", "fun": room}, *within.linear(_PART_DEG)],
+                callback=watch,
+                options={"maxiter": _ROUNDS, "ftol": _LAST},
+            ).x
+        z = np.clip(_PART_DEG * seen[:-1], *within.ends)
         reached = float(np.abs(torque.at_samples(z.reshape(-1, 2))).max())
         if reached >= most or within.missed(z) > _OFF_DEG:
             return _Low(program, x, most)
