@@ -8,7 +8,8 @@ read by `machine_table`, which makes a machine of lines and tells all faults at 
 `machine_lines` reads a line of them, and `machine_rules` the rules and still arcs.
 
 `cam_tables_in` reads the table of one cam from any program: `cam_table_text` finds its lines,
-`cam_table_columns` cuts them, `cam_table_headings` reads the words over a column, and
+`cam_table_columns` cuts them into what `cam_table_cut` describes, `cam_table_marks` asks of commas
+and points what else they may mean, `cam_table_headings` reads the words over a column, and
 `cam_table_meaning` says what both columns are. `cam_tables_out` writes tables for a controller, and
 `cam_files` the cam itself for the workshop.
 

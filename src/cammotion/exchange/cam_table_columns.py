@@ -7,7 +7,6 @@ taken if every line between them has; two that give different numbers are a ques
 import csv
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import NoReturn
@@ -15,6 +14,7 @@ from typing import NoReturn
 import numpy as np
 
 from cammotion.exchange.all_faults import Faults
+from cammotion.exchange.cam_table_cut import DECIMALS, SEPARATORS, Asked, Columns, Row, filled
 from cammotion.exchange.cam_table_headings import (
     Heading,
     heading_of,
@@ -22,66 +22,20 @@ from cammotion.exchange.cam_table_headings import (
     pick,
     two_headings,
 )
+from cammotion.exchange.cam_table_marks import check_marks
 from cammotion.exchange.cam_table_text import Line, Text
-from cammotion.exchange.table_numbers import is_grouped, number_of, proves_groups
-from cammotion.quantities import Floats, InputError, shorten
+from cammotion.exchange.table_numbers import number_of
+from cammotion.quantities import InputError, shorten
 
-SEPARATORS = {"\t": "tabs", ";": "semicolons", "|": "bars", ",": "commas", " ": "spaces"}
-DECIMALS = {".": "decimal points", ",": "decimal commas"}
 _NO_NUMBER = re.compile(
     r"[-+−]?(nan|inf|infinity|n/?a|null|none|nil|err|over(flow|load|range)?)|#.*", re.IGNORECASE
 )
 _WORD_OF_DIGITS = re.compile(r"\b0\.\.1\b|\bm/s\^?2")
 _DAY, _YEAR = r"(0?[1-9]|[12]\d|3[01])", r"(19|20)\d\d"  # or a month
 _DATE = re.compile(rf"({_YEAR}-{_DAY}-{_DAY}|{_DAY}[./]{_DAY}[./]{_YEAR})(?!\d)")
-_ONE_NUMBER, _PADDED = re.compile(r"[-+−]?\d+,\d+"), re.compile(r"0\d")
 _LETTERS = 2  # a word has so many
 _LIKE_DIGITS = frozenset("OoIl")  # letters of which a number may be mistyped
 _HEADINGS = 2  # lines over the table that may be headings
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What is set of a table, and not to be found out."""
-
-    separator: str | None = None
-    decimal: str | None = None
-    columns: tuple[int, int] | None = None
-
-
-@dataclass(frozen=True)
-class Row:
-    """A row of a table: the number of its line, its text, and its cells."""
-
-    line: int
-    text: str
-    cells: list[str]
-
-    @property
-    def width(self) -> int:
-        """How many cells it has up to the last that is not empty."""
-        return _filled(self.cells)
-
-
-@dataclass(frozen=True, eq=False)
-class Columns:
-    """Two columns of a file as they are written and as numbers, and how they were read."""
-
-    name: str
-    separator: str
-    decimal: str
-    rows: list[Row]
-    headings: list[Heading]
-    chosen: tuple[int, int]
-    numbers: Floats  # (rows, 2)
-
-    def cells(self, which: int) -> list[str]:
-        """Return the cells of the first or the second chosen column, as they are written."""
-        return [row.cells[self.chosen[which]] for row in self.rows]
-
-    def where(self, row: int) -> str:
-        """Return the place of a row in words."""
-        return f"Line {self.rows[row].line} of {self.name}"
 
 
 def columns_of(text: Text, asked: Asked) -> Columns:
@@ -187,10 +141,7 @@ class _Attempt:
             *(self.name, self.separator, self.decimal, rows, headings, self.chosen),
             np.array(numbers, dtype=float),
         )
-        _check_cut_in_two(columns, self.asked)
-        _check_one_column(columns, self.asked)
-        if self.asked.decimal is None:
-            _check_groups(columns)
+        check_marks(columns, self.asked)
         return columns
 
     def _is_row(self, n: int) -> bool:
@@ -247,15 +198,15 @@ class _Attempt:
     def _check_widths(self) -> None:
         """Raise InputError unless all rows have as many cells, empty ones at the end or not."""
         whole = [len(self.cells[n]) for n in self.good]
-        filled = [_filled(self.cells[n]) for n in self.good]
-        if len(set(whole)) == 1 or len(set(filled)) == 1:
+        counts = [filled(self.cells[n]) for n in self.good]
+        if len(set(whole)) == 1 or len(set(counts)) == 1:
             return
-        usual = max(set(filled), key=filled.count)
-        odd = next(n for n, count in zip(self.good, filled, strict=True) if count != usual)
+        usual = max(set(counts), key=counts.count)
+        odd = next(n for n, count in zip(self.good, counts, strict=True) if count != usual)
         line = self.lines[odd]
         raise InputError(
             f"Line {line.number} of {self.name}, {shorten(line.text.strip())}, has "
-            f"{_filled(self.cells[odd])} cells and most others have {usual}: correct it."
+            f"{filled(self.cells[odd])} cells and most others have {usual}: correct it."
         )
 
     def _headings(self) -> list[Heading]:
@@ -264,7 +215,7 @@ class _Attempt:
         words: list[list[str]] = [[] for _ in range(count)]
         for n in self._above():
             cells = [c for c in _cut(_said(self.lines[n]), self.separator) if c]
-            if len(cells) == min(count, _filled(self.cells[self.good[0]])):
+            if len(cells) == min(count, filled(self.cells[self.good[0]])):
                 for word, cell in zip(words, cells, strict=False):
                     word.append(cell)
         if any(words) or not self._above():
@@ -296,10 +247,6 @@ def _said(line: Line) -> str:
     return line.text if line.text.strip() else line.comment
 
 
-def _filled(cells: Sequence[str]) -> int:
-    return max((n for n, cell in enumerate(cells, 1) if cell), default=0)
-
-
 def _cut(line: str, separator: str) -> list[str]:
     if separator == " ":
         return re.split(r"[ \t]+", line.strip(" \t"))
@@ -313,57 +260,3 @@ def _cut(line: str, separator: str) -> list[str]:
     else:
         cells = line.split(separator)
     return [cell.strip() for cell in cells]
-
-
-def _check_cut_in_two(columns: Columns, asked: Asked) -> None:
-    """Raise InputError where commas may be decimal marks as well as separators."""
-    row = columns.rows[0]
-    if columns.separator != "," or '"' in row.text or row.width < 3:  # noqa: PLR2004 - a third
-        return
-    has_point = any("." in cell for row in columns.rows for cell in row.cells)
-    if has_point or (asked.separator == "," and asked.decimal == "."):
-        return
-    raise InputError(
-        f"Line {row.line} of {columns.name}, {shorten(row.text.strip())}, has {row.width} "
-        "whole numbers between commas, some of which may be decimal marks: give separator=',' and "
-        "decimal='.' if none is; else write the table with semicolons between the columns."
-    )
-
-
-def _check_one_column(columns: Columns, asked: Asked) -> None:
-    """Raise InputError where the commas of one column of numbers were taken for separators.
-
-    It is one if the places would not rise, or if whole numbers would begin with a 0.
-    """
-    is_said = asked.separator or asked.columns or asked.decimal == "."
-    is_said = is_said or all(one.words for one in columns.headings)
-    if is_said or not all(_ONE_NUMBER.fullmatch(row.text.strip()) for row in columns.rows):
-        return
-    firsts, seconds = (any(map(_PADDED.match, columns.cells(n))) for n in (0, 1))
-    if (seconds and not firsts) or (np.diff(columns.numbers[:, 0]) <= 0).any():
-        raise InputError(
-            f"{columns.where(0)}, {shorten(columns.rows[0].text.strip())}, is one number if its "
-            "comma is a decimal mark, and then nothing says at which angle it stands: write the "
-            "angle before each number, with a semicolon between, or give separator=',' if there "
-            "are two."
-        )
-
-
-def _check_groups(columns: Columns) -> None:
-    """Raise InputError where a mark of thousands may be a decimal mark, as in 2,400."""
-    for which, values in enumerate(columns.numbers.T):
-        cells = columns.cells(which)
-        grouped = [n for n, cell in enumerate(cells) if is_grouped(cell, columns.decimal)]
-        if any(proves_groups(cells[n], columns.decimal) for n in grouped):
-            continue
-        other = "," if columns.decimal == "." else "."
-        for n in grouped:
-            beside = [values[m] for m in (n - 1, n + 1) if 0 <= m < len(values)]
-            small = number_of(cells[n], other)
-            near = sum(beside) / len(beside) if beside else 0.0
-            if small is not None and abs(values[n] - near) >= abs(small - near):
-                raise InputError(
-                    f"{columns.where(n)}: {cells[n]!r} may be {small:.12g} or {values[n]:.12g}, "
-                    f"since other numbers have {DECIMALS[columns.decimal]}: correct the line, or "
-                    f"give decimal={columns.decimal!r} if it is {values[n]:.12g}."
-                )

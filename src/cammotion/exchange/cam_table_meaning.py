@@ -10,7 +10,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from cammotion.exchange.cam_table_columns import Columns
+from cammotion.exchange.cam_table_cut import Columns
 from cammotion.exchange.cam_table_headings import DISTANCE, LENGTHS, TIME, is_rate, odd_unit
 from cammotion.exchange.table_numbers import step_of
 from cammotion.machine.kinematics import DEG_PER_TURN

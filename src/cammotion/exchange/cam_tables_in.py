@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from cammotion.arguments import checked
-from cammotion.exchange.cam_table_columns import DECIMALS, SEPARATORS, Asked, Columns, columns_of
+from cammotion.exchange.cam_table_columns import columns_of
+from cammotion.exchange.cam_table_cut import DECIMALS, SEPARATORS, Asked, Columns
 from cammotion.exchange.cam_table_meaning import (
     check_not_counted,
     check_order,

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cammotion.exchange.cam_table_columns import DECIMALS, SEPARATORS
+from cammotion.exchange.cam_table_cut import DECIMALS, SEPARATORS
 from cammotion.exchange.table_numbers import ANGLE_DECIMALS
 from cammotion.files import as_path, is_folder, stems, write_all
 from cammotion.machine.diagram import TimingDiagram, as_diagram
