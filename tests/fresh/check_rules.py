@@ -63,6 +63,8 @@ def standings(machine: Machine) -> None:
     tracks = {name: track_of(machine.diagram[name]) for name in (one, other)}
     offsets = tracks[one].offset(EVEN)
     limit = float(machine.rng.uniform(offsets.min() - 1e-3, offsets.max() + 1e-3))
+    if machine.diagram[one].is_indexing:  # the way to the nearest stop is never below 0
+        limit = max(limit, 0.0)
     pieces = [piece for track in tracks.values() for piece in track.pieces]
     joints = np.array([end for piece in pieces for end in (piece.from_deg, piece.to_deg)])
     near = np.abs((EVEN[:, None] - joints + 180) % 360 - 180).min(axis=1) < 1e-6
