@@ -125,7 +125,7 @@ def test_the_spring() -> None:
     assert says("07", "27.3 N are missing")
     assert pytest.approx(118, abs=0.5) == 12 * 9.80665
     assert says("07", "`weight_N=-118` puts that in")
-    assert says("07", "145 with the weight of our die")
+    assert says("07", "asks for 118 N more: 145 and 118")
     assert says("07", "from 145 N to 118, or moving level from 27 to none")
     load = cm.FollowerLoad(mass_kg=12, stiffness_N_per_mm=0.5, weight_N=-118)
     assert load.least_force(cm.EXAMPLE.die, 2000).value == pytest.approx(-145.3, abs=0.05)
