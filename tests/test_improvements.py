@@ -414,6 +414,24 @@ def test_a_part_that_has_to_stand_over_a_whole_dwell_may_stand_longer(limit_mm: 
     assert first.after < 0.5 * widest.peak_acceleration
 
 
+def test_no_refusal_is_told_of_a_search_that_found_moves() -> None:
+    """With one angle for both no moves keep the rule; with two they do."""
+    arm = cm.motion(
+        "arm",
+        *(cm.rise(20, over_deg=80), cm.dwell(60), cm.return_(20, over_deg=100), cm.dwell(120)),
+        start_deg=-20,
+    )
+    gate = cm.motion(
+        "gate",
+        *(cm.rise(10, over_deg=5), cm.dwell(20), cm.return_(10, over_deg=5), cm.dwell(330)),
+        start_deg=205,
+    )
+    rule = cm.ClearanceRule(cm.beyond("gate", 1), only_while=cm.beyond("arm", 10))
+    found = cm.improvements(cm.Machine("m", cm.TimingDiagram([arm, gate], 2000), [rule]))
+    assert (found[0].mechanism, found[0].mends) == ("arm", 1)
+    assert not [note for note in found.failed if note.startswith("Of the arm")]
+
+
 def test_a_distance_that_stops_a_move_is_named() -> None:
     """The flap is so high before that the pusher may not come down early."""
     one = widened(folder(40), "pusher")

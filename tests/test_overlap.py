@@ -359,6 +359,30 @@ def test_of_two_places_with_one_clearance_the_first_is_named(die_deg: float) -> 
     assert found.angle_deg == pytest.approx(15.0383, abs=5e-5)
 
 
+def test_a_place_is_named_where_it_begins_and_not_where_the_turn_is_cut() -> None:
+    die = cm.motion(
+        "die",
+        cm.rise(20, over_deg=40),
+        cm.dwell(60),
+        cm.return_(20, over_deg=40),
+        cm.dwell(220),
+        start_deg=300,
+    )
+    mill = cm.motion(
+        "mill",
+        cm.rise(10, over_deg=40),
+        cm.dwell(160),
+        cm.return_(10, over_deg=40),
+        cm.dwell(120),
+        start_deg=260,
+    )
+    rule, machine = ClearanceRule(beyond("die", 15), within("mill", 9)), make_diagram(die, mill)
+    (violation,) = cm.find_violations(machine, rule)
+    assert (violation.excess_mm, violation.angle_deg) == (5, 340)
+    found = cm.smallest_clearance(machine, rule)
+    assert (found.clearance_mm, found.angle_deg) == (-5, 340)
+
+
 def test_clearance_and_violation_say_the_same() -> None:
     for angle in (55, 70, 100, 124, 126, 130):
         diagram = make_diagram(make_mill(), make_die(angle))
@@ -710,6 +734,21 @@ def test_a_rule_that_nothing_can_break_is_said_to_be_one(
     shown = cm.animate(make_diagram(), rules=rule)
     assert f"; rule kept: {why})" in shown.description
     assert cm.widest_move(make_diagram(), "die", RULE).idle == ()
+
+
+@pytest.mark.parametrize(
+    "rule",
+    [
+        ClearanceRule(beyond("die", 19), cm.moving("mill")),
+        ClearanceRule(cm.standing("mill"), within("die", 19)),
+    ],
+)
+def test_no_rule_is_idle_that_another_timing_breaks(rule: ClearanceRule) -> None:
+    """A mill that moves all the turn never stands; today's does, and the rule is broken."""
+    assert cm.find_violations(make_diagram(), rule)
+    wide = cm.widest_move(make_diagram(), "mill", rule)
+    assert wide.angle_deg == 360
+    assert (wide.idle, rule.idle(wide.diagram)) == ((), "")
 
 
 @pytest.mark.parametrize("question", QUESTIONS[:3])

@@ -121,6 +121,29 @@ def test_where_there_is_no_design_the_bound_is_not_compared_with_the_machine_of_
     assert "The mill stays as it is" in write_page(found, date.today(), [])
 
 
+@pytest.mark.parametrize("way_mm", [10, 40])
+def test_a_rule_is_used_up_where_only_rounding_is_left(way_mm: float) -> None:
+    """So quick a gate does some hundred-thousandths of a mm in the few of a degree left to it."""
+    gate = cm.motion(
+        "gate",
+        *(cm.rise(way_mm, over_deg=5), cm.dwell(10), cm.return_(way_mm, over_deg=5)),
+        cm.dwell(340),
+    )
+    arm = cm.motion(
+        "arm",
+        *(cm.rise(50, over_deg=40), cm.dwell(13), cm.return_(50, over_deg=40), cm.dwell(267)),
+        start_deg=100,
+    )
+    diagram = cm.TimingDiagram([gate, arm], rate_per_hour=2000)
+    rule = cm.ClearanceRule(cm.beyond("gate", way_mm / 2), cm.within("arm", 0.01))
+    machine = cm.Machine("m", diagram, [rule], {"arm": [(10, 10.5)]})
+    best = cm.optimise(diagram, rule, still=machine.free)
+    found = findings.Findings(
+        machine, cm.improvements(machine), cm.reserves(diagram, rule), best, None, ()
+    )
+    assert "The design uses up 1 of 1 rules" in rules_of(found)
+
+
 def test_a_design_is_called_the_best_only_where_all_were_searched() -> None:
     best = cm.optimise(PRESS.diagram, PRESS.rules, still=STILL)
     all_of_them = "the best of all starts and angles with these laws, to a thousandth"

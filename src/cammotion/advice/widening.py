@@ -139,13 +139,16 @@ class _Search:
         way round; a distance rule, for one, allows one angle. With `once` any move will do.
         """
         is_hard = self.name in [*self.machine.peaks][:_HARDEST]
-        found = None
+        found, told = None, len(self.refusals)
         for each_way in (None, False) if is_hard else (False, None):
             with self._noted("wider", is_last_word=each_way is False):
                 widest = widest_move(self.machine.diagram, self.name, rules, each_way=each_way)
                 found = found or widest.diagram
                 if once or widest.peak_acceleration < self.machine.peaks[self.name]:
-                    return widest.diagram
+                    found = widest.diagram
+                    break
+        if found:  # another way was refused, but not this one
+            del self.refusals[told:]
         return found
 
     def _best(self) -> TimingDiagram | None:

@@ -36,6 +36,7 @@ _ORDER = (
     "then what takes most from the peak of its own mechanism. Each change is computed and checked."
 )
 _NOTHING = 2e-7  # of the ways in a rule, that is left where it is just kept
+_NOTHING_DEG = 1e-5  # of the turn, likewise: a best design leaves about half of it, for rounding
 
 
 def write_page(found: Findings, made: date, files: Sequence[Beside]) -> str:
@@ -158,8 +159,11 @@ def _place(motion: Motion, angle_deg: float) -> str:
 
 
 def _nothing_mm(machine: Machine, rule: Rule) -> float:
-    ranges = (machine.diagram[name].range_mm for name in rule.motions)
-    return _NOTHING * max(high - low for low, high in ranges)
+    """Return a clearance that is none: by the way of a part, or by what it does meanwhile."""
+    motions = [machine.diagram[name] for name in rule.motions]
+    ways = [high - low for low, high in (motion.range_mm for motion in motions)]
+    steepest = [motion.curve.derived(1).largest for motion in motions]
+    return max(_NOTHING * max(ways), _NOTHING_DEG * max(steepest))
 
 
 def _meant(rule: Rule) -> str:

@@ -76,7 +76,7 @@ class ClearanceRule(Rule):
         It is None where that never is, or where `when` has no end to its room. Of places that have
         as little room the first is named.
         """
-        these = self.only_while.opposite.arcs(diagram) if arc is None else [arc]
+        these = unwrap(self.only_while.opposite.arcs(diagram)) if arc is None else [arc]
         turns = self.when.turning_degs(diagram)
         places = [
             angle
@@ -99,9 +99,9 @@ class ClearanceRule(Rule):
         >>> far.idle(cm.EXAMPLE.diagram)
         'the die is never beyond 60 mm'
         """
-        if not self.when.arcs(diagram):
+        if not self.when.arcs(diagram) and _is_of_its_way(self.when, diagram):
             return f"the {self.when.motion} is never {self.when}"
-        if not self.only_while.opposite.arcs(diagram):
+        if not self.only_while.opposite.arcs(diagram) and _is_of_its_way(self.only_while, diagram):
             return f"the {self.only_while.motion} is always {self.only_while}"
         return ""
 
@@ -131,6 +131,11 @@ class ClearanceRule(Rule):
             return self
         is_limit = not isinstance(self.only_while, Moving)
         return self if self.when.is_beyond and not is_limit else self.reverse
+
+
+def _is_of_its_way(half: Condition, diagram: TimingDiagram) -> bool:
+    """Return whether that it never holds, or always, does not hang on when a motion moves."""
+    return not isinstance(half, Moving) or not diagram[half.motion].moves
 
 
 def in_mm(rule: ClearanceRule) -> bool:

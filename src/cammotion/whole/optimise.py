@@ -33,7 +33,7 @@ from cammotion.whole.asked_of_all import Task, faults_of, read_task, weighted_pe
 from cammotion.whole.asked_of_moves import Laws, Ranges
 from cammotion.whole.movers import built, read_moves, today
 from cammotion.whole.torque_search import least_torque, peak_torque
-from cammotion.whole.wide_moves import place
+from cammotion.whole.wide_moves import Found, place, place_as_today
 
 _SECONDS = Quantity("time", "s", example=20)
 _SHARE = 1e-5  # of a peak, that may be rounding
@@ -88,8 +88,9 @@ class Optimised:
             )
         elif not self.is_best:
             low, _ = outward(self.bound, self.reached)
+            known = f"no such moves have less than {low} {self.unit}"
             lines.append(
-                f"no such moves have less than {low} {self.unit}; the time was too short to search "
+                f"{known if self.bound else 'no bound is known'}; the time was too short to search "
                 "them all through"
             )
         for name, peak in self.peaks.items():
@@ -230,11 +231,17 @@ def _best(
 ) -> tuple[TimingDiagram, float] | None:
     """Return the best diagram and its bound, which nothing has checked yet.
 
-    It is the one of today if that is allowed and what is found is no better. A bound that today's
-    is below is none.
+    It is the one of today if that is allowed and what is found is no better, in another order of
+    the moves or in that of today. A bound that today's is below is none.
     """
     movers, apart = read_moves(task, laws, ranges)
-    found, now = place(movers, apart, seconds), today(task, movers)
+    now = today(task, movers)
+    try:
+        found = place(movers, apart, seconds)
+    except InputError:  # the time was too short to tell, but not for today's
+        if now is None:
+            raise
+        found = Found(None, 0.0)
     design = built(task, found.moves) if found.moves else None
     if design and found.touching and [*faults_of(task, design)]:
         design = None
@@ -242,21 +249,37 @@ def _best(
     if now:
         least = weighted_peak(now, task.weights)
         bound = min(bound, least) if least >= bound * (1 - _SHARE) else 0.0
-        design = design if design and _is_better(task, design) else now
+        if not (design and _is_better(task, design)):
+            moves = place_as_today(task, movers, apart)
+            design = built(task, moves) if moves else now
+            design = design if _is_better(task, design) else now
     return (design, bound) if design else None
 
 
 def _is_better(task: Task, design: TimingDiagram) -> bool:
-    """Whether a design is better than today's, or as good and one of its moves has less peak."""
-    old, new = (weighted_peak(each, task.weights) for each in (task.diagram, design))
-    if abs(new - old) > _SHARE * old:
-        return new < old
-    moves = (
-        zip(part.motion.moves, design[part.motion.name].moves, strict=True) for part in task.parts
-    )
-    return any(
-        _peak(after) < _peak(before) * (1 - _SHARE) for part in moves for before, after in part
-    )
+    """Whether a design is better than today's: in its largest peak, or else the next, and so on.
+
+    Where the peaks of all parts are alike, those of all moves are compared.
+    """
+    before, after = _peaks(task, task.diagram), _peaks(task, design)
+    differ = (n for n, (old, new) in enumerate(zip(before, after, strict=True)) if _other(old, new))
+    first = next(differ, None)
+    return first is not None and after[first] < before[first]
+
+
+def _peaks(task: Task, diagram: TimingDiagram) -> list[float]:
+    """Return the weighted peaks in mm/deg2 of the parts, the largest first, then of all moves."""
+    moves = [
+        [part.weight * _peak(move) for move in diagram[part.motion.name].moves]
+        for part in task.parts
+        if part.weight
+    ]
+    parts = sorted((max(part, default=0.0) for part in moves), reverse=True)
+    return [*parts, *sorted((one for part in moves for one in part), reverse=True)]
+
+
+def _other(old: float, new: float) -> bool:
+    return abs(new - old) > _SHARE * old
 
 
 def _peak(move: Segment) -> float:

@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cammotion.drive.camshaft import Camshaft
-from cammotion.laws.catalogue import as_law
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import Floats
 from cammotion.whole.asked_of_all import Task
@@ -24,7 +23,7 @@ from cammotion.whole.inside import inside
 from cammotion.whole.move_program import MoveProgram
 from cammotion.whole.movers import built, today
 from cammotion.whole.shaft_torque import Push, ShaftTorque, push
-from cammotion.whole.wide_moves import widened
+from cammotion.whole.wide_moves import hold_today, widened
 
 _STARTS = 16
 _LEAST_PEAK, _TODAY = 0, 1  # the first starts
@@ -33,7 +32,6 @@ _SEARCHED = 0.75  # of the time; the rest is for polishing
 _POLISHED = 3  # starts that are polished
 _ROUNDS, _LAST = 40, 1e-7
 _PART_DEG = 10.0  # in such parts of a turn all numbers are of one size
-_AS_GIVEN_DEG = 1e-4  # so near to the moves of today are those that are taken for them
 _FARTHEST = 0.6  # of the way to a corner of what is allowed, at which some angle is none
 _EARLY = 0.03  # what a start that is a degree earlier counts, if a move of that many is one wide
 _OFF_DEG = 1e-6  # by which a row may be missed
@@ -66,7 +64,7 @@ def least_torque(
     search, now = _Search(shaft, task, movers), today(task, movers)
     end = monotonic() + seconds
     until = end - (1 - _SEARCHED) * seconds
-    starts, lows = _Starts(task, movers, apart), dict[int, _Low]()
+    starts, lows = _Starts(task, movers, apart, is_kept=now is not None), dict[int, _Low]()
     found: list[tuple[float, TimingDiagram]] = []
     tried: dict[int, float] = {}  # the least from each start
 
@@ -195,8 +193,10 @@ class _Search:
 class _Starts:
     """Programs with unknowns that keep all rules, from which to go down."""
 
-    def __init__(self, task: Task, movers: Sequence[Mover], apart: Sequence[Apart]) -> None:
-        self.task, self.movers, self.apart = task, movers, apart
+    def __init__(
+        self, task: Task, movers: Sequence[Mover], apart: Sequence[Apart], *, is_kept: bool
+    ) -> None:
+        self.task, self.movers, self.apart, self.is_kept = task, movers, apart, is_kept
         self.rng = np.random.default_rng(0)
         self.counts = [len(laws) for mover in movers for laws in mover.laws]
 
@@ -205,7 +205,7 @@ class _Starts:
 
         Those at random are between two of one order: one at random, and the one with the least
         peak, so that no move is hardly there. Raises InputError where the time was too short to
-        tell whether there is the first.
+        tell whether there is the first, unless today's diagram tells it.
         """
         program = MoveProgram(self.movers, self.apart)
         rows = program.rows
@@ -216,9 +216,10 @@ class _Starts:
             self._choose(program, self._laws(number, best))
             _wish(program, self.rng)
         low, high = rows.low.copy(), rows.high.copy()
-        if number == _TODAY and not _as_today(self.task, program):
+        if number == _TODAY and not hold_today(self.task, program):
             return None
-        solve = program.solved if number == _LEAST_PEAK else rows.solve
+        is_asked = number == _LEAST_PEAK and not self.is_kept
+        solve = program.solved if is_asked else rows.solve
         x = solve(seconds).unknowns
         rows.low, rows.high = low, high
         settled = None if x is None else program.settle(x)
@@ -265,23 +266,3 @@ def _wish(program: MoveProgram, rng: np.random.Generator) -> None:
         cost[own] = -float(wish)
     for start in (one for starts in program.starts for one in starts):
         cost[start] = _EARLY * float(rng.normal())
-
-
-def _as_today(task: Task, program: MoveProgram) -> bool:
-    """Hold all moves where they are today; return whether their laws are among those allowed."""
-    low, high = program.rows.low, program.rows.high
-    for part, mover, starts, widths in zip(
-        task.parts, program.movers, program.starts, program.widths, strict=True
-    ):
-        for move, laws, start, width in zip(
-            part.motion.moves, mover.laws, starts, widths, strict=True
-        ):
-            if as_law(move.law) not in laws:
-                return False
-            taken = width[laws.index(as_law(move.law))]
-            for column, value in ((start, move.from_deg), (taken, move.angle_deg)):
-                low[column] = max(low[column], value - _AS_GIVEN_DEG)
-                high[column] = min(high[column], value + _AS_GIVEN_DEG)
-                if low[column] > high[column]:
-                    return False
-    return True

@@ -5,12 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cammotion.laws.catalogue import as_law
 from cammotion.quantities import Floats
+from cammotion.whole.asked_of_all import Task
 from cammotion.whole.free_moves import Apart, Mover, Placed
 from cammotion.whole.move_program import MoveProgram
 
 _HELD = 1e-8  # of what is held
 _SAME = 1e-6  # what differs by less of it, is one
+_AS_GIVEN_DEG = 1e-4  # so near to the moves of today are those that are taken for them
 
 
 class Found(NamedTuple):
@@ -50,6 +53,44 @@ def _peak_of(bound: float | None) -> float:
     if not bound:  # none is known, or no peak counts
         return 0.0
     return np.inf if bound > 0 else 1 / bound**2
+
+
+def place_as_today(
+    task: Task, movers: Sequence[Mover], apart: Sequence[Apart]
+) -> list[list[Placed]] | None:
+    """Return the best moves of all parts in the order of today; None where that leaves them none.
+
+    `place` finds an order for the largest peak; of those that are as good for it, any.
+    """
+    program = MoveProgram(movers, apart)
+    rows = program.rows
+    low, high = rows.low.copy(), rows.high.copy()
+    if not hold_today(task, program):
+        return None
+    found = rows.solve().unknowns
+    rows.low, rows.high = low, high
+    x = None if found is None else program.settle(found)
+    return None if x is None else program.moves(widened(program, program.of_part, x))
+
+
+def hold_today(task: Task, program: MoveProgram) -> bool:
+    """Hold all moves where they are today; return whether their laws are among those allowed."""
+    low, high = program.rows.low, program.rows.high
+    for part, mover, starts, widths in zip(
+        task.parts, program.movers, program.starts, program.widths, strict=True
+    ):
+        for move, laws, start, width in zip(
+            part.motion.moves, mover.laws, starts, widths, strict=True
+        ):
+            if as_law(move.law) not in laws:
+                return False
+            taken = width[laws.index(as_law(move.law))]
+            for column, value in ((start, move.from_deg), (taken, move.angle_deg)):
+                low[column] = max(low[column], value - _AS_GIVEN_DEG)
+                high[column] = min(high[column], value + _AS_GIVEN_DEG)
+                if low[column] > high[column]:
+                    return False
+    return True
 
 
 def widened(program: MoveProgram, parts: Sequence[Sequence[int]], x: Floats) -> Floats:
