@@ -277,6 +277,7 @@ def test_nothing_in_a_line_without_a_segment_is_dropped() -> None:
         ),
         ("die,,then,,,,,,", "no segment stands beside 'die': leave the line out, put it above"),
         (",,,,,,see drawing,,", "no segment stands beside 'see drawing': leave the line out, put"),
+        ("#1,,l50,205,0,50,cycloidal,,", "Line 4 of my machine: 'from in deg' is 'l50'; it has"),
         ("# rebuilt, as drawn, 3 mm", "no segment stands beside '# rebuilt': leave the line out"),
     ],
 )

@@ -114,11 +114,13 @@ class Record:
     def lone_text(self) -> str:
         """A text that stands where a segment should, with no number beside it; or "".
 
-        What begins with # is one, too, whatever its commas make of it, unless it has two angles.
+        What begins with # is one, too, whatever its commas make of it, unless it has two angles, or
+        all numbers but one and a law: the name of a part may begin so.
         """
         first, *others = [self.cells[column] for column in ("motion", STOPS, *_OF_A_SEGMENT)]
-        angles = (self.cells[NUMBERS[end]] for end in ("from_deg", "to_deg"))
-        if first.startswith("#") and not all(map(_NUMERIC.match, angles)):
+        numeric = [bool(_NUMERIC.match(self.cells[column])) for column in NUMBERS.values()]
+        has_slip = numeric.count(False) == 1 and self.cells["law"]
+        if first.startswith("#") and not (all(numeric[:2]) or has_slip):
             return first
         texts = [*filter(None, (first, *others))]
         is_alone = len(texts) == 1 and [*filter(None, self.cells.values())] == texts
