@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -131,6 +132,25 @@ def test_a_number_that_can_be_read_in_two_ways_is_a_question(tmp_path: Path, rat
         read_segments(path)
     german(path, f"{rate}0", "0", "360", "1", "1")
     assert read_segments(path).rate_per_hour == 2.4
+
+
+@pytest.mark.parametrize(
+    ("column", "cell", "write"),
+    [
+        (4, "1.125 in", "28.5750"),
+        (4, "-1,125 in", "-28,5750"),
+        (3, "6.283 rad", "359.989382681"),
+        (7, "33.333/min", "1999.98"),
+    ],
+)
+def test_three_decimals_before_a_larger_unit_are_converted(
+    tmp_path: Path, column: int, cell: str, write: str
+) -> None:
+    row = ["die", "", "0", "360", "1", "1", "dwell", "2000"]
+    row[column] = cell
+    path = rewrite(tmp_path / "m.csv", [HEADING, row], delimiter=";")
+    with pytest.raises(cm.InputError, match=rf"alone, in .*: write {re.escape(write)}\.$"):
+        read_segments(path)
 
 
 def test_in_a_table_with_commas_between_the_cells_a_point_is_decimal(tmp_path: Path) -> None:
@@ -399,6 +419,7 @@ MALFORMED: dict[str, list[list[str]]] = {
             ("from in mm", "from in inch", 25.4, "mm"),
             ("to in deg", "to (rad)", 57.29577951, "deg"),
             ("machine rate in pieces/h", "rate per minute", 60, "pieces/h"),
+            ("machine rate in pieces/h", "pieces/min", 60, "pieces/h"),
         ]
     },
     "The file bad.csv has no line with a segment: add some.": [HEADING, []],

@@ -4,7 +4,7 @@ import math
 import re
 
 from cammotion.exchange.cam_table_headings import LENGTHS, heading_of
-from cammotion.exchange.cells import number_in
+from cammotion.exchange.cells import number_in, two_readings
 from cammotion.machine.kinematics import DEG_PER_TURN
 
 _PER_HOUR = {"h": 1.0, "m": 60.0, "s": 3600.0}
@@ -35,9 +35,20 @@ def factor_of(words: str, unit: str) -> float:
 def converted(cell: str, unit: str, decimal: str) -> str:
     """Return the number to write for one with its unit, as in "8 in"; "" for any other cell.
 
+    Where nothing tells the decimal mark, three digits behind one are decimals of a larger unit.
+
     >>> converted("8 in", "mm", "."), converted("33,5/min", "pieces/h", ",")
     ('203.2', '2010')
+    >>> converted("1.125 in", "mm", "")
+    '28.5750'
     """
     found = _QUANTITY.fullmatch(cell)
-    number = number_in(found[1], decimal) * factor_of(found[2], unit) if found else math.nan
-    return "" if math.isnan(number) else f"{number:.12g}".replace(".", decimal or ".")
+    if not found:
+        return ""
+    factor, mark = factor_of(found[2], unit), decimal
+    if not decimal and factor > 1 and two_readings(found[1]):
+        mark = "," if "," in found[1] else "."
+    number = number_in(found[1], mark) * factor
+    write = f"{number:.12g}"
+    write += "0" * (not decimal and bool(two_readings(write)))
+    return "" if math.isnan(number) else write.replace(".", mark or ".")
