@@ -20,9 +20,10 @@ from cammotion.exchange.xlsx_in import read_sheets
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
 
 HEADING = "motion; from in deg; to in deg; from in mm; to in mm; law; machine rate in pieces/h"
+SAID = "die beyond 19 only while mill within 0.65"
 TABLE = f"""
 {HEADING}; stops; still; rule
-mill; 0; 150; 0; 100; cycloidal; 2000; 24; 205 to 305; die beyond 19 only while mill within 0.65
+mill; 0; 150; 0; 100; cycloidal; 2000; 24; 205 to 305; {SAID}
 die; 150; 205; 0; 50; cycloidal; ; ; 205 to 305;
 ; 305; 360; 50; 0; cycloidal; ; ; ;
 """
@@ -107,15 +108,64 @@ def test_a_rule_in_a_column_of_another_name_is_not_passed_over() -> None:
         ("rule", "rule; rule 2", "; die is beyond 19 mm only when the mull is within 0.65"),
         ("still", "remark", "205 to 305"),
         ("still", "remark", "205° bis 3O5°"),
+        ("still", "remark", "210 to 300 Grad"),
+        ("still", "page", "205 bis 3O5"),
+        ("still", "steht", "210 to 300"),
     ],
 )
 def test_what_a_table_would_use_but_for_a_slip_is_not_passed_over(
     column: str, heading: str, cell: str
 ) -> None:
-    before = "205 to 305" if column == "still" else "die beyond 19 only while mill within 0.65"
+    before = "205 to 305" if column == "still" else SAID
     table = TABLE.replace(f"; {column}", f"; {heading}", 1).replace(before, cell)
     with pytest.raises(cm.InputError, match=rf"^Line 2 .* like a .*, which is .* '{column}', or"):
         cm.machine_from_text(table)
+
+
+@pytest.mark.parametrize(
+    ("mill", "die", "remark"),
+    [
+        ("mill", "die", "see mill and die moving in video"),
+        ("mill", "die", "grease mill and die at least monthly"),
+        ("mill", "die", "replace die at least yearly, mill within 2 years"),
+        ("mill", "die", "run die at 1500/h only if mill is warm"),
+        ("table", "table 2", "table 2 cleaned only when table is standing"),
+        ("lid", "slide", "lid within slide, see photo"),
+    ],
+)
+def test_a_remark_on_two_parts_is_no_rule(mill: str, die: str, remark: str) -> None:
+    noted = TABLE.replace("; rule", "; remark").replace(SAID, remark)
+    parts = noted.replace("\nmill;", f"\n{mill};").replace("\ndie;", f"\n{die};")
+    assert cm.machine_from_text(parts).rules == ()
+
+
+def test_a_remark_like_a_rule_stands_beside_an_empty_column_of_rules() -> None:
+    table = TABLE.replace("; rule", "; remark", 1).replace("beyond 19 only", "to 19 mm only")
+    with pytest.raises(cm.InputError, match=r"or add an empty column 'rule' if it is a"):
+        cm.machine_from_text(table)
+    assert cm.machine_from_text(table.replace("; remark", "; remark; rule")).rules == ()
+
+
+@pytest.mark.parametrize(
+    ("heading", "cell"),
+    [
+        *(("page", "3 to 4"), ("Seite", "12 bis 14"), ("years", "2024 to 2025"), ("lot", "0 to 5")),
+        *(("Interlock switch", "x1"), ("Bedingung (Kunde)", "x1"), ("steht auf", "x1")),
+        *(("Ruhe", "x1"), ("halt", "x1")),
+    ],
+)
+def test_pages_and_headings_of_ones_own_are_no_still_arcs(heading: str, cell: str) -> None:
+    table = TABLE.replace("; rule", "").replace(f"; {SAID}", "").replace("205 to 305", cell)
+    assert cm.machine_from_text(table.replace("; still", f"; {heading}")).still == {}
+
+
+@pytest.mark.parametrize(
+    ("needed", "named"), [("machine rate", "rate"), ("from in mm", "frm in mm")]
+)
+def test_a_column_of_ones_own_makes_no_other_one(needed: str, named: str) -> None:
+    own = TABLE.replace("stops", "v max in m/s; wear in µm").replace("24;", "; ;")
+    with pytest.raises(cm.InputError, match=r"unknown here: .* stops may be left out\.$"):
+        cm.machine_from_text(own.replace(needed, named, 1))
 
 
 def test_the_example_of_a_rate_is_a_rate() -> None:

@@ -1,7 +1,7 @@
 """The heading of the table of a machine: which column is which, and which may be meant."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 
 from cammotion.exchange.all_faults import Faults
@@ -13,16 +13,24 @@ from cammotion.quantities import InputError
 _SAID_OTHERWISE = {
     STILL: {
         *("stand", "stands", "standing", "standstill", "stay", "stays", "rest", "rests", "dwell"),
-        *("dwells", "rast", "raste", "rasten", "ruhe", "steht", "stehen", "halt"),
+        "dwells",
     },
     RULE: {
         *("clearance", "clearances", "condition", "conditions", "constraint", "constraints"),
+    },
+}
+_ALONE = {
+    STILL: {"rast", "raste", "rasten"},
+    RULE: {
         *("interlock", "interlocks", "regel", "regeln", "bedingung", "bedingungen"),
         *("verriegelung", "verriegelungen"),
     },
 }
+"""Words that mean a column only where they are all of its heading."""
+
+_STILL = {"ruhe", "steht", "stehen", "halt"}
 _STOPS = {"station", "stations", "stationen", "pocket", "pockets", "nest", "nests", "teilung"}
-_WORD = re.compile(r"[^\W\d_]+")
+_WORD = re.compile(r"[^\W\d_]{2,}")  # none is the (n) of Regel(n)
 _LIKE = 0.8  # of 1: so like another name is a misspelt one
 
 
@@ -57,12 +65,23 @@ def heading_of_table(source: Source, faults: Faults) -> list[str]:
 
 
 def _conversions(missing: list[str], unknown: list[str]) -> Iterator[str]:
-    """Yield a sentence on each unit of unknown columns of which one that is missing can be made."""
+    """Yield a sentence on each unit of unknown columns of which one that is missing can be made.
+
+    They share a word with it: "from", "to", "rate" or "pieces".
+    """
     for unit in dict.fromkeys(map(unit_of, missing)):
-        factors = {column: factor_of(column, unit) for column in unknown}
+        said = {word for one in missing if unit_of(one) == unit for word in _WORD.findall(one)}
+        alike = [column for column in unknown if _says(column, said - {"in", unit})]
+        factors = {column: factor_of(column, unit) for column in alike}
         for factor in dict.fromkeys(one for one in factors.values() if one > 0 and one != 1):
             columns = [repr(column) for column, one in factors.items() if one == factor]
             yield f" The numbers of {' and '.join(columns)} times {factor:.10g} are {unit}."
+
+
+def _says(column: str, words: Iterable[str]) -> bool:
+    """Return whether one of these words stands in a heading, or nearly so."""
+    found = _WORD.findall(column.casefold())
+    return any(get_close_matches(word, found, 1, _LIKE) for word in words)
 
 
 def _listed(what: str, names: Sequence[str]) -> str:
@@ -83,6 +102,11 @@ def may_be_stops(column: str) -> bool:
     return bool(_STOPS & {*_WORD.findall(column.casefold())})
 
 
+def may_be_still(column: str) -> bool:
+    """Return whether a column of one's own may say where a part stands."""
+    return bool(_STILL & {*_WORD.findall(column.casefold())})
+
+
 def meant_by(column: str, known: Sequence[str]) -> str:
     """Return which of the `known` columns one of another name means; "" for none.
 
@@ -94,4 +118,5 @@ def meant_by(column: str, known: Sequence[str]) -> str:
     begun = [one for one in known if folded.startswith(one)]
     words = {*_WORD.findall(folded)}
     alike = [one for one in known if words & _SAID_OTHERWISE.get(one, set())]
-    return next(iter([*like, *begun, *alike]), "")
+    alone = [one for one in known if words and words <= _ALONE.get(one, set())]
+    return next(iter([*like, *begun, *alike, *alone]), "")

@@ -1,32 +1,31 @@
 """The rules and the still arcs of a machine's table, and rules in columns where none are read."""
 
-from collections.abc import Callable, Sequence
+import math
+import re
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.machine_heading import meant_by, misspelt
+from cammotion.exchange.machine_heading import may_be_still, meant_by, misspelt
 from cammotion.exchange.machine_lines import RULE, STILL, Record
 from cammotion.exchange.rule_text import (
     NO,
     arcs_from_text,
-    is_nearly_arc,
     is_nearly_rule,
     nameless,
+    nearly_arcs,
     rule_from_text,
 )
-from cammotion.machine.arcs import Arc
+from cammotion.machine.arcs import ROUNDING_DEG, Arc, arcs, complement, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
+from cammotion.machine.segments import Segment, arcs_of
 from cammotion.quantities import InputError, shorten
 from cammotion.rules.checks import every_rule
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.distance import DistanceRule
 from cammotion.rules.rule import Rule
 
-_NEARLY: dict[str, Callable[[str, Sequence[str]], bool]] = {
-    RULE: is_nearly_rule,
-    STILL: lambda cell, _: is_nearly_arc(cell),
-}
 _CALLED = {RULE: "rule", STILL: "still arc"}
+_IN_DEG = re.compile("deg|°|grad", re.IGNORECASE)
 
 
 def rules_of(
@@ -72,13 +71,17 @@ def ask_of_own_columns(
     told = {column for column, _ in misspelt(heading)}
     cells = [(record, *own) for record in records for own in record.others]
     known = {*map(nameless, rules)} if cells else set()
+    dwells = _dwells(records) if cells else []
     for record, column, cell in cells:
         try:
             rule = rule_from_text(cell, names, record.decimal)
         except InputError:
-            asked = [one for one in _NEARLY if one not in heading or meant_by(column, [one])]
-            meant = next((one for one in asked if _NEARLY[one](cell, names)), "")
-            what, fix = f"{shorten(cell)}, much like a {_CALLED.get(meant)},", "say it otherwise"
+            asked = [one for one in _CALLED if one not in heading or meant_by(column, [one])]
+            is_nearly = {RULE: is_nearly_rule(cell, names), STILL: _is_arc(column, cell, dwells)}
+            meant = next((one for one in asked if is_nearly[one]), "")
+            what = f"{shorten(cell)}, much like a {_CALLED.get(meant)},"
+            free = "call this otherwise" if meant in heading else f"add an empty column '{meant}'"
+            fix = f"{free} if it is a remark"
         else:
             meant = "" if nameless(rule) in known else RULE
             what, fix = f"'{rule}'", "leave out the rule"
@@ -89,6 +92,27 @@ def ask_of_own_columns(
                 f"{record.where}: there stands {what} in the column {shorten(column)}, which is "
                 f"yours: {place} the column '{meant}', or {fix}."
             )
+
+
+def _is_arc(column: str, cell: str, dwells: list[Arc]) -> bool:
+    """Return whether a cell is nearly a still arc; numbers without deg may be pages or years.
+
+    They are one if a part stands over just that arc, or the column speaks of it.
+    """
+    found = nearly_arcs(cell)
+    if may_be_still(column) or _IN_DEG.search(cell):
+        return bool(found)
+    within = [part for arc in found for part in unwrap(arcs([arc]))]
+    return any(math.dist(part, dwell) <= ROUNDING_DEG for part in within for dwell in dwells)
+
+
+def _dwells(records: list[Record]) -> list[Arc]:
+    """Return the arcs between the moves of each motion, whether they are listed or left out."""
+    moves: dict[str, list[Segment]] = {}
+    for record in records:
+        if record.segment and not record.segment.is_dwell:
+            moves.setdefault(record.cells["motion"], []).append(record.segment)
+    return [arc for own in moves.values() for arc in unwrap(complement(arcs_of(own)))]
 
 
 def _forbidden(one: Rule, other: Rule) -> str:

@@ -41,12 +41,17 @@ _ARC = re.compile(
     rf"(?:from\s+)?(?P<start>\S+?){_DEG}\s+to\s+(?P<end>\S+?){_DEG}\.?", re.IGNORECASE
 )
 _AND = re.compile(r"\s+and\s+|\s*;\s*", re.IGNORECASE)
-_CONDITIONS = re.compile(r"\b(?:beyond|within|moving|standing|at\s+least|mm\s+above)\b")
+_CONDITIONS = re.compile(r"\b(?:beyond|within|moving|standing|at\s+least)\b|mm\s+above\b")
+_LIMITS = re.compile(r"\d|\b(?:mm|beyond|within|moving|standing)\b")
 _JOINTS = re.compile(
     r"\b(?:only\s+(?:while|if|when|as\s+long)|nur\s+(?:während|wenn|solange|falls))\b"
 )
-_END = rf"[-+−]?\d[\dOoIl]*(?:[.,][\dOoIl]+)?{_DEG}"
+_JOINED = re.compile(
+    r"mm\s+above\b|\bat\s+least\s+\S*\d\s*(?:mm\b|$)|\bmay\s+be\s+(?:beyond|within)\s+\S*\d"
+)
+_END = r"([-+−]?\d[\dOoIl]*(?:[.,][\dOoIl]+)?)\s*(?:deg|°|grad)?"
 _ARCS = re.compile(rf"(?:(?:from|von)\s+)?{_END}\s+(?:to|bis)\s+{_END}\.?", re.IGNORECASE)
+_DIGITS = str.maketrans("OoIl,−", "0011.-")
 _MARKS, _LIKE = 3, 0.8  # of a rule, in a text that is meant as one; of 1, of a misspelt name
 
 
@@ -106,11 +111,12 @@ def _motion(text: str, names: list[str]) -> str:
 def is_nearly_rule(text: str, names: Sequence[str]) -> bool:
     """Return whether a text has so much of a rule that it is hardly a remark.
 
-    Three marks make one: its words, what joins its halves, and motions, also misspelt ones.
+    Three marks make one: its words, what joins its halves, and motions, also misspelt ones. And it
+    is joined as a rule is: a limit on both sides of "only while", or one with its "mm above".
 
     >>> is_nearly_rule("dei 19 mm deep only while mill within 0.65", ["mill", "die"])
     True
-    >>> is_nearly_rule("die: ground to within 0.01 mm", ["mill", "die"])
+    >>> is_nearly_rule("die within 0.02 mm of drawing, mill too", ["mill", "die"])
     False
     """
     folded = text.casefold()
@@ -121,16 +127,26 @@ def is_nearly_rule(text: str, names: Sequence[str]) -> bool:
     named = {name for name in known if re.search(rf"(?<!\w){re.escape(name)}(?!\w)", folded)}
     for word in re.findall(r"\w+", folded):
         named |= {*get_close_matches(word, known, 1, _LIKE)}
-    return marks + len(named) >= _MARKS
+    return marks + len(named) >= _MARKS and _is_joined(folded, named)
 
 
-def is_nearly_arc(text: str) -> bool:
-    """Return whether a text is nothing but still arcs, or would be without a slip.
+def _is_joined(folded: str, named: Iterable[str]) -> bool:
+    """Return whether a text has the joint of a rule, and its limits; those of names are none."""
+    for name in sorted(named, key=len, reverse=True):
+        folded = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", "", folded)
+    halves = _JOINTS.split(folded)
+    return bool(_JOINED.search(folded)) or (len(halves) > 1 and all(map(_LIMITS.search, halves)))
 
-    >>> is_nearly_arc("205 to 3O5 deg"), is_nearly_arc("as drawn on pages 3 to 4")
-    (True, False)
+
+def nearly_arcs(text: str) -> list[Arc]:
+    """Return the still arcs of a text that is nothing else, or would be without a slip; else [].
+
+    >>> nearly_arcs("205 to 3O5 deg"), nearly_arcs("as drawn on pages 3 to 4")
+    ([(205.0, 305.0)], [])
     """
-    return all(_ARCS.fullmatch(part) for part in _AND.split(text.strip()))
+    found = [_ARCS.fullmatch(part) for part in _AND.split(text.strip())]
+    ends = [[float(end.translate(_DIGITS)) for end in one.groups()] for one in found if one]
+    return [(start, end) for start, end in ends] if all(found) else []
 
 
 def arcs_from_text(text: str, decimal: str = ".") -> list[Arc]:
