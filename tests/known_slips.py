@@ -466,7 +466,7 @@ SLIPS = [
         "02.3",
         "mean, mm/s²",
         lambda m: m.die_mass_kg * 4 * stroke(m) / time(m, die(m)) ** 2,
-        "mean.*in mm where metres",
+        "mean.*in mm where metres belong, or a mass in grams",
     ),
     KnownSlip("02.3", "the 10 lost", lambda m: 100 * m.die_mass_kg * peak(m, die(m)), "10 B/N"),
     KnownSlip("02.3", "in kN", lambda m: m.die_mass_kg * peak(m, die(m)) / 1000, "kN"),

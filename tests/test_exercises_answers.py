@@ -22,6 +22,7 @@ from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.number_exercise import MIXED, OF_THE_LESSON, NumberExercise
 from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS, those_in
 from cammotion.teaching.rounding import is_as_typed
+from cammotion.teaching.variants import machine_for
 
 
 @each_exercise
@@ -214,6 +215,19 @@ def test_no_reason_speaks_of_lengths_where_none_is_asked_for() -> None:
         right = EXERCISES[number].solution(EXAMPLE)
         for ratio in (1000, 1 / 1000):
             assert not re.search(r"\bmm\b|metres", say(EXERCISES[number], ratio * right))
+
+
+@pytest.mark.parametrize(
+    ("who", "number", "answer", "untrue"),
+    [
+        ("Anna", "02.3", 52430, "mass is right"),  # 29 kg, in grams
+        ("Paul", "07.5", -96300, "weight|Besides"),
+    ],
+)
+def test_what_cannot_be_is_not_told(who: str, number: str, answer: float, untrue: str) -> None:
+    said = say(EXERCISES[number], answer, machine_for(who))
+    assert said
+    assert not re.search(untrue, said)
 
 
 ODD_NUMBERS: list[tuple[Any, str]] = [

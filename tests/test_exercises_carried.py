@@ -165,6 +165,7 @@ def test_the_number_of_the_message_is_the_one_that_was_typed_last() -> None:
     assert "with your 9 from 02.1" in cm.check("02.3", machine.die_mass_kg * 9).text
     in_mm = cm.check("02.3", machine.die_mass_kg * 9000).text
     assert "with your 9 from 02.1, which was not right yet. Besides, a length is in mm" in in_mm
+    assert "What you did here is right" not in in_mm
     assert "with your" not in cm.check("02.3", machine.die_mass_kg * 1000).text
 
 
@@ -189,7 +190,7 @@ def test_what_carries_nothing() -> None:
     cm.check("02.1", velocity)
     said = cm.check("02.3", mass * velocity).text
     assert f"{WITH_WRONG}02.1 this would be right. This is the peak velocity" in said
-    assert "More than one way" not in said  # that the mass is right is the same, said again
+    assert "More than one way" not in said  # that the acceleration is not is the same
     cm.check("02.1", EXERCISES["02.1"].solution(machine))
     assert "with your" not in cm.check("02.3", mass * 9).text
 

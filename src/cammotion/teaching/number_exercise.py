@@ -46,14 +46,17 @@ _TOO_FEW = (
 )
 WITH_WRONG = "With a wrong answer to {} this would be right."
 WITH_LESSONS = "With the lesson's answer to {} in place of yours this would be right."
-YOURS = "What you did here is right, but with your {} from {}, which was not right yet."
+_RIGHT_BUT = "What you did here is right, but"
+YOURS = f"{_RIGHT_BUT} with your {{}} from {{}}, which was not right yet."
 OF_THE_LESSON = "This is right for the machine of the lesson. Yours has other numbers."
 MIXED = (
     "With a number of the lesson's machine in place of one of yours this would be right. Are all "
     "the numbers that you put in those of your question?"
 )
-_IN_MM_TOO = "{} Besides, a length is in mm where metres belong."
-_OF_METRES = ("m/s²", "N")  # in which it makes an answer a thousand times as large
+_IN_MM_TOO: Mapping[str, str] = {  # what makes a product a thousand times as large, by its unit
+    "m/s²": "{} Besides, a length is in mm where metres belong.",
+    "N": "{} Besides, a length is in mm where metres belong, or a mass in grams.",
+}
 _DIGITS = {3: "three", 4: "four"}
 
 
@@ -79,8 +82,9 @@ class NumberExercise(Exercise):
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
     see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`,
-    has neither a factor pi nor squares in it that could be lost; of a whole number, `is_count`,
-    nothing is rounded on the way.
+    has neither a factor pi nor squares in it that could be lost; one that `is_product` has a
+    length for a factor, with which all of it grows; of a whole number, `is_count`, nothing is
+    rounded on the way.
     """
 
     unit: str
@@ -93,6 +97,7 @@ class NumberExercise(Exercise):
     mixed: Callable[[MillAndDie], Iterable[float]] = lambda _: ()
     shows: Shows | None = None
     is_sum: bool = False
+    is_product: bool = False
     is_count: bool = False
 
     @property
@@ -170,16 +175,18 @@ class NumberExercise(Exercise):
         )
 
     def _in_mm_too(self, given: float, machine: MillAndDie, wrong: Mapping[float, str]) -> str:
-        """Say what has happened to a number that comes of mm and goes wrong in another way, too."""
-        if self.unit not in _OF_METRES:
+        """Say what has happened to a product that comes of mm and is wrong in another way, too."""
+        if not self.is_product:
             return ""
         given /= MM_PER_M
-        reasons = (
-            [slip.reason for slip in self._brought_along(given, machine)]
-            or [reason for value, reason in wrong.items() if self._is_about(given, value)]
-            or [slip.reason for slip in self._carried_to(given, machine)]
-        )
-        return in_one(map(_IN_MM_TOO.format, (one for each in reasons for one in those_in(each))))
+        reasons = [reason for value, reason in wrong.items() if self._is_about(given, value)] or [
+            slip.reason for slip in self.brought if self._is(given, slip.leads_to(machine))
+        ]
+        return in_one(self._with_mm(one) for each in reasons for one in those_in(each))
+
+    def _with_mm(self, reason: str) -> str:
+        """Return a reason with mm beside it, so that not all that was done here is right."""
+        return _IN_MM_TOO[self.unit].format(reason.replace(_RIGHT_BUT, "This is"))
 
     def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> list[str]:
         """Return why a number is wrong that is a slip's: all reasons that it may have.
@@ -198,7 +205,7 @@ class NumberExercise(Exercise):
             alike, key=lambda value: (not is_same(value, slip), abs(given - value))
         )
         brought = self._brought_along(given, machine)
-        told = tuple(slip.cause for slip in brought if slip.cause)  # "The mass is right, … " + it
+        told = tuple(slip.cause for slip in brought if slip.cause)  # "The acceleration is …" + it
         reasons = [wrong[value] for value in nearest_first if not wrong[value].endswith(told)]
         right = self.solution(machine)
         ratios = [said for r, said in self.ratios.items() if is_as_typed(given, r * right)]
@@ -289,7 +296,7 @@ class NumberExercise(Exercise):
         )
         slips = [slip.reason for slip in (*self.slips, *self.carried)]
         slips += [YOURS.format("…", number) for number in self.goes_on_from]
-        in_mm = map(_IN_MM_TOO.format, slips if self.unit in _OF_METRES else ())
+        in_mm = map(self._with_mm, slips if self.is_product else ())
         return (
             *(*slips, *in_mm, _IN_G, *self.ratios.values()),
             *(OF_THE_LESSON, MIXED, *unknown),

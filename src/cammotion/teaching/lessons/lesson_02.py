@@ -172,7 +172,7 @@ def _of_the_force(slip: Slip) -> Slip:
     """Return what a slip in the acceleration becomes in the force."""
     return Slip(
         lambda m: m.die_mass_kg * slip.leads_to(m),
-        f"The mass is right, the acceleration is not. {slip.reason}",
+        f"The acceleration is not right. {slip.reason}",
     )
 
 
@@ -215,6 +215,7 @@ EXERCISES = (
             "acceleration?"
         ),
         unit="m/s²",
+        is_product=True,
         answer=_peak,
         shows=peak_of_die(),
         right="Times the mass of the die this is the force its inertia asks for, twice a move.",
@@ -344,6 +345,7 @@ EXERCISES = (
             "the largest force that its inertia asks for?"
         ),
         unit="N",
+        is_product=True,
         answer=lambda m: m.die_mass_kg * _peak(m),
         goes_on_from={"02.1": lambda m, peak: m.die_mass_kg * peak},
         shows=peak_of_die("With this force", peak=lambda m, force: force / m.die_mass_kg),

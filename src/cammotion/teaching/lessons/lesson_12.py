@@ -225,6 +225,7 @@ EXERCISES = (
             "which peak acceleration can no motion be below, whatever its law?"
         ),
         unit="m/s²",
+        is_product=True,
         answer=_least,
         mixed=lambda m: with_one_of_the_lesson(
             partial(_gentlest, m), _carriage(m), (_SUCKER_MM, _SUCKER_DEG)
