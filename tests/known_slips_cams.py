@@ -270,7 +270,28 @@ SLIPS = [
     KnownSlip("07.5", "lost sign", lambda m: push(m) - spring(m) * early(m), "sign of the sine"),
     KnownSlip("07.5", "all over", preload_all_over, "all over"),
     KnownSlip("07.5", "x = 1/4", lambda m: push(m) - spring(m) * stroke(m) * law(0.25), "1/4"),
-    KnownSlip("07.5", "in mm", lambda m: 1000 * push(m) - spring(m) * late(m), "mm/s²"),
+    KnownSlip(
+        "07.5", "in mm", lambda m: 1000 * push(m) - spring(m) * late(m), "mm/s², or .* grams"
+    ),
+    KnownSlip(
+        "07.5",
+        "2 pi lost, in mm",
+        lambda m: 500 / math.pi * push(m) - spring(m) * late(m),
+        "2 pi.*mm/s², or",
+    ),
+    KnownSlip(
+        "07.5",
+        "no square, in mm",
+        lambda m: 1000 * push(m) * time(m, die(m)) - spring(m) * late(m),
+        "squared.*mm/s², or",
+    ),
+    KnownSlip("07.5", "the 10 lost", lambda m: 100 * push(m) - spring(m) * late(m), "10 B/N"),
+    KnownSlip(
+        "07.5",
+        "mid-stroke",
+        lambda m: push(m) - spring(m) * stroke(m) / 2,
+        r"^The spring was pressed together by half the stroke, as at mid-stroke.*law\.$",
+    ),
     KnownSlip("07.5", "spring in m", lambda m: push(m) - spring(m) * late(m) / 1000, "metres"),
     KnownSlip("07.5", "spring alone", lambda m: spring(m) * late(m), "still missing"),
     KnownSlip(

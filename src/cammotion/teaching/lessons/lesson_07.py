@@ -9,6 +9,7 @@ from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import (
     DEG_PER_TURN,
     MINUTES_PER_HOUR,
+    MM_PER_M,
     STANDARD_GRAVITY,
     indexing_time,
     peak_acceleration,
@@ -43,6 +44,9 @@ _ROLLER = (
     "the radius is not in it."
 )
 _WEIGHT = "The weight was counted. The die moves level: it neither presses nor pulls."
+_NO_2_PI = "The factor 2 pi of the peak acceleration is missing."
+_ONCE = "The time of the rise has to be squared: in an acceleration it counts twice."
+_MM_TAKEN = "acceleration was taken in mm/s², or the mass in grams."
 _G = (STANDARD_GRAVITY, 9.81, 10)  # m/s², as one reckons with it
 _BEND = (
     "This slope is the second derivative, 2 pi times the stroke over the square of the angle. How "
@@ -54,6 +58,11 @@ _LAW = LAWS["cycloidal"]
 def _angle(m: MillAndDie) -> float:
     """Return the indexing angle of the die in rad."""
     return math.radians(m.die_angle_deg)
+
+
+def _time(m: MillAndDie) -> float:
+    """Return how long the rise takes in s."""
+    return float(indexing_time(m.die_angle_deg, m.rate_per_hour))
 
 
 def _slope(m: MillAndDie) -> float:
@@ -87,6 +96,11 @@ def base_mm(m: MillAndDie) -> float:
 
 def _pressure(slope: float, height: float) -> float:
     return math.degrees(math.atan2(slope, height))
+
+
+def _sine_taken(ratio: float) -> float:
+    """Return the angle in deg whose sine is a ratio, NaN for a ratio that is none."""
+    return math.degrees(math.asin(ratio)) if ratio <= 1 else math.nan
 
 
 def _height(m: MillAndDie) -> float:
@@ -133,6 +147,11 @@ def stiffness(m: MillAndDie) -> float:
 def _preload(m: MillAndDie, stretched_mm: float | None = None) -> float:
     way = _hardest_mm(m) if stretched_mm is None else stretched_mm
     return _push(m) - stiffness(m) * way
+
+
+def _with_push(m: MillAndDie, times: float) -> float:
+    """Return the preload in N with so many times the push."""
+    return times * _push(m) - stiffness(m) * _hardest_mm(m)
 
 
 def _weighed(m: MillAndDie, g: float) -> float:
@@ -272,7 +291,7 @@ EXERCISES = (
                 "largest slope of the cycloid is twice the mean one.",
             ),
             Slip(
-                lambda m: math.degrees(math.asin(min(_slope(m) / _height(m), 1.0))),
+                lambda m: _sine_taken(_slope(m) / _height(m)),
                 "Slope and distance are the two short sides of the triangle: take the tangent, "
                 "not the sine.",
             ),
@@ -562,8 +581,26 @@ EXERCISES = (
                 "This is how far the spring is pressed at x = 1/4, where the cam pushes the die.",
             ),
             Slip(
-                lambda m: _push(m) * 1000 - stiffness(m) * _hardest_mm(m),
-                "The acceleration was taken in mm/s². For newtons it has to be in m/s².",
+                lambda m: _preload(m, m.stroke_mm / 2),
+                "The spring was pressed together by half the stroke, as at mid-stroke, where "
+                "nothing brakes the die. At x = 3/4 it is pressed by more: put that into the law.",
+            ),
+            Slip(
+                partial(_with_push, times=MM_PER_M),
+                f"The {_MM_TAKEN} For newtons they have to be in m/s² and kg.",
+            ),
+            Slip(
+                partial(_with_push, times=MM_PER_M / (2 * math.pi)),
+                f"{_NO_2_PI} Besides, the {_MM_TAKEN}",
+            ),
+            Slip(
+                lambda m: _with_push(m, MM_PER_M * _time(m)),
+                f"{_ONCE} Besides, the {_MM_TAKEN}",
+            ),
+            Slip(
+                partial(_with_push, times=100),
+                "The 10 of tm = 10 B/N has been lost, which counts twice, or the stroke was taken "
+                "in cm where metres belong.",
             ),
             Slip(
                 lambda m: _push(m) - stiffness(m) * _hardest_mm(m) / 1000,
@@ -584,28 +621,19 @@ EXERCISES = (
                 "This is by how many mm the spring has to be pressed together at the start. Which "
                 "force has it then?",
             ),
-            Slip(
-                lambda m: _push(m) / (2 * math.pi) - stiffness(m) * _hardest_mm(m),
-                "The factor 2 pi of the peak acceleration is missing.",
-            ),
-            Slip(
-                lambda m: (
-                    _push(m) * float(indexing_time(m.die_angle_deg, m.rate_per_hour))
-                    - stiffness(m) * _hardest_mm(m)
-                ),
-                "The time of the rise has to be squared: in an acceleration it counts twice.",
-            ),
+            Slip(partial(_with_push, times=1 / (2 * math.pi)), _NO_2_PI),
+            Slip(lambda m: _with_push(m, _time(m)), _ONCE),
             Slip(
                 lambda m: _push(m, DEG_PER_TURN) - stiffness(m) * _hardest_mm(m),
                 "The time of a whole turn was taken for that of the rise.",
             ),
             Slip(
-                lambda m: _push(m) * MINUTES_PER_HOUR**2 - stiffness(m) * _hardest_mm(m),
+                partial(_with_push, times=MINUTES_PER_HOUR**2),
                 "The time of the rise was taken 60 times too short: the pieces are by the hour, "
                 "and an hour has 3600 seconds.",
             ),
             Slip(
-                lambda m: 4 / (2 * math.pi) * _push(m) - stiffness(m) * _hardest_mm(m),
+                partial(_with_push, times=4 / (2 * math.pi)),
                 "This is the peak of the constant acceleration, factor 4. The cycloid has 2 pi.",
             ),
         ),
