@@ -120,6 +120,12 @@ NUMBER_SLIPS = [
         lambda m: m.rate_per_hour * math.sqrt(before(m) / peak(m, stroke(m), widest(m))),
         r"^So fast the die could go\. Who else meets that peak, and at which rate\?$",
     ),
+    KnownSlip(
+        "12.1",
+        "the mill alone",
+        lambda m: m.rate_per_hour * math.sqrt(before(m) / mill(m)),
+        r"^So fast the mill could go\. Who else meets that peak, and at which rate\?$",
+    ),
     KnownSlip("12.1", "as today", lambda m: m.rate_per_hour, "today's rate"),
     KnownSlip("12.1", "no root", lambda m: faster(m, 1), "square of the rate"),
     KnownSlip("12.1", "upside down", lambda m: faster(m, -0.5), "upside down"),

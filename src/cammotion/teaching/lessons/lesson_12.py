@@ -67,6 +67,11 @@ def _faster_alone(m: MillAndDie) -> float:
     return _at_peak(m, _before(m), _die(m), 0)
 
 
+def _mill_alone(m: MillAndDie) -> float:
+    """Return the rate to which the mill could go on."""
+    return _at_peak(m, _before(m), 0, _mill(m))
+
+
 def _faster_balanced(m: MillAndDie) -> float:
     """Return the rate of the lesson's third machine: the angles of mill and die make peaks alike.
 
@@ -151,6 +156,11 @@ EXERCISES = (
                 _faster_alone,
                 "So fast the die could go. Who else meets that peak, and at which rate?",
                 alone=True,  # any peak of the mill that is below the die's leads to it
+            ),
+            Slip(
+                _mill_alone,
+                "So fast the mill could go. Who else meets that peak, and at which rate?",
+                alone=True,
             ),
             Slip(
                 _faster_balanced,
