@@ -594,6 +594,12 @@ SLIPS = [
         with_lessons(lambda m: (widest(m) / 55) ** 2),
         "a number of the lesson",
     ),
+    KnownSlip(
+        "03.5",
+        "the lesson's widest angle",
+        with_lessons(lambda m: (124.91 / die(m)) ** 2),
+        "a number of the lesson",
+    ),
     KnownSlip("03.5", "percent less", lambda m: 100 * (1 - 1 / gain(m)), "percent"),
     KnownSlip("03.5", "difference", lambda m: peak(m, die(m)) - peak(m, widest(m)), "difference"),
     KnownSlip("03.5", "third power", lambda m: gain(m) ** 1.5, "jerk"),

@@ -1,6 +1,7 @@
 """Exercises of notebook 03, how far two motions may overlap."""
 
 import math
+from collections.abc import Iterator
 
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, peak_acceleration
@@ -21,6 +22,7 @@ IN_DEGREES = (
 PLUS = "There is a minus before the sine of the law, which makes it start gently."
 
 _LAW = LAWS["cycloidal"]
+LESSONS_DEG = (round(EXAMPLE.widest_deg, 2), 124.91)  # the widest angles that 03 and 04 print
 _CONSTANT, _HARMONIC = LAWS["constant acceleration"], LAWS["simple harmonic"]
 _BY_CONSTANT = (
     "This is so by the law of constant acceleration. The cycloid starts and ends more gently."
@@ -63,6 +65,13 @@ def _place_with_plus(share: float) -> float:
 def _place_of(stroke_mm: float, wait_mm: float, margin_mm: float) -> float:
     """Return the x of 03.3 by what stands in its question."""
     return _way((wait_mm - margin_mm) / stroke_mm)
+
+
+def _with_lessons_angle(m: MillAndDie) -> Iterator[float]:
+    """Yield what 03.5 is with one of its two angles as the lesson has it."""
+    yield (m.widest_deg / EXAMPLE.die_angle_deg) ** 2
+    for widest_deg in LESSONS_DEG if m != EXAMPLE else ():
+        yield (widest_deg / m.die_angle_deg) ** 2
 
 
 def _quiet_way_mm(m: MillAndDie) -> float:
@@ -351,7 +360,7 @@ EXERCISES = (
         unit="",
         answer=lambda m: (m.overlapped_deg / (1 - _place(m)) / m.die_angle_deg) ** 2,
         goes_on_from={"03.4": lambda m, angle: (angle / m.die_angle_deg) ** 2},
-        mixed=lambda m: ((m.widest_deg / EXAMPLE.die_angle_deg) ** 2,),
+        mixed=_with_lessons_angle,
         shows=peak_of_die(
             "With a peak so many times smaller",
             peak=lambda m, times: (

@@ -10,7 +10,7 @@ from cammotion.machine.kinematics import DEG_PER_TURN, SECONDS_PER_HOUR, cycle_t
 from cammotion.teaching.copied import with_one_of_the_lesson
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
-from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, PLUS, law_in_degrees
+from cammotion.teaching.lessons.lesson_03 import IN_DEGREES, LESSONS_DEG, PLUS, law_in_degrees
 from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import turn_on_screen
@@ -19,9 +19,6 @@ from cammotion.teaching.shown.turns import rest_in_turn
 
 BEFORE_DOWN_DEG = 30  # in 04.1
 TURN_S = 9  # in 04.2
-
-
-_LESSONS_DEG = (round(EXAMPLE.widest_deg, 2), 124.91)  # as 03 and 04 print it
 
 
 def _depth(m: MillAndDie, angle_deg: float) -> float:
@@ -39,7 +36,7 @@ def _with_lessons_numbers(
     of: Callable[..., float], own: Sequence[float], lessons: Sequence[float]
 ) -> Iterator[float]:
     """Yield what follows from the numbers of a question, the widest angle first, with one other."""
-    for widest_deg in _LESSONS_DEG:
+    for widest_deg in LESSONS_DEG:
         yield from with_one_of_the_lesson(of, own, (widest_deg, *lessons))
 
 
