@@ -223,6 +223,7 @@ def test_no_reason_speaks_of_lengths_where_none_is_asked_for() -> None:
         ("Anna", "02.3", 52430, "mass is right"),  # 29 kg, in grams
         ("Paul", "07.5", -96300, "weight|Besides"),
         ("Tom", "07.1", 90, "sine"),
+        ("Anna", "01.1", 60, "The way is right"),
     ],
 )
 def test_what_cannot_be_is_not_told(who: str, number: str, answer: float, untrue: str) -> None:

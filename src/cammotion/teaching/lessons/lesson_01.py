@@ -22,7 +22,7 @@ def _mill_peak(m: MillAndDie) -> float:
 _ADDED_UP = tuple(
     Slip(
         lambda m, off_deg=off_deg: m.die_angle_deg + off_deg / 2,  # type: ignore[misc]
-        "The way is right, the sum is not: 360 less the mill's degrees, less those of the work. "
+        "If the way is right, the sum is not: 360 less the mill's degrees, less those of the work. "
         "Add up once more.",
     )
     for off_deg in (10, -10, 20, -20, 100, -100)
