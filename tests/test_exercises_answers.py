@@ -232,6 +232,13 @@ def test_what_cannot_be_is_not_told(who: str, number: str, answer: float, untrue
     assert not re.search(untrue, said)
 
 
+def test_each_slip_is_told_that_a_number_may_come_of() -> None:
+    """Half a stroke of 1.8 N/mm is nearly S(3/4) of 1 N/mm; 273.3 is neither 273.1 nor 273.6."""
+    said = those_in(say(EXERCISES["07.5"], 273.3, machine_for("Anna")))
+    for reason in ("The stiffness of the spring is missing", "The spring was pressed together by"):
+        assert any(one.startswith(reason) for one in said)
+
+
 ODD_NUMBERS: list[tuple[Any, str]] = [
     ("4.154", r"This is a text. Write one number in m/s², without quotes and unit: 4.154\.$"),
     ("4,154", r"without quotes and unit: 4.154 or 4154\.$"),

@@ -145,8 +145,8 @@ class NumberExercise(Exercise):
             return in_one(too_few)
         if self._is_about(given, slip) and abs(given - slip) < off:
             known = self._all_that_lead_to(given, slip, machine)
-            agrees = any(is_as_typed(given, slip, more) for more in range(FEWEST, MOST + 1))
-            return in_one(known if agrees else [*known, *self._rounded_on_the_way(given, right)])
+            rounded = [] if _agrees(given, slip) else self._rounded_on_the_way(given, right)
+            return in_one([*known, *rounded])
         has_other_way = self._mixed_up(given, machine) or self._carried_to(given, machine)
         if self._is(given, right) and not has_other_way:
             return ""
@@ -191,14 +191,17 @@ class NumberExercise(Exercise):
     def _all_that_lead_to(self, given: float, slip: float, machine: MillAndDie) -> list[str]:
         """Return why a number is wrong that is a slip's: all reasons that it may have.
 
+        If it is not that slip's as typed, all slips within the tolerance are among them.
         A ratio, or what a slip in an earlier exercise leads to, is among them where it leads to the
         number exactly, and the slip only near it.
         """
         wrong = _known(self, machine).wrong
+        is_between = not _agrees(given, slip)
         alike = [
             value
             for value in wrong
             if is_same(value, slip)
+            or (is_between and self._is(given, value))
             or any(is_rounded(given, value, digits) for digits in range(FEWEST + 1, MOST + 1))
         ]
         nearest_first = sorted(
@@ -301,6 +304,11 @@ class NumberExercise(Exercise):
             *(*slips, *in_mm, _IN_G, *self.ratios.values()),
             *(OF_THE_LESSON, MIXED, *unknown),
         )
+
+
+def _agrees(given: float, value: float) -> bool:
+    """Tell whether a number is a value as one types it, in however many digits."""
+    return any(is_as_typed(given, value, digits) for digits in range(FEWEST, MOST + 1))
 
 
 class _Known(NamedTuple):
