@@ -68,8 +68,8 @@ def _faster_alone(m: MillAndDie) -> float:
 
 
 def _mill_alone(m: MillAndDie) -> float:
-    """Return the rate to which the mill could go on."""
-    return _at_peak(m, _before(m), 0, _mill(m))
+    """Return the rate to which the mill could go on; NaN where the die could, too: it is right."""
+    return _at_peak(m, _before(m), 0, _mill(m)) if _mill(m) < _die(m) else math.nan
 
 
 def _faster_balanced(m: MillAndDie) -> float:
