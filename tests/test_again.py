@@ -370,3 +370,11 @@ def test_the_widest_angle_is_sought_once_for_all_rates_and_masses(
         fresh = cm.widest_move(other.diagram, "die", other.rule).angle_deg
         assert other.widest_deg == pytest.approx(fresh, abs=1e-9)
     assert len(sought) == 1 + len(example._GEOMETRY)
+
+
+def test_fresh_numbers_are_not_sought_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An exercise of which one wrong way is always right let the kernel hang."""
+    exercise = EXERCISES["12.1"]
+    monkeypatch.setattr(fresh_numbers, "why_not", lambda *_: "a wrong way is right")
+    with pytest.raises(cm.InputError, match=r"^There are no fresh numbers for exercise 12\.1"):
+        next(fresh_numbers.fresh_machines(exercise, machine_for("Anna")))

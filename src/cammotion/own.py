@@ -10,7 +10,7 @@ from cammotion.limits.standing import arcs_by_name
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.quantities import InputError, as_text, plural, shorten
-from cammotion.rules.checks import every_rule, find_clearances, find_violations
+from cammotion.rules.checks import every_rule, find_clearances, find_violations, idle_rules
 from cammotion.rules.rule import Clearance, Rule, Violation
 from cammotion.shown import as_table
 
@@ -61,8 +61,7 @@ class Machine:
     @cached_property
     def idle(self) -> dict[Rule, str]:
         """The rules that nothing breaks, however the machine is timed, and why: look at them."""
-        said = {rule: rule.idle(self.diagram) for rule in self.rules}
-        return {rule: why for rule, why in said.items() if why}
+        return idle_rules(self.diagram, self.rules)
 
     @cached_property
     def peaks(self) -> dict[str, float]:

@@ -19,7 +19,7 @@ from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import InputError, Quantity, WrongAnswerError, as_text, shorten
-from cammotion.rules.checks import every_rule, find_violations, smallest_clearance
+from cammotion.rules.checks import every_rule, find_violations, idle_rules, smallest_clearance
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.rule import Clearance, Rule, Violation
 
@@ -118,7 +118,7 @@ def widest_move(  # noqa: PLR0913 - what is left out is none
             tight = _tight(wider, frame.met(events, angles), dict(zip(own, touching, strict=True)))
             others = [rule for rule in given if rule not in touching]
             elsewhere = find_violations(diagram, others)
-            idle = tuple(filter(None, (rule.idle(wider) for rule in given)))
+            idle = tuple(idle_rules(wider, given).values())
             return WidestMove(wider, motion, angles, tight, elsewhere, idle)
     narrow = diagram.with_motion(frame.with_angles([NARROW_DEG] * len(frame.anchors)))
     broken = "; ".join(map(str, find_violations(narrow, own)))

@@ -54,8 +54,13 @@ class Segment:
     law: str | MotionLaw | None = None
 
     def __post_init__(self) -> None:
-        keep_numbers(self, from_deg=CAM_ANGLE.number, from_mm=POSITION.number)
-        keep_numbers(self, to_deg=CAM_ANGLE.number, to_mm=POSITION.number)
+        keep_numbers(
+            self,
+            from_deg=CAM_ANGLE.number,
+            from_mm=POSITION.number,
+            to_deg=CAM_ANGLE.number,
+            to_mm=POSITION.number,
+        )
         span = f"from {self.from_deg:.12g} to {self.to_deg:.12g} deg"
         if self.angle_deg < 0:
             later = self.from_deg + (self.angle_deg % DEG_PER_TURN or DEG_PER_TURN)

@@ -58,9 +58,10 @@ def design_said(best: Optimised) -> str:
         of_all = "the best of all starts and angles with these laws, to a thousandth"
         return f"The design is {of_all}, {trusted}. {checked}"
     low, high = outward(best.bound, best.reached)
-    least = f"with these laws none has less than {low}, {trusted}" if best.bound else "no bound"
+    if not best.bound:
+        return f"The design has {high} m/s², and no bound is known of it. {checked}"
     return (
-        f"The design has {high} m/s², and {least}: the "
+        f"The design has {high} m/s², and with these laws none has less than {low}, {trusted}: the "
         f"time was too short to search all starts and angles through. {checked}"
     )
 

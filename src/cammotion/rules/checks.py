@@ -80,6 +80,12 @@ def _as_spelled(diagram: TimingDiagram, rule: Rule) -> Rule:
     return rule if all(name == own for name, own in called.items()) else rule.renamed(called)
 
 
+def idle_rules(diagram: TimingDiagram, rules: Iterable[Rule]) -> dict[Rule, str]:
+    """Return the rules that nothing breaks, however a diagram is timed, and why."""
+    said = {rule: rule.idle(diagram) for rule in rules}
+    return {rule: why for rule, why in said.items() if why}
+
+
 def has_limits(rule: Rule) -> TypeGuard[ClearanceRule]:
     """Tell whether a rule is a clearance rule with a limit in mm of each motion."""
     return isinstance(rule, ClearanceRule) and in_mm(rule)

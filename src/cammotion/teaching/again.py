@@ -29,6 +29,7 @@ _UNLIKE = ENOUGH - 1  # before each answer there are so many others
 _APART = 1e-3  # as a share: four digits tell so much
 _RANGES: Mapping[str, tuple[float, float]] = {"deg": (0, 360), "%": (0, 100)}
 _ANY = (0.0, math.inf)
+_MOST = 2000  # machines in a row that an exercise is not asked about
 _SPOKEN_OF = re.compile(r"exercise (\d\d\.\d)")
 
 
@@ -36,7 +37,7 @@ def fresh_machines(exercise: Exercise, own: MillAndDie) -> Iterator[MillAndDie]:
     """Yield machines with numbers to ask an exercise about, without an end.
 
     The answer is never that for the learner's own machine, or for the last two. Raises InputError
-    for a choice, which has no numbers.
+    for a choice, which has no numbers, and where no numbers can be found.
     """
     if isinstance(exercise, ChoiceExercise):
         raise InputError(
@@ -48,12 +49,18 @@ def fresh_machines(exercise: Exercise, own: MillAndDie) -> Iterator[MillAndDie]:
 
 def _unlike(exercise: Exercise, own: MillAndDie) -> Iterator[MillAndDie]:
     last: deque[Any] = deque(maxlen=_UNLIKE)
-    own_answer = exercise.solution(own)
+    own_answer, passed_over = exercise.solution(own), 0
     for machine in drawn(f"again {exercise.number} {own.who.casefold()}", own.who):
         before = (own_answer, *last)
         if not why_not(exercise, machine) and not _is_right(exercise, before, machine):
             last.append(exercise.solution(machine))
+            passed_over = 0
             yield machine
+        elif (passed_over := passed_over + 1) == _MOST:
+            raise InputError(
+                f"There are no fresh numbers for exercise {exercise.number}: {_MOST} in a row "
+                "could not be asked about. Go on with another exercise."
+            )
 
 
 def _is_right(exercise: Exercise, answers: Iterable[Any], machine: MillAndDie) -> bool:

@@ -34,7 +34,7 @@ RATIOS_OF_SUMS = {ratio: COMMON_RATIOS[ratio] for ratio in (-1.0, 2.0, 1 / 2, ma
 """Those that may be met in a sum of degrees, which has neither a factor pi nor squares in it."""
 
 _HUNDREDFOLD = (
-    "This is a hundred times too large. Has the 10 of tm = 10 B/N been lost, which counts twice? "
+    "This is a hundred times too large. Was a 10 lost that counts twice, as that of tm = 10 B/N? "
     "Or is a length in cm where metres belong?"
 )
 _TOO_FAST: Mapping[float, str] = {

@@ -73,7 +73,7 @@ class Optimised:
 
     @property
     def is_best(self) -> bool:
-        """Whether the search was finished: no other diagram is better by a thousandth."""
+        """Whether the search was finished: no other largest peak is less by a thousandth."""
         return self.reached <= self.bound * (1 + _SEARCHED)
 
     def __repr__(self) -> str:
@@ -88,11 +88,11 @@ class Optimised:
             )
         elif not self.is_best:
             low, _ = outward(self.bound, self.reached)
-            known = f"no such moves have less than {low} {self.unit}"
-            lines.append(
-                f"{known if self.bound else 'no bound is known'}; the time was too short to search "
+            known = (
+                f"no such moves have less than {low} {self.unit}; the time was too short to search "
                 "them all through"
             )
+            lines.append(known if self.bound else "no bound is known")
         for name, peak in self.peaks.items():
             lines.append(f"{name}: {said(peak)} m/s²")
             lines += [
@@ -135,7 +135,8 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     and `angles_deg` give for a part a range, or None, for each of its moves.
 
     The largest of the peak accelerations is made small, each times its weight (1 if none is given),
-    in `unit`; then, with its part held there, the largest of the others, and so on; and last, of
+    in `unit`; then, with its part held there and in the order of the moves that was found for it,
+    the largest of the others, and so on; and last, of
     each part, those of its other moves; who passes whom stays as it is for the first of them. With
     `at_most` no peak of a part is above a limit in m/s2.
     With a Camshaft in place of the diagram, `minimise` may be "force", mass times acceleration:
@@ -150,7 +151,7 @@ def optimise(  # noqa: PLR0913 - all but two are given by name
     are. A part without a load counts for nothing in it: its peak stays at most what it is today,
     or what `at_most` says.
 
-    Otherwise the answer is the best there is, not only the best of some tries, as far as the solver
+    Otherwise no largest peak is less than that of the answer, as far as the solver
     HiGHS can be trusted: it searches the program through, to a ten-thousandth (where the `seconds`
     are enough; `bound` tells). Arcs that a rule keeps apart stay so by 4e-6 deg, for rounding, if
     they need not touch. Today's diagram is returned where it keeps all of this and nothing better

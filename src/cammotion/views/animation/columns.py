@@ -13,7 +13,7 @@ from cammotion.machine.arcs import Arc, arcs, unwrap
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import as_text
-from cammotion.rules.checks import find_violations
+from cammotion.rules.checks import find_violations, idle_rules
 from cammotion.rules.rule import Rule, Violation
 from cammotion.views.animation import svg
 from cammotion.views.animation.charts import (
@@ -109,7 +109,7 @@ class Design:
         if arcs_in_words:
             return f"{_BROKEN} from {' and from '.join(arcs_in_words)}"
         kept = ("", "rule kept", "rules kept")[min(len(self.rules), 2)]
-        idle = " and ".join(filter(None, (rule.idle(self.diagram) for rule in self.rules)))
+        idle = " and ".join(idle_rules(self.diagram, self.rules).values())
         return f"{kept}: {idle}" if idle else kept
 
     def short_verdict(self, room: float) -> str:
