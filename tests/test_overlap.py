@@ -733,6 +733,12 @@ def test_a_rule_that_nothing_can_break_is_said_to_be_one(
     assert repr(found).endswith(f"; a rule that nothing can break: {why})")
     shown = cm.animate(make_diagram(), rules=rule)
     assert f"; rule kept: {why})" in shown.description
+    assert (
+        "rules kept (2 cannot be broken)"
+        in cm.animate(
+            make_diagram(), rules=[rule, ClearanceRule(beyond("die", 70), within("mill", 0.65))]
+        ).svg
+    )
     assert cm.widest_move(make_diagram(), "die", RULE).idle == ()
 
 

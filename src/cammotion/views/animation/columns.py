@@ -108,15 +108,25 @@ class Design:
         ]
         if arcs_in_words:
             return f"{_BROKEN} from {' and from '.join(arcs_in_words)}"
-        kept = ("", "rule kept", "rules kept")[min(len(self.rules), 2)]
-        idle = " and ".join(idle_rules(self.diagram, self.rules).values())
-        return f"{kept}: {idle}" if idle else kept
+        idle = " and ".join(self._idle.values())
+        return f"{self._kept}: {idle}" if idle else self._kept
 
     def short_verdict(self, room: float) -> str:
-        """Return the verdict in so many px: over how much of a turn, where not all arcs fit."""
-        if not self._broken or text_px(self.verdict, svg.NORMAL, bold=True) <= room:
+        """Return the verdict in so many px: only how much and how many, where not all fits."""
+        if text_px(self.verdict, svg.NORMAL, bold=bool(self._broken)) <= room:
             return self.verdict
-        return f"{_BROKEN} over {sum(end - start for start, end in self._broken):.4g}° of the turn"
+        if self._broken:
+            degrees = sum(end - start for start, end in self._broken)
+            return f"{_BROKEN} over {degrees:.4g}° of the turn"
+        return f"{self._kept} ({len(self._idle)} cannot be broken)"
+
+    @property
+    def _kept(self) -> str:
+        return ("", "rule kept", "rules kept")[min(len(self.rules), 2)]
+
+    @cached_property
+    def _idle(self) -> dict[Rule, str]:
+        return idle_rules(self.diagram, self.rules)
 
     @property
     def _broken(self) -> list[Arc]:
