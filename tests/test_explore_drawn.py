@@ -103,6 +103,14 @@ def test_a_control_starts_on_a_step() -> None:
     assert figure.values == {k: 2}
 
 
+@pytest.mark.parametrize("ends", [(0.005, 0.02), (0, 0.015), (0.03, 0.045), (0, 15)])
+def test_a_control_of_any_width_has_a_round_step(ends: tuple[float, float]) -> None:
+    (control,) = cm.explore(k * t, (t, 0, 1), {k: ends}).description["controls"]
+    width = ends[1] - ends[0]
+    assert 150 <= round(width / control["step"]) <= 375
+    assert f"{control['step']:.3e}".startswith(("1.000", "2.000", "5.000"))
+
+
 def test_a_condition_may_be_an_expression_that_has_to_be_above_0() -> None:
     figure = cm.explore(k * t, (t, 0, 1), {k: (-3, 5)}, says=[cm.Say("above", when=k)])
     assert figure.text == "above"

@@ -68,7 +68,11 @@ def read_cam_table(  # noqa: PLR0913 - what can be set of a file
     >>> print(table.said[table.said.index("text:") :])
     text: column 1 is the cam angle in deg (from its range), ...
     """
-    asked = Asked(_separator(separator), _decimal(decimal), _columns(columns))
+    if separator is not None:
+        one_of("separator", separator, SEPARATORS)
+    if decimal is not None:
+        one_of("decimal mark", decimal, DECIMALS)
+    asked = Asked(separator, decimal, _columns(columns))
     text = read_text(path, encoding)
     found = columns_of(text, asked)
     if len(found.rows) < _FEWEST:
@@ -97,14 +101,6 @@ def read_cam_table(  # noqa: PLR0913 - what can be set of a file
         is_cycle=shape.is_cycle,
         said=_said(found, text.encoding, (master.said, lift.said, shape.said)),
     )
-
-
-def _separator(given: Any) -> str | None:
-    return None if given is None else one_of("separator", given, SEPARATORS)
-
-
-def _decimal(given: Any) -> str | None:
-    return None if given is None else one_of("decimal mark", given, DECIMALS)
 
 
 def _columns(given: Any) -> tuple[int, int] | None:

@@ -9,7 +9,7 @@ from cammotion.exchange.cam_table_cut import DECIMALS, SEPARATORS
 from cammotion.exchange.table_numbers import ANGLE_DECIMALS
 from cammotion.files import as_path, is_folder, stems, write_all
 from cammotion.machine.diagram import TimingDiagram, as_diagram
-from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, over_time
+from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, into_turn, over_time
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, Quantity, one_of, shorten
 
@@ -131,7 +131,7 @@ def positions_over_turn(motion: Motion, angles: Floats) -> Floats:
     A turret is alike after its whole turns: of these the first position is as near as can be to
     the stops between which the motion was typed.
     """
-    turns, phase = _phase(motion, angles)
+    turns, phase = into_turn(angles, motion.start_deg)
     positions: Floats = motion.curve(phase) + motion.pitch_mm * turns
     positions += motion.position_mm(0) - positions[0]
     if motion.stops:
@@ -146,17 +146,12 @@ def _derivative(
     diagram: TimingDiagram, motion: Motion, order: int, angles: Floats, per_second: bool
 ) -> Floats:
     """Return a derivative in mm by the cam angle in deg or by the time in s."""
-    values = motion.curve.derived(order)(_phase(motion, angles)[1], "right")
+    begun = motion.curve.begun(into_turn(angles, motion.start_deg)[1])
+    values = motion.curve.derived(order)(begun, "right")
     values[-1] = values[0]
     if per_second:
         values = np.asarray(over_time(order, values, diagram.cycle_time_s)) * MM_PER_M
     return values
-
-
-def _phase(motion: Motion, angles: Floats) -> tuple[Floats, Floats]:
-    """Return how many turns after the first one, and the cam angle within that."""
-    turns = np.floor((angles - motion.start_deg) / DEG_PER_TURN)
-    return turns, angles - DEG_PER_TURN * turns
 
 
 def _angle(angle: float) -> str:

@@ -60,20 +60,19 @@ def read_sheets(file: str, content: bytes) -> dict[str, Rows]:
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as opened:
             return {name: _rows(file, *parts) for name, parts in _parts(_Book(file, opened))}
+    except InputError:
+        raise
     except (
         zipfile.BadZipFile,
         zlib.error,
         ElementTree.ParseError,
         EOFError,
         RuntimeError,  # a part is encrypted
-        NotImplementedError,
         OSError,
         ValueError,
         LookupError,
         OverflowError,
-    ) as wrong:
-        if isinstance(wrong, InputError):
-            raise
+    ):
         raise InputError(
             f"The workbook {file} is damaged: open it in the spreadsheet and save it again, or "
             "save the sheet as CSV."

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from cammotion.arguments.by_name import as_given, by_name
 from cammotion.machine.arcs import Arc, intersect, unwrap
 from cammotion.machine.arcs import arcs as as_set
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, into_turn
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import CAM_ANGLE, arcs_of
 from cammotion.quantities import Floats, InputError, listed, shorten
@@ -93,8 +94,7 @@ def pair_of(given: Any, what: str, fix: str) -> tuple[float, float]:
     return first, second
 
 
-def unrolled_mm(motion: Motion, angles_deg: Floats) -> Floats:
+def unrolled_mm(motion: Motion, angles_deg: ArrayLike) -> Floats:
     """Return the positions at angles, without the leap back when a turret has closed."""
-    turns = np.floor((np.asarray(angles_deg) - motion.start_deg) / DEG_PER_TURN)
-    places = motion.position_mm(angles_deg - turns * DEG_PER_TURN)
-    return np.asarray(places + motion.pitch_mm * turns)
+    turns, phase = into_turn(np.asarray(angles_deg), motion.start_deg)
+    return np.asarray(motion.position_mm(phase) + motion.pitch_mm * turns)

@@ -12,6 +12,7 @@ from cammotion.own import Machine
 from cammotion.views.live.explore import explore
 from cammotion.views.live.figure import LiveFigure
 from cammotion.views.live.parts import Control, Line, Panel, Point, Say
+from cammotion.whole.optimise import turn_peak
 
 _NARROWEST, _WIDEST = 0.4, 3.0  # times the angle of today
 _STEP_DEG, _FEWEST = 0.1, 100  # of its slider; steps of one for a short move
@@ -25,10 +26,10 @@ _FIT = (  # the frame is as high as the figure in it, also when that gets anothe
 
 def live_figure(machine: Machine) -> str:
     """Return the figure in a frame of its own; nothing if it has no move with a peak."""
-    moves = [m for m in machine.diagram[machine.hardest].moves if math.isfinite(_of_turn(m))]
+    moves = [m for m in machine.diagram[machine.hardest].moves if math.isfinite(turn_peak(m))]
     if not moves:
         return ""
-    move = max(moves, key=_of_turn)
+    move = max(moves, key=turn_peak)
     name = f"The {move.kind} of the {machine.hardest}"
     figure = _figure(move, machine.diagram.rate_per_hour, name)
     return (
@@ -36,11 +37,6 @@ def live_figure(machine: Machine) -> str:
         f'another rate.</p>\n<div class="screen"><iframe title="{escape(name)}" '
         f'onload="{_FIT}" srcdoc="{escape(figure.as_page())}"></iframe></div>\n'
     )
-
-
-def _of_turn(move: Segment) -> float:
-    """Return the peak of a move in mm/deg²; infinite where its velocity jumps."""
-    return as_law(move.law).Ca * abs(move.change_mm) / move.angle_deg**2
 
 
 def _figure(move: Segment, rate: float, name: str) -> LiveFigure:

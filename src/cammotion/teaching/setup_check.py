@@ -136,10 +136,14 @@ def _wrong_needs(
             try:
                 version = installed(requirement.name)
             except metadata.PackageNotFoundError:
-                yield _missing(requirement, needed_by)
+                yield _wrong_need(requirement, f"is missing; {needed_by} needs it.")
                 continue
             if not requirement.specifier.contains(version, prereleases=True):
-                yield _unfit(requirement, needed_by, version)
+                yield _wrong_need(
+                    requirement,
+                    f"is here in version {version}, but {needed_by} needs "
+                    f"{requirement.specifier}: the two are out of step.",
+                )
             elif _name(requirement) not in _OF_THE_SERVER:
                 yield from _wrong_module(requirement, version, load)
 
@@ -168,27 +172,15 @@ def _name(requirement: Requirement) -> str:
     return requirement.name.replace("-", "_").lower()
 
 
-def _missing(requirement: Requirement, needed_by: str) -> _Finding:
-    sentence = f"The package {requirement.name} is missing; {needed_by} needs it."
-    return _Finding(sentence + _what_it_does(requirement), _in_words_of_pip(requirement))
-
-
-def _unfit(requirement: Requirement, needed_by: str, version: str) -> _Finding:
-    sentence = (
-        f"The package {requirement.name} is here in version {version}, but {needed_by} needs "
-        f"{requirement.specifier}: the two are out of step."
-    )
-    return _Finding(sentence + _what_it_does(requirement), _in_words_of_pip(requirement))
+def _wrong_need(requirement: Requirement, said: str) -> _Finding:
+    sentence = f"The package {requirement.name} {said}"
+    if _name(requirement) == "jupyterlab_widgets":
+        sentence += " Without it sliders show as 'Error displaying widget'."
+    return _Finding(sentence, _in_words_of_pip(requirement))
 
 
 def _in_words_of_pip(requirement: Requirement) -> str:
     return f"{requirement.name}{requirement.specifier}"
-
-
-def _what_it_does(requirement: Requirement) -> str:
-    if _name(requirement) != "jupyterlab_widgets":
-        return ""
-    return " Without it sliders show as 'Error displaying widget'."
 
 
 def _wrong_module(

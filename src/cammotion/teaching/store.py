@@ -37,7 +37,7 @@ Change = Callable[[Record], Record]
 
 
 class Store:
-    """Records by kind ("exercises", "predictions") and key; read anew before each change.
+    """Records by kind, one of `places.KINDS`, and key; read anew before each change.
 
     Between reading and writing no other process does either, so that no change is lost. A change
     that cannot be written is kept, and made again on what the file then holds.

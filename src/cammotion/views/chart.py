@@ -102,7 +102,8 @@ def draw_chart(
 ) -> Figure:
     """Return the page, so many times as large as A4; `heading` is its title and its date."""
     size = scale * _WIDTH / MM_PER_INCH, scale * _HEIGHT / MM_PER_INCH
-    ax = Figure(figsize=size, facecolor="white").add_axes((0, 0, 1, 1))
+    page = Figure(figsize=size, facecolor="white")
+    ax = page.add_axes((0, 0, 1, 1))
     ax.set_axis_off()
     ax.set(xlim=(0, _WIDTH), ylim=(0, _HEIGHT))
     names = readable(diagram).names
@@ -131,7 +132,7 @@ def draw_chart(
         draw_violation(paper, rows, (found.start_deg, found.end_deg))
     _write_rules(paper, block, (_MARGIN, split))
     _write_title(paper, diagram, heading, (split, _WIDTH - _MARGIN))
-    return ax.get_figure(root=True) or Figure()
+    return page
 
 
 def _draw_lanes(paper: Paper, diagram: TimingDiagram, radii_mm: Mapping[str, float]) -> None:

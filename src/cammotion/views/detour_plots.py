@@ -16,12 +16,11 @@ from cammotion.machine.segments import POSITION
 from cammotion.quantities import Floats, InputError, shorten
 from cammotion.views.broken import BROKEN
 from cammotion.views.displacement import within_short_moves
+from cammotion.views.ends import Pair
 from cammotion.views.named import labels_of
 from cammotion.views.names import TITLE, add_legend, by_name, name_line
 from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, REFERENCE_STYLE, style_axes, style_line, styled, write
-
-Pair = tuple[float, float]
 
 
 @checked

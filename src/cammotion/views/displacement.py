@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cammotion.limits.standing import unrolled_mm
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
@@ -24,8 +25,9 @@ def displacement(motion: Motion, angle_deg: ArrayLike) -> Floats:
     """
     if motion.stops is None:
         return np.asarray(motion.position_mm(angle_deg))
-    at_zero = _way_mm(motion, 0.0) / motion.pitch_mm
-    return np.asarray(_way_mm(motion, angle_deg) - motion.pitch_mm * np.round(at_zero))
+    at_zero = (unrolled_mm(motion, 0.0) - motion.start_mm) / motion.pitch_mm
+    stop_mm = motion.start_mm + motion.pitch_mm * np.round(at_zero)
+    return np.asarray(unrolled_mm(motion, angle_deg) - stop_mm)
 
 
 def curve_angles(motion: Motion) -> Floats:
@@ -50,10 +52,3 @@ def within_short_moves(motion: Motion) -> Floats:
         if move.angle_deg < _LEAST * SAMPLED_DEGS[1]
     ]
     return np.concatenate([np.empty(0), *short])
-
-
-def _way_mm(motion: Motion, angle_deg: ArrayLike) -> Floats:
-    """Return how far an indexing motion has come since the stop of its first segment."""
-    turns = np.floor((np.asarray(angle_deg) - motion.start_deg) / DEG_PER_TURN)
-    closed = turns - np.mod(turns, motion.stops or 1)  # what position_mm sets back
-    return np.asarray(motion.position_mm(angle_deg) - motion.start_mm + motion.pitch_mm * closed)

@@ -16,7 +16,7 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.limits.least import LeastAcceleration
 from cammotion.quantities import Floats, InputError, Quantity, in_decimals
-from cammotion.views.ends import POINTS_PER_INCH, inches
+from cammotion.views.ends import POINTS_PER_INCH, Pair, inches
 from cammotion.views.named import labels_of
 from cammotion.views.names import (
     TITLE,
@@ -43,7 +43,6 @@ _PEAK = Quantity("peak acceleration", "m/s²", example=0.7)
 _END = Quantity("end of an axis", "m/s2", example=1.5, low_included=True)
 _BELOW, _ABOVE = 0.18, 0.14  # room for words, as shares of what is drawn between
 _AROUND = 1.5  # as far beyond the ends of a front the axes go
-Pair = tuple[float, float]
 
 
 @checked
@@ -136,7 +135,7 @@ def plot_front(
     >>> plot_front(found, points={"notebook 03": (1.117, 0.806)}).get_ylabel()
     'peak acceleration of the die in m/s²'
     """
-    results = [*found]
+    results, curves, points = [*found], curves or {}, points or {}
     _check_front(results)
     corners = sorted(tuple(_corner(each)) for each in results)
     reached = sorted(
@@ -154,16 +153,15 @@ def plot_front(
     sides, heights = _columns(corners)
     heights = np.maximum.accumulate(heights[::-1])[::-1]  # of all corners to the right
     _shade(ax, np.append(0.0, sides), np.append(heights[0], heights))
-    ax.plot(*_columns(reached), color=BEST, linewidth=2)
-    ax.lines[-1].set_label("the best that was found, any law")
-    for name, label in by_name(curves or {}, TITLE).items():
-        ax.plot(*_columns((curves or {})[name]), "--", color=NAMED, linewidth=2)
+    ax.plot(*_columns(reached), color=BEST, linewidth=2, label="the best that was found, any law")
+    for name, label in by_name(curves, TITLE).items():
+        ax.plot(*_columns(curves[name]), "--", color=NAMED, linewidth=2)
         name_line(ax.lines[-1], label, name)
     ax.plot([0, high], [0, high], ":", color=_DARK, label="both equally hard driven")
     ax.set(xlim=(low, high), ylim=(low, high), aspect="equal")
-    for point in (points or {}).values():
+    for point in points.values():
         ax.plot(*point, "o", color=NAMED)
-    _label_points(ax, points or {})
+    _label_points(ax, points)
     add_legend(ax, loc="upper right")
     return ax
 

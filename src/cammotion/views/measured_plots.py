@@ -15,7 +15,7 @@ from cammotion.measured.differences import ERROR, differences
 from cammotion.measured.inch import MM_PER_INCH
 from cammotion.measured.smoothing import SmoothedTable
 from cammotion.quantities import Floats, InputError, Quantity, as_text, one_of
-from cammotion.views.ends import POINTS_PER_INCH, apart
+from cammotion.views.ends import POINTS_PER_INCH, apart, inches
 from cammotion.views.names import (
     TITLE,
     add_legend,
@@ -220,10 +220,8 @@ def _laid_out(ax: Axes) -> tuple[float, float]:
     figure = ax.get_figure(root=True)
     assert figure is not None  # noqa: S101 - axes that are drawn in have one
     figure.draw_without_rendering()
-    return (
-        ax.bbox.width * POINTS_PER_INCH / figure.dpi,
-        ax.bbox.height * POINTS_PER_INCH / figure.dpi,
-    )
+    wide, high = inches(ax)
+    return POINTS_PER_INCH * wide, POINTS_PER_INCH * high
 
 
 def _axes(ax: Axes | None, across: str, up: str, unit: str) -> Axes:

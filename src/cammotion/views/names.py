@@ -245,7 +245,9 @@ def _distinct(names: Sequence[str], most: int) -> list[str]:
         name if name and times[name] == 1 else _numbered(name, number, most)
         for number, name in enumerate(names, start=1)
     ]
-    return numbered if len({*numbered}) == len(numbered) else _numbered_all(names, most)
+    if len({*numbered}) == len(numbered):
+        return numbered
+    return [_numbered(name, number, most) for number, name in enumerate(names, start=1)]
 
 
 def _numbered(name: str, number: int, most: int) -> str:
@@ -258,11 +260,6 @@ def _numbered(name: str, number: int, most: int) -> str:
     if sum(map(_columns, letters)) > room:
         return f"{''.join(_fitting(letters, room - 1)).rstrip(_EDGES)}{ELLIPSIS}{behind}"
     return name + behind
-
-
-def _numbered_all(names: Sequence[str], most: int) -> list[str]:
-    """Return all names with their numbers: one was called like another with its number."""
-    return [_numbered(name, number, most) for number, name in enumerate(names, start=1)]
 
 
 def _instead_of(character: str) -> str:

@@ -271,7 +271,7 @@ def _is_better(task: Task, design: TimingDiagram) -> bool:
 def _peaks(task: Task, diagram: TimingDiagram) -> list[float]:
     """Return the weighted peaks in mm/deg2 of the parts, the largest first, then of all moves."""
     moves = [
-        [part.weight * _peak(move) for move in diagram[part.motion.name].moves]
+        [part.weight * turn_peak(move) for move in diagram[part.motion.name].moves]
         for part in task.parts
         if part.weight
     ]
@@ -283,8 +283,8 @@ def _other(old: float, new: float) -> bool:
     return abs(new - old) > _SHARE * old
 
 
-def _peak(move: Segment) -> float:
-    """Return the peak of a move, which is its acceleration in mm/deg2."""
+def turn_peak(move: Segment) -> float:
+    """Return the peak of a move in mm/deg²; infinite where its velocity jumps."""
     return as_law(move.law).Ca * abs(move.change_mm) / move.angle_deg**2
 
 

@@ -76,7 +76,7 @@ def least_torque(
     for number in range(_STARTS):
         if number > _TODAY and (monotonic() > until or not lows):
             break
-        best = min(lows.values(), key=_torque_of, default=None)
+        best = min(lows.values(), key=lambda low: low.torque, default=None)
         start = starts.find(number, best, until - monotonic())
         if number == _TODAY and now:
             offer(now, number)
@@ -95,10 +95,6 @@ def least_torque(
         return None
     least = min(found[::-1], key=lambda each: float(f"{each[0]:.{_DIGITS}g}"))  # the last are eased
     return least[1], tuple(sorted(max(torque, least[0]) for torque in tried.values()))
-
-
-def _torque_of(low: _Low) -> float:
-    return low.torque
 
 
 class _EndedError(Exception):

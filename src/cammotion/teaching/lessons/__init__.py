@@ -22,7 +22,7 @@ EXERCISES: Mapping[str, Exercise] = MappingProxyType(
 )
 
 PREDICTIONS: Mapping[str, Prediction] = MappingProxyType(
-    {made.key: made for lesson in LESSONS for made in getattr(lesson, "PREDICTIONS", ())}
+    {made.key: made for lesson in LESSONS for made in lesson.PREDICTIONS}
 )
 
 

@@ -1,4 +1,4 @@
 """What a wrong answer would do: it is put into the machine, and drawn beside a line in words.
 
-`turns`, `ways`, `places` and `bars` each hold a few kinds, which an exercise names in `shows`.
+An exercise names a kind in `shows`; `turns`, `ways`, `places`, `bars` and `cams` hold a few each.
 """

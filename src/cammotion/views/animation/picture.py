@@ -31,6 +31,7 @@ MARGIN_PX = 12
 COLUMN_PX = INNER_PX + 2 * MARGIN_PX
 STILL_HEADER_PX = 52
 LARGE: dict[str, Any] = {"size": svg.LARGE, "font_weight": "bold"}
+_MAGNIFIED = "Both edges of a die at the rim are shown {:g} times as large too."
 UNTITLED = "One turn of the camshaft"
 
 
@@ -94,15 +95,9 @@ class Animation(MovingPicture):
                 f"({diagram.rate_per_hour:g} pieces/h), shown in {self.turn_s:g} s.",
                 *(f"{design.title} ({design.describe()})" for design in self.designs),
                 *dict.fromkeys(said for design in self.designs for said in design.in_full),
-                *self._magnified,
+                *([_MAGNIFIED.format(self.magnify)] if self.magnify else []),
             ]
         )
-
-    @property
-    def _magnified(self) -> list[str]:
-        if self.magnify is None:
-            return []
-        return [f"Both edges of a die at the rim are shown {self.magnify:g} times as large too."]
 
     @property
     def cycle_s(self) -> float:

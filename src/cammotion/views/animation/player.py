@@ -20,7 +20,7 @@ LOOK = Path(__file__).with_name("player.css").read_text(encoding="utf-8")
 
 
 class Player(anywidget.AnyWidget):
-    """Shows an SVG with a clock and drives the clock; made by `Animation.player`.
+    """Shows an SVG with a clock and drives the clock; made by `MovingPicture.player`.
 
     `angle_deg` is the cam angle: set it to move the machine there. It follows the page whenever
     the player is paused or scrubbed.

@@ -1,4 +1,4 @@
-"""The machines of an animation as they stand at one cam angle."""
+"""What an animation shows, as it stands at one cam angle."""
 
 import base64
 import html
@@ -20,7 +20,7 @@ ElementTree.register_namespace("", _SVG)
 
 @dataclass(frozen=True)
 class Still:
-    """A picture of machines at one cam angle; made by `Animation.still`.
+    """A picture of machines at one cam angle; made by `still` of an animation.
 
     As the last line of a cell it is the picture, with its `description` for those who do not see
     it.

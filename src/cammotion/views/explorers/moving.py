@@ -95,10 +95,9 @@ class Moving:
 
     def peak(self, rate: Any) -> sp.Expr:
         """Return the largest acceleration in m/s², by the factors Ca of the laws."""
-        moves = [part for part in self.parts if part.law]
         peaks = [
             as_expression(part.law.Ca) * abs(part.change_mm) * _per_time(part.angle, rate, 2)
-            for part in moves
+            for part in self.parts
             if part.law
         ]
         return sp.Max(*peaks, evaluate=False) if len(peaks) > 1 else peaks[0]

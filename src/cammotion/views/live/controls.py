@@ -9,6 +9,7 @@ import sympy as sp
 from cammotion.quantities import InputError, is_masked, shorten
 from cammotion.views.live.parts import Choice, Control
 from cammotion.views.notation import meaning
+from cammotion.views.scales import round_down
 
 MOST_CONTROLS = 12
 _MOST = 1e100  # beyond it a width or a square is infinite
@@ -69,6 +70,4 @@ def _start(low: float, high: float, step: float, usual: float | None) -> float:
 
 def _step(width: float) -> float:
     """Return a round step, of which 150 to 375 make the width."""
-    most = width / 150
-    decade = 10.0 ** math.floor(math.log10(most))
-    return max(size * decade for size in (1, 2, 5) if size * decade <= most)
+    return round_down(width / 150)

@@ -19,7 +19,7 @@ from cammotion.views.live.picture import draw
 from cammotion.views.pictures import as_bundle
 
 MIME = "application/vnd.cammotion.figure"  # holds JSON as text, one line of a stored notebook
-CLOCK = 0.0  # of the variable's range: where the cursor stands at first
+CLOCK = 0.0  # of the variable's range: where the cursor stands at first; tests set another
 
 
 class LiveFigure(anywidget.AnyWidget):

@@ -148,11 +148,9 @@ class Formulas:
         body = f"({body})"
         for number, quantity in reversed(list(enumerate(self._python_quantities))):
             body = f"(lambda q{number}: {body})({quantity})"
-        settings = sorted(name for name in self.names.values() if name[0] == "c")
-        ordered = sorted(settings, key=lambda name: int(name[1:]))
-        arguments = ["f", *ordered, *(name.replace("c", "p") for name in ordered)]
-        symbols = [sp.Symbol(argument) for argument in arguments]
-        return sp.lambdify(symbols, body, modules=[_FOUND_BY, vars(np)])  # type: ignore[no-any-return]
+        settings = [name for name in self.names.values() if name[0] == "c"]  # in their order
+        arguments = ["f", *settings, *(name.replace("c", "p") for name in settings)]
+        return sp.lambdify(arguments, body, modules=[_FOUND_BY, vars(np)])  # type: ignore[no-any-return]
 
     def _called(self, expression: sp.Expr) -> str:
         """Return what a formula is handed to: a search takes one number, and its time."""
