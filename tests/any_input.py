@@ -23,6 +23,8 @@ from typing import Any
 
 import numpy as np
 import sympy
+from desk import restart
+from matplotlib import pyplot as plt
 
 import cammotion as cm
 
@@ -101,9 +103,12 @@ def callables(name: str, thing: Any) -> Iterator[tuple[str, Callable[..., Any]]]
             yield f"{kind.__name__}.{method}", function
 
 
-def recorded() -> list[Recorded]:
-    """Run the examples of all docstrings, and return what public names they call, and with what."""
-    known, calls = public(), []
+def run_examples() -> tuple[list[Recorded], str]:
+    """Run the examples of all docstrings; return their calls of public names, and what failed.
+
+    Each begins as a kernel does. In what failed each call is shown as one of `__note__`.
+    """
+    known, calls, failed = public(), [], io.StringIO()
 
     def note(function: Callable[..., Any], *args: Any, **named: Any) -> Any:
         """Make a call of an example; if it is one of a public name, keep it."""
@@ -121,7 +126,8 @@ def recorded() -> list[Recorded]:
         made.append(result)
         return result
 
-    finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner(verbose=False)
+    finder = doctest.DocTestFinder()
+    runner = doctest.DocTestRunner(verbose=False, optionflags=doctest.ELLIPSIS)
     for module in pkgutil.walk_packages(cm.__path__, "cammotion."):
         if module.name.endswith("__main__"):
             continue
@@ -131,9 +137,11 @@ def recorded() -> list[Recorded]:
             for example in test.examples:
                 example.source = noted(example.source)
             test.globs[NOTE] = note
+            restart()
             with contextlib.redirect_stdout(io.StringIO()):
-                runner.run(test)
-    return calls
+                runner.run(test, out=failed.write)
+            plt.close("all")
+    return calls, failed.getvalue()
 
 
 def called(function: Callable[..., Any], args: Sequence[Any]) -> tuple[CodeType | None, list[Any]]:

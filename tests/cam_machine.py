@@ -42,10 +42,6 @@ def cam_machine(diagram: TimingDiagram, rule: ClearanceRule, *, turn_s: float = 
 
     `rule` is the clearance rule that links the two; `turn_s` is how long one turn takes in the
     SVG, in s. Raises InputError for any other machine, and for a die that no good cam can drive.
-
-    >>> import cammotion as cm
-    >>> "camshaft" in cam_machine(cm.EXAMPLE.diagram, cm.EXAMPLE.rule)
-    True
     """
     found = find_dies(diagram, as_rules(diagram, (rule,)))
     if len(diagram.names) != len(found) + 1 or [*map(len, found.values())] != [1]:

@@ -29,10 +29,6 @@ def table_machine(indexer: Indexer, angle_deg: float, *, turn_s: float = 5.0) ->
 
     `turn_s` is how long a cycle takes in the SVG, in s. Raises InputError for an angle that is not
     above 0 and at most 360 deg.
-
-    >>> import cammotion as cm
-    >>> "stations" in table_machine(cm.Indexer(38.5, stops=8, time_s=0.75), 150)
-    True
     """
     return _Drawing(indexer, ANGLE.number(angle_deg), TURN.number(turn_s)).draw()
 

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from any_input import ODD, Recorded, recorded
+from any_input import ODD, Recorded, run_examples
 from crowds import draw
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
@@ -34,8 +34,22 @@ APART = {"again", "ask", "check", "check_setup", "choose", "hint", "predict", "p
 
 
 @pytest.fixture(scope="module")
-def calls() -> list[Recorded]:
-    return [call for call in recorded() if call.name not in APART]
+def examples() -> tuple[list[Recorded], str]:
+    """Run the examples, once for all tests of this file; pytest's own run of them is another."""
+    return run_examples()
+
+
+@pytest.fixture(scope="module")
+def calls(examples: tuple[list[Recorded], str]) -> list[Recorded]:
+    return [call for call in examples[0] if call.name not in APART]
+
+
+def test_each_example_of_a_docstring_comes_to_what_it_says(
+    examples: tuple[list[Recorded], str],
+) -> None:
+    calls, failed = examples
+    assert not failed, failed
+    assert len(calls) > 350
 
 
 def wrong(call: Recorded, parameter: str, value: object) -> str:
