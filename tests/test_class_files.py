@@ -290,6 +290,10 @@ def test_any_text_is_a_number_or_none(text: str) -> None:
     assert len(clean(text)) <= 40
 
 
+def test_a_text_that_fits_is_whole() -> None:
+    assert [clean(text, 4) for text in ("Anna", "Annas")] == ["Anna", "Ann…"]
+
+
 def test_one_odd_number_does_not_press_the_others_into_one_bar() -> None:
     bars = histogram.count([50, 52, 55, 55, 60, 70, 4154])
     assert (bars.edge(0), bars.step) == (50, 5)

@@ -232,6 +232,15 @@ def test_given_steps_are_those_of_the_picture_too() -> None:
     assert [at for at in y if abs(at) <= 75] == [-60, -30, 0, 30, 60]
 
 
+def test_no_spike_flattens_the_rest() -> None:
+    """Twice as high as nine tenths of the values are wide, on its side; all of the other side."""
+    for sign in (1, -1):
+        spike = 1000 * sp.exp(-(((t - 1) / 0.01) ** 2))
+        (ax,) = figure_of(cm.explore(sign * (t + spike), (t, 0, 2))).axes
+        ends = sorted(sign * end for end in ax.get_ylim())
+        assert ends == pytest.approx([0, 3.75], abs=0.15)
+
+
 def test_steps_that_are_too_small_are_thinned() -> None:
     panel = cm.Panel(lines=[cm.Line(y=t)], x_ticks=1e-6, y_ticks=1e-6)
     (ax,) = figure_of(cm.explore(panel, SPAN)).axes

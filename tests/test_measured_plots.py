@@ -9,6 +9,7 @@ import matplotlib as mpl
 import measured_picture
 import numpy as np
 import pytest
+from accounts import figure_of
 from machines import Array
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
@@ -188,6 +189,12 @@ def said(figure: LiveFigure) -> list[float]:
     return [float(n) for n in re.findall(r"-?\d+\.\d+", figure.text.replace("−", "-"))]
 
 
+def wrong(kind: int) -> Array:
+    """Return errors of a hundredth of an inch, of one of the kinds that can be chosen."""
+    places = np.arange(36)
+    return [np.where(places % 2, -1, 1), np.where(places == 9, 1, 0), np.ones(36)][kind] * 0.01
+
+
 @pytest.mark.parametrize("exponent", [-7.0, -4.5, -2.0])
 @pytest.mark.parametrize("kind", [0, 1, 2])
 def test_it_says_what_the_smoothing_spline_makes(
@@ -195,16 +202,26 @@ def test_it_says_what_the_smoothing_spline_makes(
 ) -> None:
     (errors,) = {*figure.values} - {ERROR, EXPONENT, HARMONICS}
     figure.values = {ERROR: 0.01, EXPONENT: exponent, HARMONICS: 18, errors: kind}
-    wrong = [
-        np.where(np.arange(36) % 2, -1, 1),
-        np.where(np.arange(36) == 9, 1, 0),
-        np.ones(36),
-    ][kind] * 0.01
-    readings = cm.CamTable(CAM.angle_deg, CAM.position_mm + 25.4 * wrong, is_cycle=True)
+    readings = cm.CamTable(CAM.angle_deg, CAM.position_mm + 25.4 * wrong(kind), is_cycle=True)
     smooth = cm.smoothed(readings, 10**exponent)
     lowest = smooth.acceleration(RATE)[17]
     bars = smooth.acceleration_rms(RATE, 0.254 / np.sqrt(3))[0] / INCH_M
     assert said(figure) == pytest.approx([lowest / INCH_M, lowest, bars], abs=0.051)
+
+
+@pytest.mark.parametrize("kind", [0, 1, 2])
+def test_it_draws_how_far_the_smoothing_spline_is_from_each_reading(
+    figure: LiveFigure, kind: int
+) -> None:
+    (errors,) = {*figure.values} - {ERROR, EXPONENT, HARMONICS}
+    figure.values = {ERROR: 0.01, EXPONENT: -4.5, HARMONICS: 18, errors: kind}
+    _, panel = figure_of(figure).axes
+    places, drawn = np.asarray(panel.lines[0].get_xydata()).T
+    readings = cm.CamTable(CAM.angle_deg, CAM.position_mm + 25.4 * wrong(kind), is_cycle=True)
+    away = cm.smoothed(readings, 10**-4.5).position_mm - readings.position_mm
+    away_in = np.interp(places, np.arange(0, 370, 10), np.append(away, away[0]) / 25.4)
+    assert drawn == pytest.approx(1000 * away_in, abs=1e-3)
+    assert np.abs(drawn).max() > 1
 
 
 def test_the_one_error_is_at_a_reading_that_there_is() -> None:
