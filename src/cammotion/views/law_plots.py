@@ -69,6 +69,11 @@ def plot_ranking(
     >>> [label.get_text() for label in ax.get_yticklabels()]
     ['cycloidal', 'constant acceleration']
     """
+    if not peaks:
+        raise InputError(
+            "There is nothing to draw: the peaks are {}. Give each by its law, for example "
+            '{"cycloidal": 4.154}.'
+        )
     as_laws(peaks)
     said = f"{quantity} (hatched: the acceleration jumps)"
     ax = styled(ax, said, "", (7.5, 4.4), layout="constrained")
