@@ -180,6 +180,10 @@ ANY: Any = cm  # what a learner may type, unseen by a type checker
 BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: ANY.Indexer(-38.5, 8, 0.75), r"inertia is -38.5 kg m2.*for example 38.5 kg m2"),
     (lambda: ANY.Indexer(0, 8, 0.75), r"inertia is 0 kg m2"),
+    (
+        lambda: ANY.Indexer(cm.Disc(radius_mm=500, mass_kg=43), 8, 0.75),
+        r"not Disc\(.*: give a Rotor of its parts, or for example 38.5 kg m2\.$",
+    ),
     (lambda: ANY.Indexer(cm.Rotor({"hub": WEIGHTLESS}), 8, 0.75), r"inertia is 0 kg m2"),
     (lambda: ANY.Indexer(38.5, 1, 0.75), r"number of stops is 1.*at least 2.*for example 8"),
     (lambda: ANY.Indexer(38.5, 7.5, 0.75), r"stops is 7.5; it has to be a whole number.*8"),

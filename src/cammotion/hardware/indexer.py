@@ -27,7 +27,16 @@ from cammotion.laws.piece import Piece, bisect
 from cammotion.machine.kinematics import ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers
 
-_INERTIA = Quantity("inertia", "kg m2", example=38.5)
+
+class _Inertia(Quantity):
+    """That of what turns, which a Rotor sums up of its parts."""
+
+    @property
+    def _example(self) -> str:
+        return f"a Rotor of its parts, or {super()._example}"
+
+
+_INERTIA = _Inertia("inertia", "kg m2", example=38.5)
 _STOPS = Quantity("number of stops", "", example=8, low=2, low_included=True)
 _TIME = Quantity("indexing time", "s", example=0.75)
 _CYCLE = Quantity("cycle time", "s", example=1.8)
