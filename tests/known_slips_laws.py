@@ -22,7 +22,7 @@ from known_slips import (
     widest,
     with_lessons,
 )
-from test_laws import FACTORS
+from test_laws import FACTORS, TORQUE
 
 from cammotion.teaching.example import MillAndDie
 
@@ -36,6 +36,10 @@ _X = np.linspace(1 / 8, 1 / 2, 200_001)  # where the modified sine has its large
 _TURN = 4 * math.pi / 3 * (_X - 1 / 8)
 SINE_TORQUE = float(np.max(SINE**2 / (4 * math.pi) * (1 + 3 * np.sin(_TURN)) * np.cos(_TURN)))
 
+POLYNOMIALS: dict[str, Callable[[float], float]] = {
+    "3-4-5 polynomial": lambda x: 10 * x**3 - 15 * x**4 + 6 * x**5,
+    "4-5-6-7 polynomial": lambda x: 35 * x**4 - 84 * x**5 + 70 * x**6 - 20 * x**7,
+}
 p, r = sympy.symbols("p r")
 
 
@@ -77,6 +81,11 @@ def velocity_less(m: MillAndDie) -> float:
     """Return by how many percent the first law's largest velocity is smaller."""
     one, other = (FACTORS[name][0] for name in m.laws.compared)
     return percent_less(one, other)
+
+
+def torque_less(m: MillAndDie) -> float:
+    """Return by how many percent its largest torque at an even drive is smaller."""
+    return percent_less(*(TORQUE[name] for name in m.laws.compared))
 
 
 def in_whole_degrees(m: MillAndDie) -> float:
@@ -127,6 +136,36 @@ def moved_by(law: str, said: str) -> KnownSlip:
         f"moved by the {law}",
         lambda m: unless(m, law, die(m) * math.sqrt(FACTORS[law][1] / gentle(m))),
         f"if it moved by the {said}|finite",
+    )
+
+
+def with_factor_of(law: str) -> KnownSlip:
+    """Take Ca of another law in 05.1."""
+    return KnownSlip(
+        "05.1",
+        f"the factor of the {law}",
+        lambda m: hard(m, die(m), FACTORS[law][1]),
+        f"^This is the peak of the {law}",
+    )
+
+
+def all_of(law: str) -> KnownSlip:
+    """Take a polynomial in 05.5, for the angle and for the peak."""
+    return KnownSlip(
+        "05.5",
+        f"all the {law}'s",
+        lambda m: hard(m, later(m) / (1 - deep(m, POLYNOMIALS[law])), FACTORS[law][1]),
+        f"^This is the {law}",
+    )
+
+
+def over_the_sines_angle(law: str) -> KnownSlip:
+    """Take Ca of another law in 05.5, over the angle of the modified sine."""
+    return KnownSlip(
+        "05.5",
+        f"the {law}'s factor",
+        lambda m: hard(m, sine_widest(m), FACTORS[law][1]),
+        f"the peak that of the {law}",
     )
 
 
@@ -303,6 +342,10 @@ SLIPS = [
     # How hard the law of constant acceleration is.
     KnownSlip("05.1", "the factor alone", lambda _: 4, "Ca, which has no unit"),
     KnownSlip("05.1", "the cycloid's factor", lambda m: hard(m, die(m), CYCLOID), "cycloid"),
+    with_factor_of("modified sine"),
+    with_factor_of("modified trapezoid"),
+    *map(with_factor_of, POLYNOMIALS),
+    KnownSlip("05.1", "force", lambda m: m.die_mass_kg * hard(m, die(m), 4), "force"),
     KnownSlip("05.1", "the harmonic's", lambda m: hard(m, die(m), HARMONIC), "harmonic|sine|pi"),
     KnownSlip("05.1", "pushed all the way", lambda m: hard(m, die(m), 2), "half"),
     KnownSlip("05.1", "half the time, all the way", lambda m: hard(m, die(m), 8), "twice|half"),
@@ -335,6 +378,18 @@ SLIPS = [
     KnownSlip("05.2", "what is left", lambda m: 100 * gentle(m) / harsh(m), "are left"),
     KnownSlip("05.2", "ratio", lambda m: gentle(m) / harsh(m), "what is left"),
     KnownSlip("05.2", "ratio upside down", lambda m: harsh(m) / gentle(m), "ratio|times|percent"),
+    KnownSlip(
+        "05.2",
+        "upside down, in percent",
+        lambda m: 100 * harsh(m) / gentle(m),
+        "percent of the smaller peak is",
+    ),
+    KnownSlip(
+        "05.2",
+        "of the smaller, as a share",
+        lambda m: harsh(m) / gentle(m) - 1,
+        "share of the smaller peak",
+    ),
     KnownSlip("05.2", "difference", lambda m: harsh(m) - gentle(m), "difference"),
     of_another_law("modified trapezoid", "modified trapezoid"),
     of_another_law("modified sine", "modified sine"),
@@ -348,6 +403,7 @@ SLIPS = [
     KnownSlip("05.2", "the jerk", jerk_more, "jerk"),
     KnownSlip("05.2", "the jerk, turned round", jerk_less, "jerk"),
     KnownSlip("05.2", "the velocity", velocity_less, "with Cv"),
+    KnownSlip("05.2", "the torque", torque_less, "with Cq"),
     # How many degrees the harsher law needs.
     KnownSlip("05.3", "no root", lambda m: die(m) * harsh(m) / gentle(m), "root|square"),
     KnownSlip(
@@ -384,6 +440,12 @@ SLIPS = [
         "half the percent added",
         lambda m: die(m) * (1 + percent_less(gentle(m), harsh(m)) / 200),
         "percent",
+    ),
+    KnownSlip(
+        "05.3",
+        "half of how much more added",
+        lambda m: die(m) * (harsh(m) / gentle(m) + 1) / 2,
+        "Half of the percentage",
     ),
     as_good_as("modified sine"),
     as_good_as("modified trapezoid"),
@@ -484,6 +546,8 @@ SLIPS = [
         lambda m: hard(m, later(m) / (1 - deep(m, trapezoid)), TRAPEZOID),
         "trapezoid",
     ),
+    *map(all_of, POLYNOMIALS),
+    *map(over_the_sines_angle, POLYNOMIALS),
     KnownSlip(
         "05.5",
         "the lesson's 19 mm",

@@ -103,6 +103,8 @@ def test_exactly_one_passes_and_the_exercise_says_so() -> None:
     (right,) = (letter for letter in bug_hunt.SUSPECTS if not failed(letter))
     assert right == HUNT.answer
     assert HUNT.judge(right, EXAMPLE).state == "right"
+    assert max(map(len, FAILS.values())) > 1
+    assert "each of the others fails at least one." in HUNT.right
 
 
 @pytest.mark.parametrize("letter", SPEAKS_OF)

@@ -37,7 +37,14 @@ SPOKEN_LAWS = {
 }
 """How an exercise calls the laws that may be taken one for another."""
 
+_NOT_THE_SINE = {law: said for law, said in SPOKEN_LAWS.items() if law != "modified sine"}
 _WITH_CV = "This is with Cv, the factor of the velocity. The acceleration has Ca."
+_WITH_CQ = "This is with Cq, the factor of the torque. The acceleration has Ca."
+_FORCE = "This is the force, mass times acceleration. The acceleration is asked for."
+_HALF_OF_THE_PERCENTAGE = (
+    "Half of the percentage was put on the angle. For small changes that is nearly right; the root "
+    "is exact."
+)
 
 
 def _peak(m: MillAndDie, law: str, angle_deg: float | None = None) -> float:
@@ -194,11 +201,15 @@ EXERCISES = (
                 "This is Ca, which has no unit. Times the stroke over the time squared it is an "
                 "acceleration.",
             ),
-            Slip(
-                lambda m: _peak(m, "cycloidal"),
-                "This is the peak of the cycloid. Here the acceleration is the same all the time, "
-                "but for its sign.",
+            *(
+                Slip(
+                    partial(_peak, law=law),
+                    f"This is the peak of the {said}. Here the acceleration is the same all the "
+                    "time, but for its sign.",
+                )
+                for law, said in SPOKEN_LAWS.items()
             ),
+            Slip(lambda m: _steady(m) * m.die_mass_kg, _FORCE),
             Slip(
                 lambda m: _peak(m, "constant acceleration", DEG_PER_TURN),
                 "This is computed with the time of a whole turn. The die has only its indexing "
@@ -314,8 +325,19 @@ EXERCISES = (
                 "So many times larger is the larger peak. By how many percent is the other "
                 "smaller?",
             ),
+            Slip(
+                lambda m: 100 / _kept(m),
+                "So many percent of the smaller peak is the larger. By how many percent is the "
+                "other smaller?",
+            ),
+            Slip(
+                lambda m: 1 / _kept(m) - 1,
+                "By this share of the smaller peak the larger one is larger. How much of the "
+                "larger is gone, in %?",
+            ),
             Slip(_lessons_percent, OF_THE_LESSON),
             Slip(lambda m: 100 * (1 - _gentle(m).Cv / _harsh(m).Cv), _WITH_CV),
+            Slip(lambda m: 100 * (1 - _gentle(m).Cq / _harsh(m).Cq), _WITH_CQ),
             Slip(lambda m: 100 * (_gentle(m).Cj / _harsh(m).Cj - 1), _WITH_CJ),
             Slip(lambda m: 100 * (1 - _gentle(m).Cj / _harsh(m).Cj), _WITH_CJ),
         ),
@@ -364,11 +386,8 @@ EXERCISES = (
                 "The percentage of the peak was put on the angle. The peak goes with the inverse "
                 "square of the angle.",
             ),
-            Slip(
-                lambda m: m.die_angle_deg * (3 - _kept(m)) / 2,
-                "Half of the percentage was put on the angle. For small changes that is nearly "
-                "right; the root is exact.",
-            ),
+            Slip(lambda m: m.die_angle_deg * (3 - _kept(m)) / 2, _HALF_OF_THE_PERCENTAGE),
+            Slip(lambda m: m.die_angle_deg * (1 + 1 / _kept(m)) / 2, _HALF_OF_THE_PERCENTAGE),
             Slip(
                 lambda m: m.die_angle_deg / _kept(m) ** 2,
                 "The ratio of the peaks was squared. In the peak the angle is squared: the other "
@@ -535,30 +554,23 @@ EXERCISES = (
                 "This takes the cycloid's widest angle. The modified sine is at the limit at "
                 "another x, so it has an angle of its own.",
             ),
-            Slip(
-                lambda m: _overlapped(m, "cycloidal", of="modified sine"),
-                "The angle is that of the modified sine, but the peak that of the cycloid: take Ca "
-                "of the same law.",
+            *(
+                Slip(
+                    partial(_overlapped, law=law, of="modified sine"),
+                    f"The angle is that of the modified sine, but the peak that of the {said}: "
+                    "take Ca of the same law.",
+                )
+                for law, said in _NOT_THE_SINE.items()
             ),
-            Slip(
-                lambda m: _overlapped(m, "modified trapezoid", of="modified sine"),
-                "The angle is that of the modified sine, but the peak that of the modified "
-                "trapezoid: take Ca of the same law.",
+            *(
+                Slip(
+                    partial(_overlapped, law=law),
+                    f"This is the {said}. Take the modified sine, for the angle and for the peak.",
+                )
+                for law, said in _NOT_THE_SINE.items()
             ),
             Slip(lambda m: _with_factor(m, LAWS["modified sine"].Cv), _WITH_CV),
-            Slip(
-                lambda m: _with_factor(m, LAWS["modified sine"].Cq),
-                "This is with Cq, the factor of the torque. The acceleration has Ca.",
-            ),
-            Slip(
-                lambda m: _overlapped(m, "cycloidal"),
-                "This is the cycloid, as in notebook 03. Take the modified sine, for the angle and "
-                "for the peak.",
-            ),
-            Slip(
-                lambda m: _overlapped(m, "modified trapezoid"),
-                "This is the modified trapezoid. The modified sine is asked for.",
-            ),
+            Slip(lambda m: _with_factor(m, LAWS["modified sine"].Cq), _WITH_CQ),
             Slip(
                 lambda m: _peak(m, "modified sine", m.overlapped_deg),
                 "These degrees are only what is left at the limit. The whole move is wider, for "
@@ -596,10 +608,7 @@ EXERCISES = (
                 "The angle is right, but not the way. The whole stroke is made over it, not only "
                 "the part down to the limit.",
             ),
-            Slip(
-                lambda m: _overlapped(m, "modified sine") * m.die_mass_kg,
-                "This is the force, mass times acceleration. The acceleration is asked for.",
-            ),
+            Slip(lambda m: _overlapped(m, "modified sine") * m.die_mass_kg, _FORCE),
             Slip(
                 lambda m: float(
                     peak_velocity(
@@ -646,8 +655,8 @@ EXERCISES = (
             "d": "It begins and ends well, and so does V. Does S jump somewhere?",
             "f": "S and V are right. Is A the slope of V everywhere, also just after the middle?",
         },
-        right="It fails no test, and each of the others fails one. Cv, Cj or some values of S "
-        "besides tell that it is the law it says it is.",
+        right="It fails no test, and each of the others fails at least one. Cv, Cj or some values "
+        "of S besides tell that it is the law it says it is.",
         hints=(
             "Test each one alike: the ends, jumps, S' = V, V' = A, the peak.",
             "The slope is np.diff(S) / np.diff(x); compare it with the mean of V at both ends.",
