@@ -118,6 +118,13 @@ def without_hole(m: MillAndDie) -> float:
     return m.table.plate_kg * (m.table.plate_mm / 1000) ** 2 / 2 + stations(m)
 
 
+def from_the_axis(m: MillAndDie) -> float:
+    """Return the inertia if the ring's density goes on through the hole."""
+    outer, inner = m.table.plate_mm / 1000, m.table.hole_mm / 1000
+    density = m.table.plate_kg / (math.pi * (outer**2 - inner**2))
+    return density * 2 * math.pi * outer**4 / 4 + stations(m)
+
+
 def omega(m: MillAndDie) -> float:
     return 2 * math.pi * m.table.per_minute / 60
 
@@ -153,6 +160,11 @@ def of_half_the_slots(m: MillAndDie) -> float:
     if m.table.slots == 4:
         return math.nan
     return seen_bent(m.table.slots / 2, entry(m) / 2, 2) * omega(m) ** 2
+
+
+def in_degrees(m: MillAndDie, alpha: float) -> float:
+    """Return it with the sine of 180/n for that of pi/n."""
+    return seen_bent(math.radians(m.table.slots), alpha, 2) * omega(m) ** 2
 
 
 def by_the_wheel(m: MillAndDie) -> float:
@@ -244,11 +256,30 @@ SLIPS = [
         lambda m: without_hole(m) if m.table.hole_mm else math.nan,
         "^Here the plate has no hole|finite",
     ),
+    KnownSlip("08.1", "from the axis", from_the_axis, "begins at the axis"),
+    KnownSlip(
+        "08.1", "a quarter of M R²", lambda m: plate(m) / 2 + stations(m), "as about a diameter"
+    ),
+    KnownSlip(
+        "08.1",
+        "all of the plate at the rim",
+        lambda m: 2 * without_hole(m) - stations(m),
+        "all of the plate is at its rim",
+    ),
+    KnownSlip(
+        "08.1",
+        "the plate's radii halved",
+        lambda m: plate(m) / 4 + stations(m),
+        "radii of the plate were halved",
+    ),
     KnownSlip("08.1", "in mm", lambda m: 1e6 * inertia(m), "mm"),
     KnownSlip("08.1", "the mass", lambda m: m.table.plate_kg + stations(m, 1000), "mass"),
     # The largest torque.
     KnownSlip("08.2", "no friction", lambda m: inertia(m) * push(m), "[Ff]riction"),
     KnownSlip("08.2", "friction helps", lambda m: 2 * inertia(m) * push(m) - torque(m), "subtract"),
+    KnownSlip(
+        "08.2", "friction twice", lambda m: torque(m) + m.table.friction_N_m, "was added twice"
+    ),
     KnownSlip(
         "08.2",
         "in degrees",
@@ -319,6 +350,15 @@ SLIPS = [
     ),
     KnownSlip(
         "08.3",
+        "friction at the largest speed",
+        lambda m: shaft(m) + friction_on_shaft(m) * CV[m.table.law],
+        "at the largest speed of the table",
+    ),
+    KnownSlip(
+        "08.3", "the time squared", lambda m: shaft(m) * m.table.time_s, "the time counts three"
+    ),
+    KnownSlip(
+        "08.3",
         "the table's friction added",
         lambda m: shaft(m) + m.table.friction_N_m,
         "friction on the table was added",
@@ -377,6 +417,27 @@ SLIPS = [
     KnownSlip(
         "08.4", "the velocity", lambda m: bent(m, entry(m) / 2, 1) * omega(m), "velocity, in"
     ),
+    KnownSlip("08.4", "pi/n in degrees", lambda m: in_degrees(m, entry(m) / 2), "angle in degrees"),
+    KnownSlip(
+        "08.4",
+        "pi/n and alpha in degrees",
+        lambda m: in_degrees(m, math.degrees(entry(m) / 2)),
+        "angle in degrees",
+    ),
+    KnownSlip(
+        "08.4",
+        "the speed in degrees",
+        lambda m: bent(m, entry(m) / 2) * math.degrees(omega(m)) ** 2,
+        "in degrees a second",
+    ),
+    KnownSlip(
+        "08.4",
+        "the first derivative",
+        lambda m: bent(m, entry(m) / 2, 1) * omega(m) ** 2,
+        "the first derivative with the square",
+    ),
+    KnownSlip("08.4", "half of the largest", lambda m: largest(m) / 2, "half of the largest one"),
+    KnownSlip("08.4", "pi/4", lambda m: bent(m, math.pi / 4) * omega(m) ** 2, "pi/n is forgotten"),
     KnownSlip("08.4", "no square", lambda m: wheel(m) / omega(m), "square"),
     KnownSlip("08.4", "no speed", lambda m: wheel(m) / omega(m) ** 2, "speed"),
     KnownSlip(

@@ -16,6 +16,7 @@ from cammotion.teaching.prediction import Prediction
 from cammotion.teaching.shown.bars import step_of_torque
 
 _SQUARE = 4  # slots, at right angles
+_RIGHT_ANGLE = 90  # deg
 _G = 9.81  # as in the source
 _LESSONS = Indexer(38.5, 8, 0.75, law="modified sine", friction_N_m=10)  # the table of the lesson
 _LESSONS_DEG = 150  # the angle of its camshaft
@@ -149,9 +150,11 @@ def _by_the_formula(m: MillAndDie, ratio: float, alpha: float) -> float:
     return abs(ratio * (1 - ratio**2) * math.sin(alpha) / under**2) * _omega(m) ** 2
 
 
-def _degrees_for_rad(m: MillAndDie) -> float:
-    """Return the acceleration if alpha in deg was put in as if it were in rad."""
-    return _by_the_formula(m, _wheel(m).ratio, _wheel(m).angle_deg / 4)
+def _degrees_for_rad(m: MillAndDie, *, in_lambda: bool, in_alpha: bool) -> float:
+    """Return the acceleration if pi/n, alpha or both were put in in deg as if in rad."""
+    ratio = math.sin(DEG_PER_TURN / 2 / m.table.slots) if in_lambda else _wheel(m).ratio
+    alpha = _wheel(m).angle_deg / 4
+    return _by_the_formula(m, ratio, alpha if in_alpha else math.radians(alpha))
 
 
 def _of_two_pi(m: MillAndDie) -> float:
@@ -214,6 +217,12 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: (
+                    _full_plate(m) / (1 - (m.table.hole_mm / m.table.plate_mm) ** 2) + _stations(m)
+                ),
+                "The density is right, but the integral begins at the axis. It begins at the hole.",
+            ),
+            Slip(
+                lambda m: (
                     _plate(m) - 3 / 8 * m.table.plate_kg * _m2(m.table.hole_mm) + _stations(m)
                 ),
                 "The radius of the hole was halved, as if it were a diameter.",
@@ -227,6 +236,19 @@ EXERCISES = (
                 lambda m: 2 * _plate(m) + _stations(m),
                 "The half of the plate is missing: its mass lies between the axis and the rim, "
                 "and not all at the rim.",
+            ),
+            Slip(
+                lambda m: 2 * _full_plate(m) + _stations(m),
+                "Here all of the plate is at its rim. Its mass lies between the hole and the rim.",
+            ),
+            Slip(
+                lambda m: _plate(m) / 2 + _stations(m),
+                "The plate counts with a quarter here, as about a diameter. About its axis it is a "
+                "half.",
+            ),
+            Slip(
+                lambda m: _plate(m) / 4 + _stations(m),
+                "The radii of the plate were halved, as if they were diameters.",
             ),
             Slip(
                 lambda m: _plate(m) + _stations(m) / 2,
@@ -293,6 +315,10 @@ EXERCISES = (
             Slip(
                 lambda m: _inertia_torque(m) - m.table.friction_N_m,
                 "Friction was subtracted. It helps to stop the table, but not to set it going.",
+            ),
+            Slip(
+                lambda m: _torque(m) + m.table.friction_N_m,
+                "Friction was added twice. It acts against the table once.",
             ),
             Slip(
                 lambda m: math.degrees(_inertia_torque(m)) + m.table.friction_N_m,
@@ -402,9 +428,18 @@ EXERCISES = (
                 "Friction is in it, which the question leaves out.",
             ),
             Slip(
+                lambda m: _shaft(m) + m.table.friction_N_m * _ratio(m) * LAWS[m.table.law].Cv,
+                "Friction is in it, at the largest speed of the table. The question leaves it out.",
+            ),
+            Slip(
                 _torque,
                 "This is the torque on the table, with the friction. The question leaves that out, "
                 "and the shaft has the same power at another speed.",
+            ),
+            Slip(
+                lambda m: _shaft(m) * m.table.time_s,
+                "In the power the time counts three times: twice in the acceleration, once in the "
+                "velocity.",
             ),
             Slip(
                 lambda m: _shaft(m) / 4,
@@ -474,6 +509,10 @@ EXERCISES = (
                 "This is the largest one. Half-way from the entry to the middle is elsewhere.",
             ),
             Slip(
+                lambda m: _wheel(m).peak_acceleration * _omega(m) ** 2 / 2,
+                "This is half of the largest one. The angle is to be halved, not the acceleration.",
+            ),
+            Slip(
                 lambda m: _wheel(m).entry_acceleration * _omega(m) ** 2 / 2,
                 "This is half of that at the entry, as if it fell along a straight line.",
             ),
@@ -498,13 +537,25 @@ EXERCISES = (
                 "This is per minute squared. Divide by 60, twice.",
             ),
             Slip(
-                _degrees_for_rad,
-                "An angle in degrees was put into sine and cosine, which take radians.",
+                lambda m: _half_way(m) * math.degrees(_omega(m)) ** 2,
+                "The driver's speed is in degrees a second here. rad/s² come of rad/s.",
+            ),
+            *(
+                Slip(
+                    partial(_degrees_for_rad, in_lambda=in_lambda, in_alpha=in_alpha),
+                    "An angle in degrees was put into sine and cosine, which take radians.",
+                )
+                for in_lambda, in_alpha in ((False, True), (True, False), (True, True))
             ),
             Slip(
                 _half_way,
                 "This is the second derivative by the angle. The square of the driver's speed is "
                 "missing.",
+            ),
+            Slip(
+                lambda m: _half_way(m, 1) * _omega(m) ** 2,
+                "This is the first derivative with the square of the driver's speed. An "
+                "acceleration has the second.",
             ),
             Slip(
                 lambda m: _at(m, DEG_PER_TURN / 2 / m.table.slots),
@@ -515,6 +566,11 @@ EXERCISES = (
                 lambda m: _at(m, DEG_PER_TURN / 4 / m.table.slots),
                 "Here alpha is pi/(2n), half of an angle of the wheel. The driver's, from entry to "
                 "middle, is pi/2 - pi/n.",
+            ),
+            Slip(
+                lambda m: _at(m, _RIGHT_ANGLE / 2),
+                "Here alpha is pi/4, and pi/n is forgotten. The driver's, from entry to middle, is "
+                "pi/2 - pi/n.",
             ),
             Slip(
                 _of_two_pi,
