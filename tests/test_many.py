@@ -14,7 +14,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from cartons import EIGHT, ODD_NAMES, all_dies, packaging_machine, pusher_rule, tool
-from machines import RULE, make_mill
+from machines import RULE, make_die, make_mill
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -23,6 +23,7 @@ from matplotlib.transforms import Bbox
 
 import cammotion as cm
 from cammotion.views.animation import svg
+from cammotion.views.animation.turret import Turret
 from cammotion.views.names import labels, printable, short_names, text_px
 from cammotion.views.pictures import PictureFigure, describe
 from cammotion.views.plots import colour, dashes_of
@@ -245,6 +246,17 @@ def test_names_about_a_turret_stand_at_both_sides() -> None:
     dies = [first[name] for name in diagram.names[1:9]]  # the others have columns of their own
     assert sum(box.x1 < sheet.width / 2 for box in dies) == 4
     assert sum(box.x0 > sheet.width / 2 for box in dies) == 4
+
+
+@pytest.mark.parametrize(("count", "longest"), [(2, 7), (3, 5)])
+def test_names_that_have_room_about_a_turret_stand_at_their_dies(count: int, longest: int) -> None:
+    """The machine is drawn smaller for them, and with longer ones they stand aside."""
+    for letters, stand_aside in ((longest, False), (longest + 3, True)):
+        dies = [replace(make_die(), name="m" * letters + str(number)) for number in range(count)]
+        diagram = cm.TimingDiagram([make_mill(), *dies], rate_per_hour=2000)
+        rules = [RULE.renamed({"mill": "mill", "die": die.name}) for die in dies]
+        (turret,) = Turret.find(diagram, rules, ["mill"], 380.0)
+        assert turret.is_crowded == stand_aside
 
 
 def test_the_words_of_the_machine_in_motion_have_the_names_in_full() -> None:
