@@ -4,8 +4,10 @@
 const NUMBER =
   /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?(?:\d+(?:[.,]\d+)?|\.\d+)(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?|\.\d+))?(?![.,]?\d|\s*\/\s*\d)(?:\s*%)?/giu;
 const UNSURE =
-  /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥]|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum)\b/giu;
+  /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥π]|(?:\b|(?<=\d))pi\b|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum|half|thirds?|quarters?|twice|times)\b/giu;
 const BLANK = /(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)/g; // 4 500
+const TIMES = /(?<=\d)\s*[x×](?![\p{L}\p{N}_])/giu; // 2x
+const PART = /%|percent|\bof\b/i; // of something that is not typed
 const GROUPED =
   /^([-+−]?[1-9]\d{0,2}([.,'’ \u00a0\u202f])\d{3}(?:\2\d{3})*)(?:(?!\2)[.,](\d+))?$/; // 4,420.8
 const WITH_UNIT = /\d\s*[\p{L}%°]/u;
@@ -18,7 +20,7 @@ const UNITS = {
   inch: /inch(?:es)?|in(?!\s+[a-zµμ\u00c0-\u024f])/, // 92 in each direction
   rad: /rad(?:ians?)?/,
   deg: /deg(?:rees?)?|°/,
-  min: /min(?:utes?|s)?|rpm/,
+  min: /min(?:utes?|s)?|rpm|['\u2032\u2019]/,
   s: /s|sec(?:onds?|s)?/,
   g: /g/,
   k: /k|thousand/,
@@ -30,7 +32,8 @@ const UNIT = new RegExp(
     `)(?!${LETTER})`,
   "giu",
 );
-const SHARES = ["percent", "fraction"];
+const SHARES = ["percent", "fraction", "times the"];
+const WHOLE = "out of";
 const LARGEST = 1e12,
   CLOSE = 0.02,
   IN_TIMES = 1.95;
@@ -63,11 +66,12 @@ export function verdict({ off, edges, places, said }, given, format) {
 
 /** The numbers that a typed prediction may be: one, none, or two that make sense. */
 export function numbersIn({ asked, low, high }, typed, readings) {
-  const text = typed.replace(BLANK, "$1$2");
+  const text = typed.replace(BLANK, "$1$2").replace(TIMES, " times");
   const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
   const isShare = saysShare(text);
   const isOne =
-    !(isShare && !SHARES.some((share) => asked.includes(share))) &&
+    !(PART.test(text) && !SHARES.some((share) => asked.includes(share))) &&
+    !(asked.includes(WHOLE) && text.includes("/")) &&
     !isUnsure(text, asked) &&
     !(asked && unitsOf(text).some((unit) => !unitsOf(asked).includes(unit)));
   if (found.length !== 1 || !isOne) return [];

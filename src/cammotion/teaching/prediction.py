@@ -13,11 +13,14 @@ _NUMBER = re.compile(
     re.IGNORECASE,
 )
 _UNSURE = re.compile(  # but for the square of a second
-    r"(?<!/s)\^|(?<!/s)(?<!/s\*)\*|[√×·=<>≤≥]"
-    r"|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum)\b",
+    r"(?<!/s)\^|(?<!/s)(?<!/s\*)\*|[√×·=<>≤≥π]|(?:\b|(?<=\d))pi\b"
+    r"|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum"
+    r"|half|thirds?|quarters?|twice|times)\b",
     re.IGNORECASE,
 )
 _BLANK = re.compile(r"(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)")  # 4 500
+_TIMES = re.compile(r"(?<=\d)\s*[x×](?!\w)", re.IGNORECASE)  # 2x
+_PART = re.compile(r"%|percent|\bof\b", re.IGNORECASE)  # of something that is not typed
 _LETTER = r"[a-zµμ\u00c0-\u024f]"
 _UNITS = {
     "m": r"m|met(?:er|re)s?",
@@ -27,7 +30,7 @@ _UNITS = {
     "inch": rf"inch(?:es)?|in(?!\s+{_LETTER})",  # 92 in each direction
     "rad": r"rad(?:ians?)?",
     "deg": r"deg(?:rees?)?|°",
-    "min": r"min(?:utes?|s)?|rpm",
+    "min": r"min(?:utes?|s)?|rpm|['\u2032\u2019]",
     "s": r"s|sec(?:onds?|s)?",
     "g": r"g",
     "k": r"k|thousand",
@@ -37,7 +40,8 @@ _UNIT = re.compile(  # a short one only at a number, at a stroke or after "per"
     rf"(?:{'|'.join(f'(?P<{name}>{words})' for name, words in _UNITS.items())})(?!{_LETTER})",
     re.IGNORECASE,
 )
-_SHARES = ("percent", "fraction")
+_SHARES = ("percent", "fraction", "times the")
+_WHOLE = "out of"
 _LARGEST = 1e12  # beyond that, or below its inverse, it is a joke and no prediction
 _SENSIBLE = 999.0
 _CLOSE = 0.02
@@ -132,7 +136,8 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     A comma may stand for the point, a fraction for its value; units and words may stand around it.
     One comma before three digits may also part thousands, and a blank does. A share in percent is
     made a number where a fraction is asked for, and a fraction percent where those are. What is to
-    be reckoned out, has another unit, or says no more than "less than" is no number.
+    be reckoned out, is a part or a multiple of something that is not asked for, has another unit,
+    or says no more than "less than" is no number.
 
     >>> numbers_in("about 1,04 m/s2", "m/s²"), numbers_in("1/4 of tm", "fraction")
     ((1.04,), (0.25,))
@@ -140,6 +145,8 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     ((25.0,), (0.25,), ())
     >>> numbers_in("10^0.667", "times"), numbers_in("64 per minute", "pieces per hour")
     ((), ())
+    >>> numbers_in("2x", "times"), numbers_in("2x", "m/s²"), numbers_in("1/4 of it", "m/s²")
+    ((2.0,), (), ())
     >>> numbers_in("4,154 m/s²", "m/s²"), numbers_in("0,806", "m/s²"), numbers_in("4.154", "m/s²")
     ((4.154, 4154.0), (0.806,), (4.154,))
     >>> numbers_in("4 500", "pieces per hour"), numbers_in("0.1 g", "m/s²")
@@ -147,7 +154,7 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     >>> numbers_in("16 % less", "percent less"), numbers_in(".5", "mm"), numbers_in("5 in", "mm")
     ((16.0,), (0.5,), ())
     """
-    text = _BLANK.sub(r"\1\2", text)
+    text = _TIMES.sub(" times", _BLANK.sub(r"\1\2", text))
     found = [*_NUMBER.finditer(text)]
     if len(found) != 1 or not _is_one_number(text, asked):
         return ()
@@ -163,7 +170,9 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
 
 def _is_one_number(text: str, asked: str) -> bool:
     """Tell whether all that is typed is a number in the unit that is asked for."""
-    if _is_share(text) and not any(share in asked for share in _SHARES):
+    if _PART.search(text) and not any(share in asked for share in _SHARES):
+        return False
+    if _WHOLE in asked and "/" in text:
         return False
     return not (_is_unsure(text, asked) or (asked and _units(text) - _units(asked)))
 

@@ -477,7 +477,6 @@ PREDICTIONS = (
         "It is tempting to say 0, where the die has to get going, or 0.5, where it is fastest. But "
         "how fast it is says nothing of how hard it is pushed: what counts is how quickly its "
         "velocity changes.",
-        also=(0.75,),
     ),
     Prediction(
         "02.peak",
