@@ -137,7 +137,8 @@ class ExpressionExercise(Exercise):
                 f"This may hold several values (it is of type {type(answer).__name__}). What is "
                 f"asked for is {self.wanted}."
             )
-        if callable(answer) and not isinstance(answer, sympy.Basic):
+        is_function = callable(answer) and not isinstance(answer, sympy.Basic)
+        if is_function or isinstance(answer, sympy.Lambda):
             values = self._call(answer, places)
         else:
             values = self._evaluate(answer, places)
@@ -168,6 +169,8 @@ class ExpressionExercise(Exercise):
             expression = sympy.sympify(answer, strict=True)
         except (sympy.SympifyError, TypeError, ValueError):
             expression = None
+        if isinstance(expression, sympy.Equality):
+            raise OddAnswerError("This is an equation: give its right side, .rhs.")
         if not isinstance(expression, sympy.Expr):
             raise OddAnswerError(f"{shorten(answer)} is no formula. Write {self.wanted}.")
         names = {symbol.name for symbol in expression.free_symbols}
@@ -203,7 +206,10 @@ def _function_of(
 def _order(function: Callable[..., Any], variables: Sequence[str]) -> list[int]:
     """Return the order in which a function takes the variables; theirs if it has other names."""
     try:
-        names = [*inspect.signature(function).parameters]
+        if isinstance(function, sympy.Lambda):
+            names = [*map(str, function.signature)]
+        else:
+            names = [*inspect.signature(function).parameters]
     except (TypeError, ValueError):  # a built-in function
         names = []
     return [variables.index(name) for name in (names if set(names) == {*variables} else variables)]
