@@ -2,7 +2,7 @@
 
 import cmath
 import numbers
-from collections.abc import Iterable, Sized
+from collections.abc import Iterable, Mapping, Sized
 from typing import Any
 
 import numpy as np
@@ -33,9 +33,10 @@ def to_number(answer: Any, wanted: str) -> float:
             f"comma. What is asked for is {wanted}."
         )
     if isinstance(answer, Iterable | Sized):
+        has_places = hasattr(type(answer), "__getitem__") and not isinstance(answer, Mapping)
         raise OddAnswerError(
             f"This may hold several values (it is of type {type(answer).__name__}). What is asked "
-            f"for is {wanted}: take it out, for example with [0]."
+            f"for is {wanted}: take it out{', for example with [0]' * has_places}."
         )
     symbols = sorted(map(str, getattr(answer, "free_symbols", ())))
     if symbols:
