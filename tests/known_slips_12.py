@@ -161,6 +161,16 @@ NUMBER_SLIPS = [
         ),
         "added|largest",
     ),
+    KnownSlip(
+        "12.1",
+        "by the velocities",
+        lambda m: (
+            m.rate_per_hour
+            * (stroke(m) / die(m))
+            / max(m.pitch_mm / m.mill_angle_deg, stroke(m) / widest(m))
+        ),
+        r"velocities|So fast the die could go",
+    ),
     KnownSlip("12.1", "both balanced", balanced, "mill got another angle"),
     with_the_lessons_limit(4.154),
     with_the_lessons_limit(4.15),
@@ -177,6 +187,25 @@ NUMBER_SLIPS = [
         "the sucker's way",
         lambda m: peak(m, 90, m.mill_angle_deg, 4),
         "number of the lesson|finite",
+    ),
+    KnownSlip(
+        "12.2",
+        "the sucker's way and angle",
+        lambda m: peak(m, 90, 60, 4),
+        "number of the lesson|finite",
+    ),
+    KnownSlip(
+        "12.2",
+        "the sucker's time",
+        lambda m: 4 * m.pitch_mm / 1000 / 0.3**2,
+        "number of the lesson",
+    ),
+    KnownSlip("12.2", "velocity", lambda m: least(m, 2) * time(m, m.mill_angle_deg), "peak vel"),
+    KnownSlip(
+        "12.2",
+        "radians",
+        lambda m: 4 * m.pitch_mm / 1000 / math.radians(m.mill_angle_deg) ** 2,
+        "radians",
     ),
     KnownSlip("12.2", "mean velocity", lambda m: least(m, 1) * time(m, m.mill_angle_deg), "mean"),
     KnownSlip(

@@ -224,6 +224,7 @@ def test_no_reason_speaks_of_lengths_where_none_is_asked_for() -> None:
         ("Paul", "07.5", -96300, "weight|Besides"),
         ("Tom", "07.1", 90, "sine"),
         ("Anna", "01.1", 60, "The way is right"),
+        ("Emil", "01.3", 6.33, "pi"),
     ],
 )
 def test_what_cannot_be_is_not_told(who: str, number: str, answer: float, untrue: str) -> None:
@@ -248,7 +249,8 @@ ODD_NUMBERS: list[tuple[Any, str]] = [
     (b"4.154", "This is a text"),
     ([4.154], r"several values \(it is of type list\).*one number in m/s².*\[0\]"),
     (np.array([4.154]), "of type ndarray"),
-    ({"a": 4.154}, "of type dict"),
+    ({"a": 4.154}, r"of type dict\).*: take it out\.$"),
+    (sympy.FiniteSet(4.154), r"of type FiniteSet\).*: take it out\.$"),
     (sympy.Matrix([4.154]), "several values"),
     (h_m * 83, "There still is h_m in it. Put in the numbers, with subs"),
     (sympy.Eq(h_m, 4.154), "is no number|There still is"),

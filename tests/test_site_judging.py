@@ -61,7 +61,8 @@ TYPED = [
     *("5 in", "5 in.", "5 inches", "5 in each", "1 m/s²", "1 m / s", "1 in/s²", "1 inch/sec²"),
     *("0.8/s", "0.8 per s", "0.8 a second", "3k", "3K", "3 thousand", "64 rpm", "5 MM", "30°"),
     *("2x", "2 ×", "4.6× as fast", "5 times", "2x3", "2pi", "2 pi", "2π", "6.28 pixels", "3 PI"),
-    *("half of 4.154", "twice 9", "1/4 of the peak", "2 thirds", "0.9 of it", "8/24", "8.6'", "9\u2032"),
+    *("half of 4.154", "twice 9", "1/4 of the peak", "2 thirds", "0.9 of it", "8/24"),
+    *("8.6'", "9\u2032"),
     *("6.3 mm radius", "5 per minute", "MIN 4", "0.2 metres", "5 d", "4 ms", "°5", "3 deg/s"),
 ]
 
@@ -84,6 +85,7 @@ def given_to(one: NumberExercise, machine: Any) -> Iterator[float]:
     """
     dice = random.Random(one.number)  # noqa: S311 - the same numbers each time
     ways = [float(slip.leads_to(machine)) for slip in (*one.slips, *one.carried[:4])]
+    ways += [1000 * way for way in ways[:3] if one.is_product]
     for value in filter(math.isfinite, (one.solution(machine), *ways)):
         for off in OFFS:
             near = value * (1 + dice.choice((-1, 1)) * off)

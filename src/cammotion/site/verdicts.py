@@ -12,10 +12,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
-from cammotion.machine.kinematics import STANDARD_GRAVITY
+from cammotion.machine.kinematics import MM_PER_M
 from cammotion.teaching.example import MillAndDie
 from cammotion.teaching.exercise import Slip
-from cammotion.teaching.number_exercise import EXACT, NEAR, NOT_FAR, ROUND_G, NumberExercise
+from cammotion.teaching.number_exercise import EXACT, NEAR, NOT_FAR, NumberExercise
 from cammotion.teaching.rounding import FEWEST, MOST, MOST_OFF, SAME, TYPED, WHOLE, last_place
 
 _MEASURED = re.compile(r"(?<=off by )\S+(?= %)")
@@ -65,14 +65,16 @@ def _edges(exercise: NumberExercise, machine: MillAndDie) -> Iterator[float]:
     lessons = [*filter(math.isfinite, exercise.of_the_lesson(machine))]
     for value in lessons[:1]:
         yield from _rounded(value, FEWEST + 1)
-    for value in (*lessons, *slips, *carried, *ratios):
+    in_g = exercise.in_g(right)
+    for value in (right, *lessons, *slips, *carried, *ratios, *in_g):
         yield from (*_beside(value, TYPED), *_rounded(value, MOST))
     for share in (NEAR, NOT_FAR):
         yield from _beside(right, share)
     for value in slips:
         yield (value + right) / 2
         yield from (*_beside(value, SAME), value * (1 - MOST_OFF), value * (1 + MOST_OFF))
-    in_g = (right / STANDARD_GRAVITY, right / ROUND_G)
+    for value in (MM_PER_M * slip for slip in slips if exercise.is_product):
+        yield from (*_beside(value, exercise.tolerance), *_rounded(value, FEWEST + 1))
     for value in (right, *slips, *carried, *ratios, *in_g):
         yield from _beside(value, exercise.tolerance)
         most = EXACT if value == right else MOST if value in slips else FEWEST + 1

@@ -84,7 +84,8 @@ class NumberExercise(Exercise):
     see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`,
     has neither a factor pi nor squares in it that could be lost; one that `is_product` has a
     length for a factor, with which all of it grows; of a whole number, `is_count`, nothing is
-    rounded on the way.
+    rounded on the way; in one that `is_quotient`, of two like numbers, what they share cancels, so
+    that a factor pi is met by chance: a ratio is told only where it agrees to the digits given.
     """
 
     unit: str
@@ -99,6 +100,7 @@ class NumberExercise(Exercise):
     is_sum: bool = False
     is_product: bool = False
     is_count: bool = False
+    is_quotient: bool = False
 
     @property
     def wanted(self) -> str:
@@ -145,7 +147,8 @@ class NumberExercise(Exercise):
             return in_one(too_few)
         if self._is_about(given, slip) and abs(given - slip) < off:
             known = self._all_that_lead_to(given, slip, machine)
-            rounded = [] if _agrees(given, slip) else self._rounded_on_the_way(given, right)
+            is_slip = _agrees(given, slip) and not is_as_typed(given, right)
+            rounded = [] if is_slip else self._rounded_on_the_way(given, right)
             return in_one([*known, *rounded])
         has_other_way = self._mixed_up(given, machine) or self._carried_to(given, machine)
         if self._is(given, right) and not has_other_way:
@@ -156,7 +159,7 @@ class NumberExercise(Exercise):
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
         mixed_up = self._mixed_up(given, machine, FEWEST + 1)
-        is_ratio = is_as_typed if mixed_up else self._is_about
+        is_ratio = is_as_typed if mixed_up else _agrees if self.is_quotient else self._is_about
         ratios = [said for r, said in self.ratios.items() if is_ratio(given, r * right)]
         carried = self._carried_to(given, machine)
         rounded = in_one(
@@ -166,7 +169,7 @@ class NumberExercise(Exercise):
         )
         return (
             in_one(slip.reason for slip in self._brought_along(given, machine))
-            or self._in_g(given, right)
+            or (_IN_G if any(self._is(given, value) for value in self.in_g(right)) else "")
             or in_one([*ratios[:1], *mixed_up])
             or rounded
             or in_one(slip.reason for slip in carried)
@@ -193,7 +196,7 @@ class NumberExercise(Exercise):
 
         If it is not that slip's as typed, all slips within the tolerance are among them.
         A ratio, or what a slip in an earlier exercise leads to, is among them where it leads to the
-        number exactly, and the slip only near it.
+        number exactly, and the slip only near it; what is in g, where it agrees, too.
         """
         wrong = _known(self, machine).wrong
         is_between = not _agrees(given, slip)
@@ -209,15 +212,17 @@ class NumberExercise(Exercise):
         )
         brought = self._brought_along(given, machine)
         told = tuple(slip.cause for slip in brought if slip.cause)  # "The acceleration is …" + it
-        reasons = [wrong[value] for value in nearest_first if not wrong[value].endswith(told)]
+        own = (reason for value in nearest_first for reason in those_in(wrong[value]))
+        reasons = [reason for reason in own if not reason.endswith(told)]
         right = self.solution(machine)
         ratios = [said for r, said in self.ratios.items() if is_as_typed(given, r * right)]
         earlier = [one.reason for one in self._carried_to(given, machine)]
+        in_g = [_IN_G] if any(_agrees(given, value) for value in self.in_g(right)) else []
         exact = [] if is_as_typed(given, slip) else [*ratios, *earlier]
         carried = (slip.reason for slip in brought)
         is_alone = any(slip.alone and slip.reason in reasons for slip in self.slips)
         mixed_up = [] if is_alone else self._mixed_up(given, machine)
-        return [*carried, *reasons, *mixed_up, *exact]
+        return [*carried, *reasons, *in_g, *mixed_up, *exact]
 
     def _mixed_up(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[str]:
         """Return what is said if numbers of the lesson's machine lead to a number, at most one.
@@ -258,9 +263,10 @@ class NumberExercise(Exercise):
     def _is_about(self, given: float, value: float) -> bool:
         return self._is(given, value) or is_rounded(given, value, FEWEST + 1)
 
-    def _in_g(self, given: float, right: float) -> str:
-        is_in_g = any(self._is(given * g, right) for g in (STANDARD_GRAVITY, ROUND_G))
-        return _IN_G if self.unit == "m/s²" and is_in_g else ""
+    def in_g(self, right: float) -> tuple[float, ...]:
+        """Return an acceleration in g, by the standard one and as one reckons in the head."""
+        gs = (STANDARD_GRAVITY, ROUND_G) if self.unit == "m/s²" else ()
+        return tuple(right / g for g in gs)
 
     def _far(self, given: float, right: float) -> str:
         """Say what there is to say of a number with no known history."""

@@ -19,6 +19,13 @@ def _mill_peak(m: MillAndDie) -> float:
     return float(peak_acceleration(m.pitch_mm, m.mill_angle_deg, m.rate_per_hour))
 
 
+def _die_peak(m: MillAndDie) -> float:
+    return float(peak_acceleration(m.stroke_mm, m.die_angle_deg, m.rate_per_hour))
+
+
+_NO_WORK = (
+    "While the die is down and works it does not move. The degrees of its work are not free either."
+)
 _ADDED_UP = tuple(
     Slip(
         lambda m, off_deg=off_deg: m.die_angle_deg + off_deg / 2,  # type: ignore[misc]
@@ -49,11 +56,7 @@ EXERCISES = (
                 lambda m: 2 * m.die_angle_deg,
                 "These are the degrees for both ways together. Each of the two gets half of them.",
             ),
-            Slip(
-                lambda m: (DEG_PER_TURN - m.mill_angle_deg) / 2,
-                "While the die is down and works it does not move. The degrees of its work are not "
-                "free either.",
-            ),
+            Slip(lambda m: (DEG_PER_TURN - m.mill_angle_deg) / 2, _NO_WORK),
             Slip(
                 lambda m: (DEG_PER_TURN - m.work_deg) / 2,
                 "The die may not move while the mill does. The mill's degrees have to be taken "
@@ -63,6 +66,11 @@ EXERCISES = (
                 lambda m: DEG_PER_TURN - m.mill_angle_deg - m.work_deg / 2,
                 "Here only the work was halved. Put brackets around the whole difference, and "
                 "halve that.",
+            ),
+            Slip(
+                lambda m: DEG_PER_TURN - m.mill_angle_deg / 2 - m.work_deg,
+                "Here only the mill's degrees were halved. Put brackets around the whole "
+                "difference, and halve that.",
             ),
             Slip(
                 lambda m: DEG_PER_TURN - (m.mill_angle_deg + m.work_deg) / 2,
@@ -95,6 +103,10 @@ EXERCISES = (
             Slip(
                 lambda m: m.die_angle_deg - m.work_deg / 2,
                 "The work was taken away twice. The die works once a turn, between its two ways.",
+            ),
+            Slip(
+                lambda m: m.die_angle_deg + m.work_deg,
+                "The work was added. While the die works it does not move: take its degrees away.",
             ),
             *_ADDED_UP,
         ),
@@ -155,6 +167,14 @@ EXERCISES = (
                 lambda m: indexing_time(DEG_PER_TURN - m.work_deg, m.rate_per_hour),
                 "This is the rest of the turn, in which the die is not down.",
             ),
+            Slip(
+                lambda m: indexing_time(2 * m.die_angle_deg, m.rate_per_hour),
+                "This is how long the die moves, both ways together. How long does it stay down?",
+            ),
+            Slip(
+                lambda m: indexing_time(DEG_PER_TURN - m.mill_angle_deg, m.rate_per_hour),
+                "This is how long the mill stands. Meanwhile the die works, and moves both ways.",
+            ),
         ),
         hints=(
             "First the time of a turn: an hour has 3600 seconds, and in it so many turns.",
@@ -170,6 +190,7 @@ EXERCISES = (
             "Divide the peak acceleration of the die by that of the mill. What do you get?"
         ),
         unit="",
+        is_quotient=True,
         answer=lambda m: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / m.die_angle_deg) ** 2,
         goes_on_from={
             "01.1": lambda m, degrees: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / degrees) ** 2
@@ -235,6 +256,20 @@ EXERCISES = (
             Slip(
                 lambda m: m.stroke_mm / m.pitch_mm * (m.mill_angle_deg / m.die_angle_deg) ** 3,
                 "This is the ratio of the jerks. For an acceleration the angles are squared.",
+            ),
+            Slip(
+                lambda m: _die_peak(m) / _mill_peak(m) - 1,
+                "By so much the die's peak is larger. Divide it by that of the mill.",
+            ),
+            Slip(_die_peak, "This is the die's peak itself. Divide it by that of the mill."),
+            Slip(_mill_peak, "This is the mill's peak itself. Divide the die's by it."),
+            Slip(
+                lambda m: (
+                    m.stroke_mm
+                    / m.pitch_mm
+                    * (m.mill_angle_deg / ((DEG_PER_TURN - m.mill_angle_deg) / 2)) ** 2
+                ),
+                f"This is with another angle of the die. {_NO_WORK}",
             ),
         ),
         hints=(

@@ -1,10 +1,12 @@
 """Exercises of notebook 02, how hard the die is pushed."""
 
 import math
+from collections.abc import Iterator
 
 import sympy
 
 from cammotion.machine.kinematics import (
+    DEG_PER_TURN,
     MM_PER_M,
     STANDARD_GRAVITY,
     cycle_time,
@@ -13,7 +15,7 @@ from cammotion.machine.kinematics import (
     peak_jerk,
     peak_velocity,
 )
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
 from cammotion.teaching.expression_exercise import ExpressionExercise
 from cammotion.teaching.number_exercise import NumberExercise
@@ -58,6 +60,11 @@ def _peak(m: MillAndDie) -> float:
 
 def _constant(m: MillAndDie) -> float:
     return 4 * m.stroke_mm / MM_PER_M / _time(m) ** 2
+
+
+def _in_lessons_time(m: MillAndDie) -> Iterator[float]:
+    """Yield the peak with the time that the die has in the lesson."""
+    yield 2 * math.pi * m.stroke_mm / MM_PER_M / _time(EXAMPLE) ** 2
 
 
 def _ratio(m: MillAndDie) -> float:
@@ -152,6 +159,23 @@ _PEAK_SLIPS = (
         lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / math.radians(m.die_angle_deg) ** 2,
         "The angle stands where the time belongs, in radians. How many seconds does the die have?",
     ),
+    Slip(
+        lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / m.die_angle_deg**2,
+        "The degrees stand where the time belongs. How many seconds does the die have?",
+    ),
+    Slip(
+        lambda m: 2 * math.pi * m.stroke_mm / MM_PER_M / (m.die_angle_deg / DEG_PER_TURN) ** 2,
+        "The part of a turn stands where the time belongs. How many seconds does it take?",
+    ),
+    Slip(
+        lambda m: m.stroke_mm / MM_PER_M / _time(m),
+        "This is the mean velocity, in m/s. The acceleration is asked for.",
+    ),
+    Slip(
+        lambda m: 8 * m.stroke_mm / MM_PER_M / _time(m) ** 2,
+        "Half the way in half the time needs half as much, if the acceleration is constant. The "
+        "die moves by the cycloid, which has 2 pi.",
+    ),
     *(
         Slip(
             lambda m, law=law: peak_acceleration(  # type: ignore[misc]
@@ -217,6 +241,7 @@ EXERCISES = (
         unit="m/s²",
         is_product=True,
         answer=_peak,
+        mixed=_in_lessons_time,
         shows=peak_of_die(),
         right="Times the mass of the die this is the force its inertia asks for, twice a move.",
         slips=_PEAK_SLIPS,
@@ -347,11 +372,20 @@ EXERCISES = (
         unit="N",
         is_product=True,
         answer=lambda m: m.die_mass_kg * _peak(m),
+        mixed=lambda m: (m.die_mass_kg * peak for peak in _in_lessons_time(m)),
         goes_on_from={"02.1": lambda m, peak: m.die_mass_kg * peak},
         shows=peak_of_die("With this force", peak=lambda m, force: force / m.die_mass_kg),
         right="The force scales as the acceleration does: what halves the one halves the other.",
         slips=(
             Slip(_peak, "This is the acceleration. A force is mass times acceleration."),
+            Slip(
+                lambda m: _peak(m) / m.die_mass_kg,
+                "The acceleration was divided by the mass. A force is mass times acceleration.",
+            ),
+            Slip(
+                lambda m: m.die_mass_kg / _peak(m),
+                "The mass was divided by the acceleration. A force is mass times acceleration.",
+            ),
             *_with_g(STANDARD_GRAVITY),
             *_with_g(10),
             *map(_of_the_force, _PEAK_SLIPS),
@@ -370,6 +404,7 @@ EXERCISES = (
             "peak acceleration of the die grow?"
         ),
         unit="",
+        is_quotient=True,
         answer=lambda m: _ratio(m) ** 2,
         shows=peak_of_die(
             "With this factor",
@@ -425,6 +460,18 @@ EXERCISES = (
             Slip(
                 lambda m: _ratio(m) ** 3,
                 "The third power belongs to the jerk. The acceleration has the second.",
+            ),
+            Slip(
+                lambda _: 1,
+                "With the same cams the angle stays, but not the time. What becomes of the time?",
+            ),
+            Slip(
+                lambda _: 2,
+                "The 2 is the power: the factor is the ratio of the rates, squared.",
+            ),
+            Slip(
+                lambda _: 4,
+                "Four times it is at twice the rate. By how much is the rate of the question more?",
             ),
             Slip(_peak, "This is the peak itself. The factor by which it grows is asked for."),
             Slip(

@@ -72,6 +72,15 @@ def _mill_alone(m: MillAndDie) -> float:
     return _at_peak(m, _before(m), 0, _mill(m)) if _mill(m) < _die(m) else math.nan
 
 
+def _by_velocity(m: MillAndDie) -> float:
+    """Return the rate at which the mill has the die's velocity of today; NaN if the die is faster.
+
+    Then it is what the angles of the die make, which is right where the die is hardest.
+    """
+    die, mill = (m.stroke_mm / m.die_angle_deg, m.pitch_mm / m.mill_angle_deg)
+    return m.rate_per_hour * die / mill if mill > m.stroke_mm / m.widest_deg else math.nan
+
+
 def _faster_balanced(m: MillAndDie) -> float:
     """Return the rate of the lesson's third machine: the angles of mill and die make peaks alike.
 
@@ -106,6 +115,14 @@ def _gentlest(m: MillAndDie, way_mm: float, angle_deg: float) -> float:
 def _carriage(m: MillAndDie) -> tuple[float, float]:
     """Return the way in mm and the angle in deg of the carriage of 12.2."""
     return m.pitch_mm, m.mill_angle_deg
+
+
+def _with_the_suckers(m: MillAndDie) -> Iterable[float]:
+    """Yield what 12.2 is with way, angle or time of the lesson's sucker, or with way and angle."""
+    sucker = (_SUCKER_MM, _SUCKER_DEG)
+    yield from with_one_of_the_lesson(partial(_gentlest, m), _carriage(m), sucker)
+    yield _gentlest(m, *sucker)
+    yield 4 * m.pitch_mm / MM_PER_M / float(indexing_time(_SUCKER_DEG, EXAMPLE.rate_per_hour)) ** 2
 
 
 def _least(m: MillAndDie, factor: float = 4.0) -> float:
@@ -161,6 +178,10 @@ EXERCISES = (
                 _mill_alone,
                 "So fast the mill could go. Who else meets that peak, and at which rate?",
                 alone=True,
+            ),
+            Slip(
+                _by_velocity,
+                "This compares the velocities. It is the acceleration that may be no larger.",
             ),
             Slip(
                 _faster_balanced,
@@ -224,7 +245,7 @@ EXERCISES = (
             "Whose peak is the largest one before, and whose afterwards?",
             "All peaks grow with the square of the rate, by the same factor.",
             "Take the root of the ratio of the largest peaks, before and after; cm.rate_limits "
-            "does it too.",
+            "does it too: the first that it returns has the .rate_per_hour.",
         ),
     ),
     NumberExercise(
@@ -237,9 +258,7 @@ EXERCISES = (
         unit="m/s²",
         is_product=True,
         answer=_least,
-        mixed=lambda m: with_one_of_the_lesson(
-            partial(_gentlest, m), _carriage(m), (_SUCKER_MM, _SUCKER_DEG)
-        ),
+        mixed=_with_the_suckers,
         right="This is the first thing to compute for any move: no law, no solver, one line.",
         slips=(
             Slip(
@@ -295,8 +314,21 @@ EXERCISES = (
                 "This is the mean velocity, in m/s. The acceleration is asked for.",
             ),
             Slip(
+                lambda m: (
+                    2
+                    * m.pitch_mm
+                    / MM_PER_M
+                    / float(indexing_time(m.mill_angle_deg, m.rate_per_hour))
+                ),
+                "This is the peak velocity, in m/s. The acceleration is asked for.",
+            ),
+            Slip(
                 lambda m: 4 * m.pitch_mm / MM_PER_M / m.mill_angle_deg**2,
                 "The degrees were put in for the time. How long does the cam need for them?",
+            ),
+            Slip(
+                lambda m: 4 * m.pitch_mm / MM_PER_M / math.radians(m.mill_angle_deg) ** 2,
+                "The angle was put in for the time, in radians. How long does the cam need for it?",
             ),
             Slip(
                 lambda m: _LESSONS_LEAST,
