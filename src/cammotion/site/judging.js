@@ -87,7 +87,8 @@ export function numbersIn({ asked, low, high }, typed, readings) {
 
 /** Whether a text has a sign or a word that makes its number none, but for those asked. */
 function isUnsure(text, asked) {
-  return [...text.matchAll(UNSURE)].some(([found]) => !asked.includes(found.toLowerCase()));
+  const may = asked || "times"; // where nothing says what is asked
+  return [...text.matchAll(UNSURE)].some(([found]) => !may.includes(found.toLowerCase()));
 }
 
 function unitsOf(text) {

@@ -178,8 +178,11 @@ def _is_one_number(text: str, asked: str) -> bool:
 
 
 def _is_unsure(text: str, asked: str) -> bool:
-    """Tell whether a text has a sign or a word that makes its number none, but for those asked."""
-    return any(found[0].lower() not in asked for found in _UNSURE.finditer(text))
+    """Tell whether a text has a sign or a word that makes its number none, but for those asked.
+
+    Where nothing says what is asked, times may be.
+    """
+    return any(found[0].lower() not in (asked or "times") for found in _UNSURE.finditer(text))
 
 
 def _units(text: str) -> set[str | None]:
