@@ -276,7 +276,7 @@ SLIPS = [
         "01.3",
         "less one",
         lambda m: peak(m, die(m)) / peak(m, m.mill_angle_deg, m.pitch_mm) - 1,
-        "so much the die's peak is larger|smaller",
+        "By this share the die's peak is larger",
     ),
     KnownSlip("01.3", "the peak", lambda m: peak(m, die(m)), "die's peak itself"),
     KnownSlip(
@@ -403,7 +403,7 @@ SLIPS = [
         "02.1",
         "8 for 4",
         lambda m: 8 * stroke(m) / 1000 / time(m, die(m)) ** 2,
-        "Half the way in half the time",
+        "whole way in half the time",
     ),
     KnownSlip(
         "02.1",

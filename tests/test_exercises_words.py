@@ -6,6 +6,7 @@ import re
 import pytest
 from judging import MACHINES, each_choice, each_exercise, is_right, reasons_of, say
 
+import cammotion as cm
 from cammotion.teaching.exercise import ChoiceExercise, Exercise
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.number_exercise import NumberExercise
@@ -107,6 +108,15 @@ CONDITIONS = [
 def test_what_is_said_of_a_right_answer_keeps_its_condition(number: str, condition: str) -> None:
     """At the same speed of the camshaft a longer angle gives the index more time, for example."""
     assert condition in EXERCISES[number].right
+
+
+def test_what_the_last_hint_of_12_1_names_is_the_answer() -> None:
+    """It is neither what the function returns nor its first entry."""
+    wider = cm.with_angle(cm.EXAMPLE.die, cm.EXAMPLE.widest_deg)
+    before = cm.EXAMPLE.diagram.peak_acceleration("die")
+    found = cm.rate_limits(cm.EXAMPLE.diagram.with_motion(wider), acceleration_m_per_s2=before)
+    named = re.findall(r"\.(\w+_\w+)\.$", EXERCISES["12.1"].hints[-1])
+    assert [is_right(EXERCISES["12.1"], getattr(found[0], name)) for name in named] == [True]
 
 
 @each_exercise

@@ -259,7 +259,7 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: _die_peak(m) / _mill_peak(m) - 1,
-                "By so much the die's peak is larger. Divide it by that of the mill.",
+                "By this share the die's peak is larger than the mill's. Their ratio is asked for.",
             ),
             Slip(_die_peak, "This is the die's peak itself. Divide it by that of the mill."),
             Slip(_mill_peak, "This is the mill's peak itself. Divide the die's by it."),

@@ -173,8 +173,8 @@ _PEAK_SLIPS = (
     ),
     Slip(
         lambda m: 8 * m.stroke_mm / MM_PER_M / _time(m) ** 2,
-        "Half the way in half the time needs half as much, if the acceleration is constant. The "
-        "die moves by the cycloid, which has 2 pi.",
+        "A constant acceleration of this size would go the whole way in half the time, and not "
+        "half of it. The cycloid has 2 pi.",
     ),
     *(
         Slip(
@@ -471,7 +471,7 @@ EXERCISES = (
             ),
             Slip(
                 lambda _: 4,
-                "Four times it is at twice the rate. By how much is the rate of the question more?",
+                "Four times it would be at twice the rate. How many times the rate is it here?",
             ),
             Slip(_peak, "This is the peak itself. The factor by which it grows is asked for."),
             Slip(
