@@ -9,7 +9,8 @@ from functools import cache, partial
 
 import numpy as np
 from known_slips import G, KnownSlip, law, law_in_degrees
-from scipy.integrate import solve_ivp
+from scipy.integrate import simpson, solve_ivp
+from scipy.linalg import eigh
 from scipy.optimize import minimize_scalar
 
 from cammotion.teaching.example import MillAndDie
@@ -37,6 +38,11 @@ def with_rounded_time(m: MillAndDie, rounded: Callable[[float], int]) -> float:
     time = rounded(round(100 * rise_s(m), 6)) / 100
     wrong = rod(m, both(m) * (rise_s(m) / time) ** 2)
     return wrong if abs(wrong / rod(m) - 1) > 0.004 else math.nan
+
+
+def unsquared(m: MillAndDie) -> float:
+    """Return the mass times the angular frequency for what lever and rod need together."""
+    return m.follower.rod.slide_kg * math.tau * m.follower.rod.swings / rise_s(m) / 1000
 
 
 def swings(m: MillAndDie) -> float:
@@ -69,6 +75,14 @@ def arrows(m: MillAndDie, jumps: tuple[float, ...], w: float | None = None) -> f
     across = sum(jump * math.cos(n * w / 2) for n, jump in enumerate(jumps))
     along = sum(jump * math.sin(n * w / 2) for n, jump in enumerate(jumps))
     return m.follower.jump_mm * math.hypot(across, along) / w**2
+
+
+@cache
+def harmonic(m: MillAndDie) -> float:
+    """Return what the simple harmonic motion leaves: its acceleration, turned back and summed."""
+    w, x = math.tau * swings(m), np.linspace(0, 1, 20_001)
+    push = np.pi**2 / 2 * np.cos(np.pi * x) * np.exp(-1j * w * x)
+    return float(m.follower.jump_mm * abs(simpson(push, x=x)) / w)
 
 
 def turns(m: MillAndDie, time_s: float) -> float:
@@ -127,6 +141,36 @@ def lower(m: MillAndDie) -> float:
     return modes(m, m.follower.m1_kg, m.follower.m2_kg)[0]
 
 
+def off(m: MillAndDie, mm: float) -> float:
+    """Return the turns a minute by the hardest place with the spring pressed so much more."""
+    return turns(m, time_s(m, at_the_hardest(m) + mm))
+
+
+def sags(m: MillAndDie) -> float:
+    """Return by how many mm the follower's weight would press its spring."""
+    return G * m.follower.lifted_kg / m.follower.spring_N_per_mm
+
+
+def not_rooted(m: MillAndDie, speed: float) -> float:
+    """Return the turns a minute if the square of the time of the rise is taken for the time."""
+    return turns(m, turns(m, speed) ** 2)  # of so many turns a minute it is the time, too
+
+
+def both_stretched(m: MillAndDie) -> float:
+    """Return the lower frequency with k1 + k2 at the head, too: the other end of it is held."""
+    f = m.follower
+    both = f.k1_N_per_mm + f.k2_N_per_mm
+    stiffness = [[both, -f.k2_N_per_mm], [-f.k2_N_per_mm, both]]
+    squares = eigh(stiffness, np.diag([f.m1_kg, f.m2_kg]), eigvals_only=True)
+    return hertz(float(squares[0]), 1)
+
+
+def both_on_spindle(m: MillAndDie) -> float:
+    """Return the swing of both masses on the spindle, NaN where nobody can tell."""
+    wrong = hertz(m.follower.k2_N_per_mm, m.follower.m1_kg + m.follower.m2_kg)
+    return wrong if abs(wrong / lower(m) - 1) > 0.002 else math.nan
+
+
 def rod_alone(m: MillAndDie) -> float:
     """Return the lower frequency with k1 for k1 + k2 in the matrix, NaN where there is none.
 
@@ -183,6 +227,12 @@ def end(m: MillAndDie) -> float:
     return wanted(m) + wanted(m, 2) / w_of(m) ** 2
 
 
+def with_peak(m: MillAndDie) -> float:
+    """Return it with 84 sqrt(5)/25, the most that the bend of the 4-5-6-7 polynomial has."""
+    peak = 84 * math.sqrt(5) / 25 * m.follower.wanted_mm / w_of(m) ** 2
+    return wanted(m) + (peak if m.follower.wanted_x < 0.5 else -peak)
+
+
 RIGHT: dict[str, Callable[[MillAndDie], float]] = {
     "10.1": rod,
     "10.2": pushed,
@@ -219,6 +269,13 @@ SLIPS = [
     ),
     KnownSlip("10.1", "the give", lambda m: 1 / rod(m), "one over"),
     KnownSlip("10.1", "two alike", lambda m: 2 * both(m), "alike"),
+    KnownSlip("10.1", "no square", lambda m: rod(m, unsquared(m)), "enters only once"),
+    KnownSlip("10.1", "no square, both", unsquared, "enters only once"),
+    KnownSlip("10.1", "the 10 lost", lambda m: rod(m, 100 * both(m)), "The 10 of"),
+    KnownSlip("10.1", "ten times as long", lambda m: rod(m, both(m) / 100), "ten times too long"),
+    KnownSlip(
+        "10.1", "added", lambda m: both(m) + m.follower.rod.lever_N_per_mm, "stiffnesses were added"
+    ),
     KnownSlip("10.1", "no 2 pi", lambda m: rod(m, both(m) / (2 * math.pi) ** 2), "2 pi"),
     KnownSlip(
         "10.1",
@@ -329,6 +386,21 @@ SLIPS = [
     ),
     KnownSlip("10.2", "no 2 pi", lambda m: arrows(m, (4, -8, 4), swings(m)), "2 pi"),
     KnownSlip("10.2", "one push", lambda m: arrows(m, (2, -4, 2)), "half of the stroke"),
+    KnownSlip(
+        "10.2", "half the swings", lambda m: arrows(m, (4, -8, 4), math.pi * swings(m)), "half"
+    ),
+    KnownSlip("10.2", "two alike", lambda m: arrows(m, (4, -4)), "two jumps"),
+    KnownSlip("10.2", "no factor", lambda m: arrows(m, (1, -2, 1)), "One stroke"),
+    KnownSlip("10.2", "harmonic", harmonic, "simple harmonic"),
+    KnownSlip("10.2", "no 2 pi below", lambda m: pushed(m) * math.tau**2, "square of the swings"),
+    KnownSlip(
+        "10.2",
+        "degrees put in",
+        lambda m: (
+            16 * m.follower.jump_mm * np.sin(90 * swings(m)) ** 2 / (2 * math.pi * swings(m)) ** 2
+        ),
+        "put in in degrees",
+    ),
     KnownSlip("10.2", "end to end", lambda m: 2 * pushed(m), "each side"),
     KnownSlip("10.2", "a share", lambda m: pushed(m) / m.follower.jump_mm, "part of the stroke"),
     KnownSlip("10.2", "in percent", lambda m: 100 * pushed(m) / m.follower.jump_mm, "percent"),
@@ -388,6 +460,36 @@ SLIPS = [
         "not pressed, the hardest",
         lambda m: turns(m, time_s(m, at_the_hardest(m) - m.follower.pressed_mm)),
         "already",
+    ),
+    KnownSlip(
+        "10.3",
+        "mm for N",
+        lambda m: leaves(m, m.follower.pressed_mm / m.follower.spring_N_per_mm),
+        "for newtons",
+    ),
+    KnownSlip(
+        "10.3",
+        "mm for N, the hardest",
+        lambda m: off(m, m.follower.pressed_mm * (1 / m.follower.spring_N_per_mm - 1)),
+        "for newtons",
+    ),
+    KnownSlip("10.3", "less weight, the hardest", lambda m: off(m, -sags(m)), "taken away"),
+    KnownSlip("10.3", "more weight, the hardest", lambda m: off(m, sags(m)), "weight was added"),
+    KnownSlip(
+        "10.3",
+        "no mass",
+        lambda m: leaves(m) * math.sqrt(m.follower.lifted_kg),
+        "mass is missing",
+    ),
+    KnownSlip(
+        "10.3",
+        "no mass, the hardest",
+        lambda m: off(m, 0) * math.sqrt(m.follower.lifted_kg),
+        "mass is missing",
+    ),
+    KnownSlip("10.3", "no root", lambda m: not_rooted(m, leaves(m)), "root is missing"),
+    KnownSlip(
+        "10.3", "no root, the hardest", lambda m: not_rooted(m, off(m, 0)), "root is missing"
     ),
     KnownSlip("10.3", "by g", lambda m: math.sqrt(G) * leaves(m), r"\bg\b"),
     KnownSlip("10.3", "weight for mass", lambda m: leaves(m) / math.sqrt(G), "for the mass"),
@@ -457,6 +559,15 @@ SLIPS = [
         lambda m: modes(m, m.follower.m1_kg, m.follower.m2_kg, swap=True)[0],
         "springs",
     ),
+    KnownSlip(
+        "10.4",
+        "both exchanged",
+        lambda m: modes(m, m.follower.m2_kg, m.follower.m1_kg, swap=True)[0],
+        "Both masses and both springs",
+    ),
+    KnownSlip("10.4", "both on the spindle", both_on_spindle, "masses on the spindle|finite"),
+    KnownSlip("10.4", "last place", both_stretched, "last place"),
+    KnownSlip("10.4", "the period", lambda m: 1 / lower(m), "how many seconds"),
     KnownSlip("10.4", "push rod alone", rod_alone, "push rod alone|finite"),
     KnownSlip("10.4", "by g", lambda m: math.sqrt(G) * lower(m), r"\bg\b"),
     KnownSlip("10.4", "weight", lambda m: lower(m) / math.sqrt(G), "weight"),
@@ -473,6 +584,20 @@ SLIPS = [
         "no 2 pi",
         lambda m: wanted(m) + wanted(m, 2) / m.follower.wanted_swings**2,
         "2 pi",
+    ),
+    KnownSlip("10.5", "the peak", with_peak, "The peak of the second"),
+    KnownSlip(
+        "10.5", "a share", lambda m: m.follower.wanted_x * m.follower.wanted_mm, "share of the time"
+    ),
+    KnownSlip(
+        "10.5", "mass from the top", lambda m: m.follower.wanted_mm - wanted(m), "mass is from the"
+    ),
+    KnownSlip("10.5", "as it is", lambda m: wanted(m) + wanted(m, 2), "as it is"),
+    KnownSlip(
+        "10.5",
+        "2 pi unsquared",
+        lambda m: wanted(m) + wanted(m, 2) / (math.tau * m.follower.wanted_swings**2),
+        "not the 2 pi",
     ),
     KnownSlip("10.5", "no square", lambda m: wanted(m) + wanted(m, 2) / w_of(m), "square"),
     KnownSlip(
@@ -494,7 +619,7 @@ SLIPS = [
         ),
         "cycloid",
     ),
-    KnownSlip("10.5", "a share", lambda m: end(m) / m.follower.wanted_mm, "part of the stroke"),
+    KnownSlip("10.5", "a part", lambda m: end(m) / m.follower.wanted_mm, "part of the stroke"),
     KnownSlip("10.5", "from the top", lambda m: m.follower.wanted_mm - end(m), "from the top"),
     KnownSlip(
         "10.5",

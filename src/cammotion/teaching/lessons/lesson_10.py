@@ -30,9 +30,30 @@ _SIDE_BY_SIDE = (
     "The stiffnesses were subtracted, as of parts side by side. One behind the other, which of "
     "stiffness and give adds up?"
 )
+_NOT_SQUARED = (
+    "The angular frequency enters only once. The mass times its square is the stiffness that both "
+    "need together."
+)
 _NOT_PRESSED = "The spring is pressed together at the lowest position already. That is missing."
 _WEIGHT = "The weight was taken for the mass. Kilograms are a mass already."
 _BY_G = "The mass was divided by g. Kilograms are a mass already."
+_IN_NEWTONS = (
+    "The millimetres by which the spring is pressed together were taken for newtons. Its force "
+    "there is that times its stiffness."
+)
+_WEIGHT_ADDED = (
+    "The weight was added to the spring's force. The follower is level: its weight does not press "
+    "it on the cam."
+)
+_WEIGHT_OFF = (
+    "The weight was taken away from the spring's force. The follower is level: its weight does not "
+    "pull it off the cam."
+)
+_NO_MASS = "The mass is missing. Braking the follower takes its mass times the acceleration."
+_NO_ROOT = (
+    "The root is missing: mass, stroke and the spring's force give the square of the time of the "
+    "rise."
+)
 _WITH_VELOCITY = "This is with the velocity. A force on a mass makes an acceleration."
 _NO_SLIP = 0.004  # a rounding on the way that changes less is none
 _JUMPS = (4, -8, 4)  # of the constant acceleration, in hm/tm2: where it sets in, turns and ends
@@ -47,6 +68,11 @@ def _together(m: MillAndDie, time_s: float | None = None, omega: float = 2 * mat
     """Return what lever and rod have to have together, in N/mm."""
     rate = omega * m.follower.rod.swings / (time_s or _rise_s(m))
     return m.follower.rod.slide_kg * rate**2 / MM_PER_M
+
+
+def _not_squared(m: MillAndDie) -> float:
+    """Return it with the angular frequency in place of its square."""
+    return _together(m) * _rise_s(m) / (2 * math.pi * m.follower.rod.swings)
 
 
 def _rod(m: MillAndDie, together: float | None = None) -> float:
@@ -122,6 +148,21 @@ def _speed(m: MillAndDie, pressed_mm: float, factor: float = _CYCLOID.Ca) -> flo
     return f.lift_deg / DEG_PER_TURN / time_s * SECONDS_PER_MINUTE
 
 
+def _at_the_hardest(m: MillAndDie, more_mm: float = 0.0) -> float:
+    """Return the speed by 3/4 of the time, where the cam brakes hardest."""
+    return _speed(m, _at(m, 3 / 4) + more_mm)
+
+
+def _without_root(m: MillAndDie, speed: float) -> float:
+    """Return a speed as it comes out if the time of the rise is not the root."""
+    return speed**2 / (m.follower.lift_deg / DEG_PER_TURN * SECONDS_PER_MINUTE)
+
+
+def _pressed_as_force(m: MillAndDie) -> float:
+    """Return by how many mm its spring is pressed if what is given in mm was in N."""
+    return m.follower.pressed_mm / m.follower.spring_N_per_mm
+
+
 def _weight(m: MillAndDie) -> float:
     """Return by how many mm the follower's weight would press its spring together."""
     return STANDARD_GRAVITY * m.follower.lifted_kg / m.follower.spring_N_per_mm
@@ -169,6 +210,15 @@ def _rod_alone(m: MillAndDie) -> float:
     return float(chain.natural_Hz[0])
 
 
+def _head_on_both(m: MillAndDie) -> float:
+    """Return the lower frequency with k1 + k2 in the last place of the matrix, too."""
+    f = m.follower
+    masses, both = f.m1_kg * f.m2_kg, f.k1_N_per_mm + f.k2_N_per_mm
+    middle = (f.m1_kg + f.m2_kg) * both / 2
+    last = masses * (both**2 - f.k2_N_per_mm**2)
+    return _hertz(middle - math.sqrt(middle**2 - last), masses)
+
+
 def _row(m: MillAndDie) -> float:
     """Return the stiffness of both springs of 10.4 in a row."""
     return springs_in_series([m.follower.k1_N_per_mm, m.follower.k2_N_per_mm])
@@ -211,6 +261,12 @@ def _cam(m: MillAndDie, law: str = _SMOOTH.name, omega: float | None = None) -> 
     return m.follower.wanted_mm * (float(wanted(x)) + bend)
 
 
+def _with_the_peak(m: MillAndDie) -> float:
+    """Return it with the peak of the second derivative, with the sign of this half."""
+    peak = math.copysign(_SMOOTH.Ca, _law(m, 2)) * m.follower.wanted_mm
+    return _law(m) + peak / _turns(m) ** 2
+
+
 EXERCISES = (
     NumberExercise(
         number="10.1",
@@ -243,6 +299,13 @@ EXERCISES = (
                 "This is by how many mm the rod gives way for each newton. Its stiffness is one "
                 "over that.",
             ),
+            Slip(
+                lambda m: _together(m) + m.follower.rod.lever_N_per_mm,
+                "The stiffnesses were added, as of parts side by side. One behind the other, which "
+                "of stiffness and give adds up?",
+            ),
+            Slip(lambda m: _rod(m, _not_squared(m)), _NOT_SQUARED),
+            Slip(_not_squared, _NOT_SQUARED),
             Slip(
                 lambda m: 2 * _together(m),
                 "This is for two parts that are alike. The lever has a stiffness of its own.",
@@ -280,6 +343,16 @@ EXERCISES = (
                 lambda m: _rod(m, _together(m) * MINUTES_PER_HOUR**2),
                 "The time of the rise was taken 60 times too short: the pieces are by the hour, "
                 "and an hour has 3600 seconds.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m) * 10**2),
+                "The 10 of tm = 10 B/N is missing: an hour has 3600 seconds, and a turn 360 "
+                "degrees.",
+            ),
+            Slip(
+                lambda m: _rod(m, _together(m) / 10**2),
+                "The time of the rise was taken ten times too long. It is 10 B/N: an hour has 3600 "
+                "seconds, and a turn 360 degrees.",
             ),
             *(
                 Slip(
@@ -336,6 +409,11 @@ EXERCISES = (
                 "The jump in the middle is missing, from push to brake.",
             ),
             Slip(
+                lambda m: _ringing(m, 4, -4),
+                "This is with two jumps, alike. The one in the middle is twice as high as that at "
+                "the start, and at the end the brake is let go.",
+            ),
+            Slip(
                 lambda m: _ringing(m, 4, -8),
                 "The jump at the end is missing, where the brake is let go.",
             ),
@@ -377,8 +455,29 @@ EXERCISES = (
                 "This is the cycloid of the lesson. Take the law that jumps.",
             ),
             Slip(
+                lambda m: (
+                    m.follower.jump_mm
+                    * abs(math.cos(math.pi * _ratio(m)) / (1 - 4 * _ratio(m) ** 2))
+                ),
+                "This is the simple harmonic motion. It jumps only where the move begins and ends.",
+            ),
+            Slip(
                 lambda m: _ringing(m, omega=1),
                 "The 2 pi is missing: swings were taken for radians.",
+            ),
+            Slip(
+                lambda m: _ringing(m) * (2 * math.pi) ** 2,
+                "The arrows were divided by the square of the swings. By that of the angular "
+                "frequency it has to be, 2 pi times as large before it is squared.",
+            ),
+            Slip(
+                lambda m: _ringing(m, omega=math.pi),
+                "This is for half as many swings during the move. A swing is 2 pi of its angle.",
+            ),
+            Slip(
+                lambda m: _ringing(m, 1, -2, 1),
+                "One stroke by the square of the time was taken for the acceleration. It is 4, so "
+                "that half of the stroke is done in half of the time.",
             ),
             Slip(
                 lambda m: _ringing(m, 2, -4, 2),
@@ -415,6 +514,12 @@ EXERCISES = (
                 ),
                 "The sine was taken of degrees. The angle is in radians.",
             ),
+            Slip(
+                lambda m: (
+                    m.follower.jump_mm * (math.sin(90 * _ratio(m)) / (math.pi * _ratio(m) / 2)) ** 2
+                ),
+                "The angle was put in in degrees, and the sine takes it for radians.",
+            ),
         ),
         hints=(
             "How often does the slide swing during the move? And where does the cam's "
@@ -439,7 +544,7 @@ EXERCISES = (
         right="It leaves a little before the cam brakes hardest, where the spring is still weaker.",
         slips=(
             Slip(
-                lambda m: _speed(m, _at(m, 3 / 4)),
+                _at_the_hardest,
                 "This is where the cam brakes hardest, at 3/4 of the time. But a little before, "
                 "the spring is weaker. Which place is the worst?",
             ),
@@ -475,7 +580,16 @@ EXERCISES = (
                 "where the cam brakes more than the spring can.",
             ),
             Slip(lambda m: _leaves(m, 0), _NOT_PRESSED),
-            Slip(lambda m: _speed(m, _at(m, 3 / 4) - m.follower.pressed_mm), _NOT_PRESSED),
+            Slip(lambda m: _at_the_hardest(m, -m.follower.pressed_mm), _NOT_PRESSED),
+            Slip(lambda m: _leaves(m, _pressed_as_force(m)), _IN_NEWTONS),
+            Slip(
+                lambda m: _at_the_hardest(m, _pressed_as_force(m) - m.follower.pressed_mm),
+                _IN_NEWTONS,
+            ),
+            Slip(lambda m: math.sqrt(m.follower.lifted_kg) * _leaves(m), _NO_MASS),
+            Slip(lambda m: math.sqrt(m.follower.lifted_kg) * _at_the_hardest(m), _NO_MASS),
+            Slip(lambda m: _without_root(m, _leaves(m)), _NO_ROOT),
+            Slip(lambda m: _without_root(m, _at_the_hardest(m)), _NO_ROOT),
             Slip(lambda m: _leaves(m) / math.sqrt(STANDARD_GRAVITY), _WEIGHT),
             Slip(lambda m: _leaves(m) * math.sqrt(STANDARD_GRAVITY), _BY_G),
             Slip(
@@ -487,16 +601,10 @@ EXERCISES = (
                 "This is with the stroke over the square of the time as the peak. The cycloid has "
                 "a factor before it.",
             ),
-            Slip(
-                lambda m: _leaves(m, m.follower.pressed_mm + _weight(m)),
-                "The weight was added to the spring's force. The follower is level: its weight "
-                "does not press it on the cam.",
-            ),
-            Slip(
-                lambda m: _leaves(m, m.follower.pressed_mm - _weight(m)),
-                "The weight was taken away from the spring's force. The follower is level: its "
-                "weight does not pull it off the cam.",
-            ),
+            Slip(lambda m: _leaves(m, m.follower.pressed_mm + _weight(m)), _WEIGHT_ADDED),
+            Slip(lambda m: _at_the_hardest(m, _weight(m)), _WEIGHT_ADDED),
+            Slip(lambda m: _leaves(m, m.follower.pressed_mm - _weight(m)), _WEIGHT_OFF),
+            Slip(lambda m: _at_the_hardest(m, -_weight(m)), _WEIGHT_OFF),
             Slip(
                 lambda m: _leaves(m) * DEG_PER_TURN / m.follower.lift_deg,
                 "The time of the rise was taken for that of a turn.",
@@ -582,6 +690,11 @@ EXERCISES = (
                 "This is both masses on the push rod, as if the spindle were rigid.",
             ),
             Slip(
+                lambda m: _hertz(m.follower.k2_N_per_mm, m.follower.m1_kg + m.follower.m2_kg),
+                "This is both masses on the spindle. It carries the head alone, and next to the "
+                "cam is the push rod.",
+            ),
+            Slip(
                 lambda m: _hertz(m.follower.k2_N_per_mm, m.follower.m2_kg),
                 "This is the head on its spindle, with the slide held still.",
             ),
@@ -617,6 +730,16 @@ EXERCISES = (
                 "The two springs are exchanged. Which one is next to the cam?",
             ),
             Slip(
+                lambda m: _modes(m, swap_m=True, swap_k=True)[0],
+                "Both masses and both springs are exchanged, as if counted from the head. Which "
+                "ones are next to the cam?",
+            ),
+            Slip(
+                _head_on_both,
+                "In the last place of the stiffnesses stands the sum of both. The head is on the "
+                "spindle alone.",
+            ),
+            Slip(
                 _rod_alone,
                 "In the first place of the stiffnesses stands the push rod alone. The slide is "
                 "between both springs, and both add up there.",
@@ -630,6 +753,11 @@ EXERCISES = (
             Slip(
                 lambda m: _modes(m)[0] / math.sqrt(MM_PER_M),
                 "The stiffnesses are in N/mm here. With kg and s they have to be in N/m.",
+            ),
+            Slip(
+                lambda m: 1 / _modes(m)[0],
+                "This is how many seconds a swing takes. How many there are in a second is asked "
+                "for.",
             ),
             Slip(
                 lambda m: (_modes(m)[0] * 2 * math.pi) ** 2,
@@ -667,6 +795,19 @@ EXERCISES = (
                 "somewhere else.",
             ),
             Slip(
+                lambda m: m.follower.wanted_mm - _law(m),
+                "This is how far the mass is from the top. How high the cam's end of the spring is "
+                "is asked for.",
+            ),
+            Slip(
+                lambda m: m.follower.wanted_x * m.follower.wanted_mm,
+                "The share of the time was taken for that of the stroke. Put it into the law.",
+            ),
+            Slip(
+                _with_the_peak,
+                "The peak of the second derivative was taken. How large is it at this x?",
+            ),
+            Slip(
                 lambda m: _law(m) - _law(m, 2) / _turns(m) ** 2,
                 "The sign is wrong: the cam's end is ahead of the mass where it pushes, and behind "
                 "it where it brakes.",
@@ -688,6 +829,15 @@ EXERCISES = (
             Slip(
                 lambda m: _law(m) + _law(m, 2) / _turns(m),
                 "The second derivative is divided by the square of the angular frequency.",
+            ),
+            Slip(
+                lambda m: _law(m) + _law(m, 2),
+                "The second derivative was added as it is. Divide it by the square of the angular "
+                "frequency.",
+            ),
+            Slip(
+                lambda m: _law(m) + _law(m, 2) / (_turns(m) * m.follower.wanted_swings),
+                "The swings are squared here, but not the 2 pi before them.",
             ),
             Slip(lambda m: _law(m) + _law(m, 1) / _turns(m), _WITH_VELOCITY),
             Slip(lambda m: _law(m) + _law(m, 1) / _turns(m) ** 2, _WITH_VELOCITY),
