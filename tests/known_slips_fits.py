@@ -56,7 +56,7 @@ def most_by_formulas(m: MillAndDie) -> float:
     """Return the largest play of 11.2 as the formulas give it."""
     at = bisect_left(STEPS, m.fits.bore_mm)
     mean = math.sqrt(STEPS[at - 1] * STEPS[at])
-    factor, power = {"d": (16, 0.44), "e": (11, 0.4), "f": (5.5, 0.41), "g": (2.5, 0.34)}[
+    factor, power = {"d": (16, 0.44), "e": (11, 0.41), "f": (5.5, 0.41), "g": (2.5, 0.34)}[
         m.fits.pair[1][0]
     ]
     units = sum(UNITS[int(zone[1:])] for zone in m.fits.pair)
@@ -171,6 +171,9 @@ SLIPS = [
         "11.2", "of the shaft", lambda m: 2 * shaft_width(m) + gap(m), "of the shaft for both"
     ),
     KnownSlip("11.2", "sign", lambda m: hole(m) - gap(m) - shaft_width(m), "sign"),
+    KnownSlip(
+        "11.2", "sign, above 0", lambda m: abs(hole(m) - gap(m) - shaft_width(m)), "sign is lost"
+    ),
     KnownSlip("11.2", "mean", lambda m: (most(m) + gap(m)) / 2, "mean"),
     KnownSlip("11.2", "in mm", lambda m: most(m) / 1000, "in mm"),
     KnownSlip("11.2", "one side", lambda m: most(m) / 2, "one side"),
@@ -202,11 +205,17 @@ SLIPS = [
         "square root",
     ),
     KnownSlip("11.3", "in mm", lambda m: grade(m) / 1000, "in mm"),
-    KnownSlip("11.3", "a third", lambda m: UNITS[m.fits.grade] * 0.15 * geometric(m), "cube root"),
+    KnownSlip(
+        "11.3",
+        "a third",
+        lambda m: UNITS[m.fits.grade] * (0.45 * geometric(m) ** 1 / 3 + 0.001 * geometric(m)),
+        "cube root",
+    ),
     KnownSlip("11.4", "one tolerance", lambda m: turned(m, play(m) / 2), "half"),
     KnownSlip("11.4", "both halves", lambda m: turned(m, play(m) / 4), "a quarter of it: the"),
     KnownSlip("11.4", "to and fro", lambda m: turned(m, 2 * play(m)), "twice"),
     KnownSlip("11.4", "pi r", lambda m: turned(m, 2 * play(m)), "pi times the radius"),
+    KnownSlip("11.4", "no pi", lambda m: play(m) / 1000 / m.fits.shaft[0] * 360, "pi times that"),
     KnownSlip("11.4", "by the formula", key_by_formula, "formula|finite"),
     KnownSlip("11.4", "the row before", lambda m: key_of_row(m, -1), "beside the right one"),
     KnownSlip("11.4", "the row after", lambda m: key_of_row(m, 1), "beside the right one"),

@@ -90,6 +90,11 @@ def test_every_exercise_can_be_asked_again_alone(exercise: Exercise) -> None:
     assert not cm.check(exercise.number, exercise.solution(own)).is_right
 
 
+def test_a_cam_with_fresh_numbers_is_not_that_of_another_exercise() -> None:
+    """Its shaft had 20 mm, and that of 11.1, which still has the learner's numbers, had 55."""
+    assert re.search("With fresh numbers: A cam is held by a key", cm.again("11.4").text)
+
+
 def test_each_number_of_a_machine_is_changed_to_see_whether_a_question_tells_it() -> None:
     """Of 08.3 only the angle was told: plate, stations, time and law were fresh, and unknown."""
     own = machine_for("Anna")

@@ -124,6 +124,12 @@ def test_jumps_decide_who_stays_on_top() -> None:
         "simple harmonic",
         "cubic",
     }
+    half, more = (np.array([by_law(name, n) for name in NAMES]) for n in (0.5, 0.75))
+    assert half.min() > 0.75
+    assert (half.max() - half.min(), more.max() - more.min()) == pytest.approx(
+        (0.12, 0.22), abs=0.01
+    )
+    assert says("10", "Below half a swing the mass notices hardly more than the stroke. Then the ")
 
 
 def test_the_running_machine_by_the_gain_of_each_harmonic() -> None:

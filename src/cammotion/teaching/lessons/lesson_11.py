@@ -27,6 +27,7 @@ _ANOTHER_ROW = (
     "This is from a row beside the right one. A row ends with its second number, and the next "
     "begins above it."
 )
+_SIGN_LOST = "A sign is lost: the shaft's deviation is below zero, and is taken away."
 _BY_THE_FORMULA = (
     "This is by the formulas. What is asked for is by the table: in it the parts are rounded."
 )
@@ -43,6 +44,11 @@ def _allowed(m: MillAndDie) -> float:
 
 def _fit(m: MillAndDie) -> Fit:
     return Fit(f"{m.fits.bore_mm} {'/'.join(m.fits.pair)}")
+
+
+def _sign_lost(m: MillAndDie) -> float:
+    """Return the sum of two deviations of 11.2, below 0 where the shaft's is the larger one."""
+    return _fit(m).hole.upper_um + _fit(m).shaft.lower_um
 
 
 def _unit_at(mean_mm: float) -> float:
@@ -234,10 +240,8 @@ EXERCISES = (
                 lambda m: _fit(m).hole.upper_um - _fit(m).shaft.upper_um,
                 "Here the thickest shaft is in the largest hole. Which shaft leaves most room?",
             ),
-            Slip(
-                lambda m: _fit(m).hole.upper_um + _fit(m).shaft.lower_um,
-                "A sign is lost: the shaft's deviation is below zero, and is taken away.",
-            ),
+            Slip(_sign_lost, _SIGN_LOST),
+            Slip(lambda m: abs(_sign_lost(m)), _SIGN_LOST),
             Slip(
                 lambda m: 2 * _fit(m).hole.width_um - _fit(m).shaft.upper_um,
                 "This is with the grade of the hole for both. The shaft has a grade of its own, "
@@ -352,8 +356,9 @@ EXERCISES = (
                 "This is in mm. Micrometres are asked for.",
             ),
             Slip(
-                lambda m: _units(m) * 0.45 * mean_diameter_mm(m.fits.turned_mm) / 3,
-                "Here D was divided by three. The formula has its cube root.",
+                lambda m: _units(m) * (0.45 / 3 + 0.001) * mean_diameter_mm(m.fits.turned_mm),
+                "Here D was divided by three. The formula has its cube root; in Python that is "
+                "D ** (1 / 3).",
             ),
         ),
         hints=(
@@ -365,7 +370,7 @@ EXERCISES = (
     NumberExercise(
         number="11.4",
         question=lambda m: (
-            f"The cam of 11.1 is held by a key, {m.fits.shaft[1]} mm wide and made to h9. It sits "
+            f"A cam is held by a key, {m.fits.shaft[1]} mm wide and made to h9. It sits "
             "fast in the shaft; the keyway in the cam is made to H9. By how many degrees can the "
             "cam turn at most, from one end to the other, if the key pushes at the circumference "
             f"of the shaft of {m.fits.shaft[0]} mm?"
@@ -391,6 +396,10 @@ EXERCISES = (
             Slip(
                 lambda m: 2 * _turned(m, _key_um(m)),
                 "A turn is pi times the diameter, and was taken as pi times the radius.",
+            ),
+            Slip(
+                lambda m: _turned(m, _key_um(m)) * math.pi,
+                "The play was divided by the diameter. A turn is pi times that.",
             ),
             Slip(
                 lambda m: _turned(m, _key_by_the_formula(m)),
