@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from matplotlib.text import Annotation
 
 import cammotion as cm
 from cammotion.hardware.iso_286 import GRADES, LOWER, STEPS_MM, UPPER
@@ -207,7 +208,10 @@ def test_a_fit_by_trying_every_pair_of_parts(designation: str) -> None:
         ("2 F7", "only for diameters over 3 up to 400 mm: give for example 6 mm"),
         ("450 F7", "only for diameters over 3 up to 400 mm: give for example 400 mm"),
         ("40 t6", "no confirmed tolerance zone with the letter 't': use one of 'd', 'e'"),
-        ("40 JS7", "letter 'JS': did you mean 'js'"),
+        ("40 JS7", "letter 'JS': use one of 'F', 'G', 'H'"),  # js is a shaft
+        ("40 K7", "letter 'K': use one of 'F', 'G', 'H'"),
+        ("40 h7g", "not '40 h7g': give for example '40 g6'"),
+        ("40,5 g6", r"not '40,5 g6': give it with a point for the comma, '40\.5 g6'"),
         ("g6", "by a diameter in mm, a letter and a grade, not 'g6': give for example '40 g6'"),
         ("40 H7/g6", "not '40 H7/g6': give for example '40 g6'"),
         ("-40 g6", "give for example '40 g6'"),
@@ -225,6 +229,26 @@ def test_limits_the_wrong_way_round_are_refused() -> None:
     with pytest.raises(cm.InputError, match=r"upper deviation is -25 µm and the lower one -9"):
         cm.Limits(40, "g6", upper_um=-25, lower_um=-9)
     assert cm.Limits(40, "g6", upper_um=-9, lower_um=-9).width_um == 0
+
+
+@pytest.mark.parametrize("sign", "⌀Øø∅")
+def test_the_sign_of_a_diameter_may_stand_before_it(sign: str) -> None:
+    assert cm.Fit(f"{sign}40 H7/g6").summary == cm.Fit(f" {sign} 40 H7/g6").summary
+    assert cm.limits_of(f"{sign}40 g6") == cm.limits_of("40 g6")
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ("25 g6/H7", "not '25 g6/H7': give it with the hole first, '25 H7/g6'"),
+        ("40,5 H7/g6", r"give it with a point for the comma, '40\.5 H7/g6'"),
+        ("40,5 g6 / H7", r"for the comma and with the hole first, '40\.5 H7/g6'"),
+        ("40 H7/t6", "the letter 't': use one of 'd', 'e', 'f', 'g', 'h', 'js', 'k', 'm', 'n'"),
+    ],
+)
+def test_how_a_fit_is_written_is_said(asked: str, words: str) -> None:
+    with pytest.raises(cm.InputError, match=words):
+        cm.Fit(asked)
 
 
 @pytest.mark.parametrize("asked", ["40 g6/H7", "40 H7", "H7/g6", "40 H7/G6", 40, None, "40 H7/g6/"])
@@ -257,5 +281,11 @@ def test_a_fit_is_drawn_to_scale() -> None:
         "40 H7/g6 clearance, 9 to 50 µm",
         "40 H7/p6 interference, 1 to 42 µm",
     ]
+    at = {text.get_text(): text.xyann for text in ax.texts if isinstance(text, Annotation)}
+    assert (at["+25"], at["-25"]) == ((0, 3), (0, -3))
+    beside = cm.plot_fit([cm.Fit("3 H5/g5"), cm.Fit("400 H11/d11")])  # flat, and its name is not
+    at = {text.get_text(): text.xyann for text in beside.texts if isinstance(text, Annotation)}
+    assert at["+360"] == (0, 3)
+    assert [at["+4"][1], at["-6"][1]] == pytest.approx([10.6, -10.6], abs=0.3)
     with pytest.raises(cm.InputError, match="no fit to draw"):
         cm.plot_fit([])

@@ -422,7 +422,9 @@ def test_what_a_response_refuses() -> None:
         start.acceleration(200, 3)
     with pytest.raises(cm.InputError, match="number of the spring is 0"):
         start.force_N(200, 0)
-    with pytest.raises(cm.InputError, match=r"look between are \(300, 200\): give two in order"):
+    with pytest.raises(
+        cm.InputError, match=r"look between are \(300, 200\): give two in order.* \(300, 560\)"
+    ):
         start.peak_acceleration(over=(300, 200))
     with pytest.raises(cm.InputError, match="damping ratio is -1"):
         cm.tuned_mass(12, -1)

@@ -70,12 +70,17 @@ def narrowed(quantity: Asked, which: Integers, lows: Floats, highs: Floats) -> F
     return places
 
 
-def ordered(quantity: Quantity, over: Any) -> tuple[float, float]:
-    """Return two places to look between; raise InputError unless they are two in order."""
+def ordered(quantity: Quantity, over: Any, turn: float = 0.0) -> tuple[float, float]:
+    """Return two places to look between; raise InputError unless they are two in order.
+
+    What goes on from turn to turn can be looked at over the end of one, which is said.
+    """
     ends = quantity.array(over)
     if ends.shape != (2,) or not ends[0] < ends[1]:
+        is_across = ends.shape == (2,) and ends[1] < ends[0] < ends[1] + turn
+        further = f" Over the end of a turn they are ({ends[0]:g}, {ends[1] + turn:g})."
         raise InputError(
             f"The places to look between are {shorten(over)}: give two in order, in "
-            f"{quantity.unit}."
+            f"{quantity.unit}.{further if is_across else ''}"
         )
     return float(ends[0]), float(ends[1])

@@ -29,7 +29,12 @@ from cammotion.laws.motion_law import JUMP, MotionLaw
 from cammotion.laws.symbols import exact, x
 from cammotion.quantities import InputError, Quantity, shorten
 
-_THIRD = 3
+_JUMPING = {
+    1: ("velocity", "have to be infinitely high"),
+    2: ("acceleration", "have to jump itself"),
+    3: ("jerk", "have to jump in its velocity"),
+}
+"""Of the derivatives of a law: what it is that jumps, and what the cam would."""
 
 
 @dataclass(frozen=True)
@@ -101,13 +106,13 @@ def _made(name: str, law: MotionLaw, weights: tuple[Any, ...]) -> MotionLaw:
 
 def _check(law: MotionLaw) -> None:
     law.check_way()
-    for order, what in ((1, "velocity"), (2, "acceleration"), (_THIRD, "jerk")):
+    for order, (what, would) in _JUMPING.items():
         curve = law.curve.derived(order)
         steps = ((0.0, curve.ends[0]), *curve.steps, (1.0, -curve.ends[1]))
         for at, by in steps:
             if abs(by) > JUMP * curve.largest:
                 raise InputError(
-                    f"The {what} of the law {law.name!r} jumps at x = {at:g}, and with it the "
-                    "velocity of a cam that is designed backwards from it would: give a law as "
-                    "smooth as the '4-5-6-7 polynomial'."
+                    f"The {what} of the law {law.name!r} jumps at x = {at:g}, and a cam that is "
+                    f"designed backwards from it would {would} there: give a law as smooth as the "
+                    "'4-5-6-7 polynomial'."
                 )

@@ -250,12 +250,15 @@ class _TurnResponse(Response):
             return self.motion.position_mm(at)
         return self.motion.derivative(derivative, at, self.rate_per_hour)
 
+    def _between(self, over: tuple[float, float] | None) -> tuple[float, float]:
+        return ordered(CAM_ANGLE, self.span if over is None else over, turn=DEG_PER_TURN)
+
     @abstractmethod
     def _phase(self, angles: Floats) -> tuple[Any, Floats]:
         """Return the number of the turn and the angle in the first one of it."""
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = ordered(CAM_ANGLE, self.span if over is None else over)
+        low, high = self._between(over)
         self._phase(np.array([low, high]))  # refuses what is none of its places
         ends = (int((angle - self.motion.start_deg) // DEG_PER_TURN) for angle in (low, high))
         first, last = ends
@@ -281,7 +284,7 @@ class StartResponse(_TurnResponse):
         return np.asarray(np.linalg.matrix_power(turned, turn)[-1, :-1])
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = ordered(CAM_ANGLE, self.span if over is None else over)
+        low, high = self._between(over)
         begin = self.motion.start_deg
         return super()._runs((begin if abs(low - begin) <= _ROUNDING else low, high))
 
@@ -340,5 +343,5 @@ class SteadyResponse(_TurnResponse):
         return np.zeros(phases.shape, dtype=np.intp), phases
 
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
-        low, high = ordered(CAM_ANGLE, self.span if over is None else over)
+        low, high = self._between(over)
         return super()._runs((low, min(high, low + DEG_PER_TURN)))

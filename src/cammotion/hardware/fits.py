@@ -5,7 +5,6 @@ The formulas are for understanding. A drawing takes the table, which is not the 
 
 import math
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -40,7 +39,13 @@ _POWERS = {  # um = factor * mm ** power, with the sign of the deviation
     "n": (5, 0.34),
 }
 ZONE = r"([A-Za-z]+)\s*(\d{1,4})"
-_SIZE = r"\s*(\d+(?:\.\d+)?)\s*(?:mm)?\s*"
+_HOLE, _SHAFT = r"([A-Z][A-Za-z]*)\s*(\d{1,4})", r"([a-z][A-Za-z]*)\s*(\d{1,4})"
+_SIZE = r"\s*[⌀Øø∅]?\s*(\d+(?:\.\d+)?)\s*(?:mm)?\s*"
+_MENDED = {
+    "with a point for the comma": (",", "."),
+    "with the hole first": (f"{_SHAFT}\\s*/\\s*{_HOLE}", r"\3\4/\1\2"),
+}
+"""How a designation is written otherwise than it was given."""
 
 
 def size_step_mm(diameter_mm: float) -> tuple[float, float]:
@@ -166,13 +171,12 @@ def limits_of(designation: str) -> Limits:
     >>> limits_of("40 g6"), limits_of("40 H7")
     (40 g6: -9/-25 µm, 40 H7: +25/0 µm)
     """
-    found = isinstance(designation, str) and re.fullmatch(_SIZE + ZONE + r"\s*", designation)
-    if not found:
-        raise InputError(
-            f"Limits are asked for by a diameter in mm, a letter and a grade, not "
-            f"{shorten(designation)}: give for example '40 g6' for a shaft or '40 H7' for a hole."
-        )
-    size, letter, grade = found.groups()
+    size, letter, grade = _read(
+        f"{_SIZE}{ZONE}\\s*",
+        designation,
+        "Limits are asked for by a diameter in mm, a letter and a grade",
+        "'40 g6' for a shaft or '40 H7' for a hole",
+    )
     return _limits(float(size), letter, int(grade))
 
 
@@ -242,21 +246,42 @@ class Fit:
 
     @cached_property
     def _parts(self) -> tuple[Limits, Limits]:
-        pattern = f"{_SIZE}{ZONE}\\s*/\\s*{ZONE}\\s*"
-        given = self.designation
-        found = isinstance(given, str) and re.fullmatch(pattern, given)
-        if not found or not found[2][0].isupper() or not found[4][0].islower():
-            raise InputError(
-                f"A fit is a diameter in mm, a hole with a capital letter and a shaft with a small "
-                f"one, not {shorten(given)}: give for example '40 H7/g6'."
-            )
-        size = float(found[1])
-        hole = _limits(size, found[2], int(found[3]), [*filter(str.isupper, _LETTERS)])
-        return hole, _limits(size, found[4], int(found[5]))
+        size, hole, its_grade, shaft, grade = _read(
+            f"{_SIZE}{_HOLE}\\s*/\\s*{_SHAFT}\\s*",
+            self.designation,
+            "A fit is a diameter in mm, a hole with a capital letter and a shaft with a small one",
+            "'40 H7/g6'",
+        )
+        return (
+            _limits(float(size), hole, int(its_grade)),
+            _limits(float(size), shaft, int(grade)),
+        )
 
 
-def _limits(diameter_mm: float, letter: str, grade: int, known: Sequence[str] = _LETTERS) -> Limits:
+def _read(pattern: str, given: Any, what: str, example: str) -> tuple[str, ...]:
+    """Return the parts of a designation; raise InputError that says what it is."""
+    found = isinstance(given, str) and re.fullmatch(pattern, given)
+    if not found:
+        meant = _mended(pattern, given) or f"for example {example}"
+        raise InputError(f"{what}, not {shorten(given)}: give {meant}.")
+    return found.groups()
+
+
+def _mended(pattern: str, given: Any) -> str:
+    """Return in words how a designation is to be written, "" if that is not to be seen."""
+    text = given if isinstance(given, str) else ""
+    how = []
+    for each, (before, after) in _MENDED.items():
+        if re.search(before, text):
+            text = re.sub(before, after, text)
+            how.append(each)
+    return f"it {' and '.join(how)}, {shorten(text)}" if re.fullmatch(pattern, text) else ""
+
+
+def _limits(diameter_mm: float, letter: str, grade: int) -> Limits:
+    """Return the limits of a zone: a capital letter is of a hole, a small one of a shaft."""
     at = _step(diameter_mm)
+    known = [each for each in _LETTERS if each.isupper() == letter[0].isupper()]
     one_of("confirmed tolerance zone with the letter", letter, known, is_exact=True)
     width = GRADES[_checked_grade(grade)][at]
     zone = f"{letter}{grade}"

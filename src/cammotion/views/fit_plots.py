@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from cammotion.arguments import checked
 from cammotion.hardware.fits import Fit, Limits
 from cammotion.quantities import InputError
+from cammotion.views.ends import POINTS_PER_INCH
 from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, styled
 
@@ -16,6 +17,7 @@ HOLE, SHAFT = COLOURS[:2]
 _APART, _WIDTH = 4.0, 0.9  # from fit to fit, and how wide a zone is
 _INK = "#1b1b1b"
 _SIZE, _LINE = 11, 28  # of a text in points, and how many letters a line has
+_GAP, _NAME = 3.0, 11.0  # points between a zone and its numbers, and from its name to them
 
 
 @checked
@@ -68,8 +70,11 @@ def _draw_zone(ax: Axes, middle: float, part: Limits, colour: str, hatch: str) -
     bar = ax.bar(middle, part.width_um, _WIDTH, bottom=part.lower_um, color=colour)
     bar.patches[0].set(hatch=hatch, edgecolor="white", linewidth=0)
     upper, lower = part.signed
-    _write(ax, upper, (middle, part.upper_um))
-    _write(ax, lower, (middle, part.lower_um), above=False)
+    ends = ax.transData.transform([(middle, part.lower_um), (middle, part.upper_um)])
+    tall = float(np.ptp(ends[:, 1])) * POINTS_PER_INCH / ax.figure.dpi
+    away = max(_GAP, _NAME - tall / 2)
+    _write(ax, upper, (middle, part.upper_um), away)
+    _write(ax, lower, (middle, part.lower_um), -away)
     box = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
     level = (part.upper_um + part.lower_um) / 2
     ax.text(
@@ -87,14 +92,15 @@ def _draw_arrow(ax: Axes, at: float, low: float, high: float) -> None:
     _write(ax, f"{high - low:g}", (at, max(low, high)))
 
 
-def _write(ax: Axes, text: str, at: tuple[float, float], *, above: bool = True) -> None:
+def _write(ax: Axes, text: str, at: tuple[float, float], away: float = _GAP) -> None:
+    """Write a number so many points above a place, or below it."""
     ax.annotate(
         text,
         at,
-        (0, 3 if above else -3),
+        (0, away),
         textcoords="offset points",
         ha="center",
-        va="bottom" if above else "top",
+        va="bottom" if away > 0 else "top",
         color=_INK,
         fontsize=_SIZE,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
