@@ -225,6 +225,12 @@ def test_no_reason_speaks_of_lengths_where_none_is_asked_for() -> None:
         ("Tom", "07.1", 90, "sine"),
         ("Anna", "01.1", 60, "The way is right"),
         ("Emil", "01.3", 6.33, "pi"),
+        ("Jan", "10.2", 1.3211, "rounded"),  # this one and the next three were right
+        ("Emma", "10.4", 18.438, "rounded"),
+        ("Jan", "10.4", 13.242, "rounded"),
+        ("Dmitri", "10.5", 37.842, "rounded"),
+        ("Yusuf", "10.2", 0.62297, "by their sizes"),
+        ("", "11.4", 0.56291, "too many"),
     ],
 )
 def test_what_cannot_be_is_not_told(who: str, number: str, answer: float, untrue: str) -> None:

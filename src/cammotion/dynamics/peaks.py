@@ -77,10 +77,11 @@ def ordered(quantity: Quantity, over: Any, turn: float = 0.0) -> tuple[float, fl
     """
     ends = quantity.array(over)
     if ends.shape != (2,) or not ends[0] < ends[1]:
-        is_across = ends.shape == (2,) and ends[1] < ends[0] < ends[1] + turn
-        further = f" Over the end of a turn they are ({ends[0]:g}, {ends[1] + turn:g})."
+        further = ""
+        if ends.shape == (2,) and ends[1] < ends[0] < ends[1] + turn:
+            further = f" Over the end of a turn they are ({ends[0]:g}, {ends[1] + turn:g})."
         raise InputError(
             f"The places to look between are {shorten(over)}: give two in order, in "
-            f"{quantity.unit}.{further if is_across else ''}"
+            f"{quantity.unit}.{further}"
         )
     return float(ends[0]), float(ends[1])

@@ -184,8 +184,8 @@ def limits_of(designation: str) -> Limits:
 class Fit:
     """A hole and a shaft of one nominal size, like "40 H7/g6": how much play there may be, in um.
 
-    Raises InputError for what cannot be read, for hole and shaft exchanged, and for limits that are
-    not confirmed.
+    The sign of a diameter may stand before it, as in "⌀40 H7/g6". Raises InputError for what cannot
+    be read, for hole and shaft exchanged, and for limits that are not confirmed.
 
     >>> fit = Fit("40 H7/g6")
     >>> fit.smallest_clearance_um, fit.largest_clearance_um, fit.kind

@@ -459,7 +459,8 @@ EXERCISES = (
                     m.follower.jump_mm
                     * abs(math.cos(math.pi * _ratio(m)) / (1 - 4 * _ratio(m) ** 2))
                 ),
-                "This is the simple harmonic motion. It jumps only where the move begins and ends.",
+                "This is the simple harmonic motion, which jumps at both ends alone. Take the "
+                "constant acceleration.",
             ),
             Slip(
                 lambda m: _ringing(m, omega=1),
@@ -796,8 +797,8 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: m.follower.wanted_mm - _law(m),
-                "This is how far the mass is from the top. How high the cam's end of the spring is "
-                "is asked for.",
+                "This is how far the mass is from the top. The height of the cam's end of the "
+                "spring is asked for.",
             ),
             Slip(
                 lambda m: m.follower.wanted_x * m.follower.wanted_mm,
