@@ -114,11 +114,11 @@ class Covered:
         """Return the tests that may tell that a line is changed, those of a file together.
 
         First those that run it; then the others of their files, which may look at what was made
-        once and kept. What runs when a file is loaded is told by those that run a line with its
-        name, in any file of the package, by files of tests that say this name, or read a text that
-        does, and by all that have loaded it. Tests of the starter start it as another program,
-        which nobody watches: all of them. Of more than so many seconds in all, `most`, each file of
-        tests gives what tells most a second, in turn.
+        once and kept. What runs when a file is loaded is told first by files of tests that read a
+        text with its name, then by those that run a line with it, in any file of the package, by
+        files that say it, and by all that have loaded it. Tests of the starter start it as another
+        program, which nobody watches: all of them. Of more than so many seconds in all, `most`,
+        each file of tests gives what tells most a second, in turn.
         """
         chosen: list[str] = []
         left = most
@@ -150,7 +150,8 @@ class Covered:
         groups = [quick, here, self._of(map(file_of, here))]
         if names := mutant.names:
             saying = {file for file in loading if _says(file, names)}
-            groups += [self._of(saying), self._of(loading)]
+            keeping = {file for file in loading if _says_kept(file, names)}
+            groups = [self._of(keeping), *groups, self._of(saying), self._of(loading)]
         known: set[str] = set()
         for some in groups:
             yield _in_turn(some - known, lambda t: (told[t] or _LITTLE) / self.seconds[t])
@@ -176,10 +177,16 @@ class Covered:
 
 
 def _says(file: str, names: Iterable[str]) -> bool:
-    """Tell whether a file of tests says one of the names, or a text that it reads does."""
+    """Tell whether a file of tests says one of the names."""
+    said = (ROOT / file).read_text("utf-8")
+    return any(name in said for name in names)
+
+
+def _says_kept(file: str, names: Iterable[str]) -> bool:
+    """Tell whether a text that a file of tests reads says one of the names."""
     said = (ROOT / file).read_text("utf-8")
     kept = (path.read_text("utf-8") for path in _TEXTS if f'"{path.name}"' in said)
-    return any(name in text for text in (said, *kept) for name in names)
+    return any(name in text for text in kept for name in names)
 
 
 def file_of(test: str) -> str:
