@@ -45,6 +45,10 @@ def test_the_bound_of_a_small_program_can_be_followed_by_hand() -> None:
     # a little too much: -0.02 y is left, and y is at most the objective itself
     found = proved_bound(SMALL, SMALL.bounds, np.array([-0.51]), np.zeros(1))
     assert found == pytest.approx(4 * 0.51 / 1.02)
+    # and if all that is known of y is that it is at most 150, 0.02 of that may be lost
+    loose = SMALL._replace(sizes=(np.array([0.0, 150.0]), np.zeros(2)))
+    found = proved_bound(loose, SMALL.bounds, np.array([-0.51]), np.zeros(1))
+    assert found == pytest.approx(4 * 0.51 - 0.02 * 150)
     assert solve(SMALL).bound == 2
 
 
