@@ -356,14 +356,27 @@ def test_broken_rules_without_a_name_are_counted_beside_those_with_one() -> None
     assert "broken: die clear (and 1 rule without a name)" in said
 
 
-@pytest.mark.parametrize("row", ["velocity", "acceleration", "jerk"])
-def test_the_range_beside_a_lane_is_that_of_the_peaks(row: str) -> None:
-    up, down = (make(50, over_deg=16.6, law="4-5-6-7 polynomial") for make in (cm.rise, cm.return_))
-    moves = up, cm.dwell(100), down, cm.dwell(226.8)
-    motions = [cm.motion(f"m{n}", *moves, start_deg=10.13 + 40 * n) for n in range(5)]
+@pytest.mark.parametrize(
+    ("row", "law", "count"),
+    [
+        ("velocity", "4-5-6-7 polynomial", 5),
+        ("acceleration", "4-5-6-7 polynomial", 5),
+        ("acceleration", "cubic", 5),  # it is largest just before it jumps
+        ("acceleration", "cubic", 2),
+        ("jerk", "4-5-6-7 polynomial", 5),
+    ],
+)
+def test_the_range_of_a_curve_is_that_of_the_peaks(row: str, law: str, count: int) -> None:
+    up, down = cm.rise(50, over_deg=16.6, law=law), cm.return_(50, over_deg=20.6, law=law)
+    moves = up, cm.dwell(100), down, cm.dwell(222.8)
+    motions = [cm.motion(f"m{n}", *moves, start_deg=10.13 + 40 * n) for n in range(count)]
     diagram = cm.TimingDiagram(motions, 2000)
     ax = cm.plot_timing(diagram, rows=[row])
     peak = getattr(diagram, f"peak_{row}")("m0")
-    for line in ax.figure.axes[-1].lines[::2]:
-        drawn = np.abs(np.asarray(line.get_ydata(), dtype=float))
-        assert drawn.max() == pytest.approx(peak, rel=1e-9)
+    order = 1 + ["velocity", "acceleration", "jerk"].index(row)
+    for line, motion in zip(ax.figure.axes[-1].lines[:: 1 + (count > 4)], motions, strict=False):
+        drawn = np.asarray(line.get_ydata(), dtype=float)
+        assert np.abs(drawn).max() == pytest.approx(peak, rel=1e-9)
+        ends = np.array(motion.curve.derived(order).extremes) / diagram.cycle_time_s**order
+        ends *= 360**order / 1000
+        assert [drawn.min(), drawn.max()] == pytest.approx(ends, rel=1e-6)

@@ -12,6 +12,7 @@ from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats, InputError, as_text
 from cammotion.views.displacement import curve_angles
 from cammotion.views.lanes import (
+    BEFORE_DEG,
     LANE_INCHES,
     SHARED_AXIS,
     curves_of,
@@ -28,7 +29,6 @@ from cammotion.views.timing_plots import LEFT_INCHES, WIDTH_INCHES
 
 _TORQUE_INCHES, _FORCES_INCHES, _PAD_INCHES = 2.27, 2.0, 0.2
 _SAMPLES = 1441
-_BEFORE_DEG = 1e-6  # so near before a jump is just before it
 _LEVELS = {"mean": "-.", "rms": ":"}
 _EDGE_DEG = 60  # so near to an end of the turn a text over the peak would leave the picture
 
@@ -112,4 +112,4 @@ def _places(shaft: Camshaft) -> Floats:
     """Return cam angles, close to one another, with both sides of each place that may jump."""
     ends = np.array([span.low for span in shaft.spans][1:])
     even = np.linspace(0, DEG_PER_TURN, _SAMPLES)
-    return np.union1d(even, np.concatenate([ends, ends - _BEFORE_DEG]))
+    return np.union1d(even, np.concatenate([ends, ends - BEFORE_DEG]))

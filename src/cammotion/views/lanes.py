@@ -25,6 +25,7 @@ SHARED_AXIS = 4  # so many curves can be told apart on one scale; more get a lan
 TICK_DEG = 30
 LANE_INCHES = 0.36
 LANE_SHARE = 0.75  # of a lane, that a curve fills
+BEFORE_DEG = 1e-6  # so near before a jump is just before it
 _NAME, _SMALL = 11, 10  # the size of a name at its curve, and beside its lane, in points
 _SAID = 74  # columns of what is said above a row
 
@@ -57,7 +58,8 @@ def curves_of(
 ) -> list[Curve]:
     """Return the curve of each motion, at its own angles or at these, with a short name.
 
-    Its own angles are also those at which its derivative of the order `turns_of` turns.
+    Its own angles are also those at which its derivative of the order `turns_of` turns, and both
+    sides of each place at which that may jump.
     """
     named = zip(motions, labels([motion.name for motion in motions]), strict=True)
     found = []
@@ -68,8 +70,12 @@ def curves_of(
 
 
 def _angles(motion: Motion, order: int) -> Floats:
-    turns = [branch.low for branch in motion.curve.derived(order).branches] if order else []
-    return np.union1d(curve_angles(motion), np.mod(turns, DEG_PER_TURN))
+    if not order:
+        return curve_angles(motion)
+    curve = motion.curve.derived(order)
+    turns = [branch.low for branch in curve.branches]
+    before = [piece.high - BEFORE_DEG for piece in curve.pieces]
+    return np.union1d(curve_angles(motion), np.mod([*turns, *before], DEG_PER_TURN))
 
 
 def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None) -> None:

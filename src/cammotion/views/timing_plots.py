@@ -221,7 +221,7 @@ def _draw_curves(ax: Axes, diagram: TimingDiagram, row: str | None = None) -> No
     values = displacement if row is None else _derivative(diagram, row)
     order = 0 if row is None else 1 + [*ROWS].index(row)
     in_lanes = len(diagram.names) > SHARED_AXIS
-    curves = curves_of(diagram.motions, values, turns_of=order if in_lanes else 0)
+    curves = curves_of(diagram.motions, values, turns_of=order)
     peaks = None if row is None else [getattr(diagram, f"peak_{row}")(n) for n in diagram.names]
     if in_lanes:
         draw_lanes(ax, curves, peaks)
