@@ -80,11 +80,13 @@ def check(path: Path) -> list[str]:
     sheets = read(path)
     mechanisms = {line[0]: line for line in sheets["mechanisms"][1:]}
     cycle_s = 3600 / mechanisms.pop("machine rate in pieces/h")[1]
+    diagrams = ["today", "design"] if "design" in sheets else ["today"]
     wrong = []
     places: dict[tuple[str, str], Any] = {}
     for name, line in mechanisms.items():
         table = sheets[f"cam {name}"]
-        for whose, column, told in (("today", 1, line[5]), ("design", 4, line[6])):
+        for number, whose in enumerate(diagrams):
+            column, told = 1 + 3 * number, line[5 + number]
             fine, spline = curve(table, column)
             inside = (fine > 1) & (fine < 359)  # a spline swings at its ends
             pushed = spline(fine, 2)[inside] * (360 / cycle_s) ** 2 / 1000
@@ -94,11 +96,12 @@ def check(path: Path) -> list[str]:
             listed = max(abs(each[column + 2]) for each in table[1:])
             if abs(listed - told) > NEAR_SHARE * told + 1e-3:
                 wrong.append(f"table of {name}, {whose}: {told:g} is told, {listed:g} is listed")
-            segments = sheets["design" if whose == "design" and "design" in sheets else "machine"]
+            segments = sheets["design" if number else "machine"]
             ways = way_made(segments, name, fine, spline(fine))
             places[name, whose] = Places(offsets(spline(fine), line), ways)
     for line in sheets["rules"][1:]:
-        for whose, told in (("today", line[6]), ("design", line[7])):
+        for number, whose in enumerate(diagrams):
+            told = line[6 + number]
             found = clearance(line, places[line[0], whose], places[line[3], whose])
             said = np.inf if told == "infinite" else told
             if found != said and not abs(found - said) <= NEAR_MM:

@@ -18,11 +18,13 @@ from cartons import all_dies, packaging_machine
 from report_checker import check
 
 import cammotion as cm
+from cammotion.advice.ranking import Improvements
 from cammotion.quantities import WrongAnswerError
 from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
 from cammotion.report.bound import bound_said, design_said
 from cammotion.report.live import live_figure
+from cammotion.report.numbers import of_peak, of_rate, of_velocity
 from cammotion.report.page import rules_of, write_page
 from cammotion.report.sheets import sheets_of
 
@@ -106,6 +108,46 @@ def test_a_bound_is_that_of_the_parts_that_are_free(tmp_path: Path) -> None:
     assert float(low) < float(reached) < 2
     assert int(above) == math.ceil(100 * (float(reached) / float(low) - 1))
     assert "The mill stays as it is: the table does not say where it has to stand." in text
+
+
+def test_all_parts_that_stay_are_named_and_a_start_is_round() -> None:
+    three = [cm.EXAMPLE.die.shifted(9.53674e-06 - 150), *cm.EXAMPLE.diagram.motions[:1]]
+    three.append(replace(cm.EXAMPLE.die, name="flap"))
+    machine = cm.Machine("odd", cm.TimingDiagram(three, 2000), (), {"die": [(60, 150)]})
+    least = cm.LeastPeak(machine.diagram, 5.0, machine.diagram, {"die": 1.0})
+    page = write_page(
+        findings.Findings(machine, Improvements(machine, ()), (), None, least, ()), date.today(), []
+    )
+    said = "The flap and the mill stay as they are: the table does not say where they have to stand"
+    assert said in page
+    for told in of_peak, of_velocity:
+        assert told(machine.diagram, "die").startswith("The rise from 0 deg")
+
+
+def test_where_nothing_mends_a_rule_no_change_mends_any() -> None:
+    deep = PRESS.diagram.with_motion(cm.with_angle(cm.EXAMPLE.die, 125))
+    rules = [cm.EXAMPLE.rule, cm.ClearanceRule(cm.beyond("die", 18), cm.within("mill", 0.65))]
+    machine = cm.Machine("press", deep, rules)
+    (note,) = Improvements(machine, ()).notes
+    assert note == "2 rules are broken, and no change here mends any."
+
+
+def test_what_is_said_of_a_rate_at_an_infinite_peak() -> None:
+    assert of_rate(1500, math.inf, 12) == "Today's peak is infinite: no rate reaches it."
+
+
+def test_a_rule_without_a_limit_is_kept_and_one_that_nothing_breaks_never_in_the_way() -> None:
+    rules = [
+        cm.ClearanceRule(cm.moving("mill"), only_while=cm.standing("flap")),
+        cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 60)),
+    ]
+    flap = cm.motion("flap", cm.rise(5, over_deg=60), cm.return_(5, over_deg=60), cm.dwell(240))
+    motions = *PRESS.diagram.motions, flap.shifted(200)
+    machine = cm.Machine("press", cm.TimingDiagram(motions, 2000), rules)
+    left = cm.reserves(machine.diagram, machine.rules)
+    found = findings.Findings(machine, Improvements(machine, ()), left, None, None, ())
+    rows = BeautifulSoup(rules_of(found), "html.parser").select("tbody tr")
+    assert [row("td")[0].get_text() for row in rows] == ["kept", "never in the way"]
 
 
 def test_where_there_is_no_design_the_bound_is_not_compared_with_the_machine_of_today() -> None:
@@ -519,10 +561,12 @@ def test_the_figure_is_of_the_move_with_the_highest_peak(
     assert "50.0" in re.findall(r"&quot;start&quot;: ?([\d.]+)", figure)
 
 
-def test_no_cell_says_minus_nought() -> None:
+def test_no_cell_says_minus_nought_nor_speaks_of_a_design_where_there_is_none() -> None:
     """A die that goes down stands at -0.0 m/s where it rests, as floats have it."""
     found = findings.find_all(cm.Machine("press", cm.EXAMPLE.diagram), 1, lambda *_: None)
     cells = [cell for sheet in sheets_of(found).values() for row in sheet for cell in row]
     noughts = [cell for cell in cells if cell == 0 and isinstance(cell, float)]
     assert noughts
     assert {math.copysign(1, cell) for cell in noughts} == {1.0}
+    assert not [cell for cell in cells if "design" in str(cell)]
+    assert sheets_of(found)["cam die"][0][-1] == "cam of the die"  # its sheet's name may be cut

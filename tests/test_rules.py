@@ -260,6 +260,10 @@ def test_a_clearance_says_where_it_is_and_nothing_where_nothing_can_break_its_ru
     (near,) = cm.find_clearances(make_diagram(make_mill(), make_die(120)), RULE)
     at = f"{near.angle_deg:.5g}"
     assert repr(near) == f"Clearance({near.clearance_mm:.4g} mm at {at} deg: {RULE})"
+    parts = cm.return_(50, over_deg=70), cm.dwell(130), cm.rise(50, over_deg=80), cm.dwell(80)
+    gate = cm.motion("mill", *parts, start_deg=50, start_mm=50)
+    over_the_end = cm.find_clearances(make_diagram(gate, make_die().shifted(-120)), RULE)
+    assert [one.angle_deg for one in over_the_end] == [85.0]  # not 445, in the turn after it
     never = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.within("mill", 50))  # of 100
     (free,) = cm.find_clearances(make_diagram(), never)
     assert repr(free) == f"Clearance(∞ mm: {never})"

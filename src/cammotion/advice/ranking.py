@@ -79,8 +79,10 @@ class Improvements(Sequence[Improvement]):
         """What is to be known beside the changes: rules that stay broken, who was not asked."""
         said = []
         broken = len({violation.rule for violation in self.machine.violations})
-        if broken and max((one.mends for one in self.changes), default=0) < broken:
-            many, them = (f"{broken} rules are", "all") if broken > 1 else ("1 rule is", "it")
+        mended = max((one.mends for one in self.changes), default=0)
+        if mended < broken:
+            many = f"{broken} rules are" if broken > 1 else "1 rule is"
+            them = "it" if broken == 1 else "all" if mended else "any"
             said.append(f"{many} broken, and no change here mends {them}.")
         said += [
             f"Left out, since it leaves {rate_as_text(one.rate_per_hour)} pieces/h at today's "

@@ -17,10 +17,10 @@ def free_parts(machine: Machine, all_of_them: str) -> str:
     return all_of_them if {*moving} == {*machine.free} else f"the {names}"
 
 
-def stays_most(machine: Machine) -> str:
-    """Return the part with the largest peak of those that move and have no still arcs, or ""."""
+def stay(machine: Machine) -> list[str]:
+    """Return the parts that move and have no still arcs, that with the largest peak first."""
     moving = (name for name in machine.peaks if machine.diagram[name].moves)
-    return next((name for name in moving if name not in machine.free), "")
+    return [name for name in moving if name not in machine.free]
 
 
 def bound_said(found: Findings) -> str:

@@ -12,10 +12,12 @@ from cammotion.machine.kinematics import (
     peak_acceleration,
     peak_velocity,
 )
+from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import in_decimals, rate_as_text
 
 _SAME = 1e-6
+_PLACES = 4  # of an angle in deg: a search leaves less
 
 
 def of_peak(diagram: TimingDiagram, name: str) -> str:
@@ -35,7 +37,7 @@ def of_peak(diagram: TimingDiagram, name: str) -> str:
     law, time_s = as_law(hardest.law), _time_s(diagram, hardest)
     way = abs(hardest.change_mm) / MM_PER_M
     return (
-        f"The {hardest.kind} from {hardest.from_deg % DEG_PER_TURN:g} deg by the law {law.name}: "
+        f"The {hardest.kind} from {start_deg(hardest):g} deg by the law {law.name}: "
         f"a = C_a · h / t² = {law.Ca:.4f} · {way:g} m / ({time_s:.5g} s)² = "
         f"{in_decimals(alone, 4)} m/s², where t = B / 360° · 3600 s / N = "
         f"{hardest.angle_deg:.5g}° / 360° · 3600 s / {diagram.rate_per_hour:g} = {time_s:.5g} s."
@@ -54,21 +56,29 @@ def of_velocity(diagram: TimingDiagram, name: str) -> str:
     law, time_s = as_law(fastest.law), _time_s(diagram, fastest)
     way = abs(fastest.change_mm) / MM_PER_M
     return (
-        f"The {fastest.kind} from {fastest.from_deg % DEG_PER_TURN:g} deg: v = C_v · h / t = "
+        f"The {fastest.kind} from {start_deg(fastest):g} deg: v = C_v · h / t = "
         f"{law.Cv:.4f} · {way:g} m / {time_s:.5g} s = {in_decimals(law.Cv * way / time_s, 4)} m/s."
     )
 
 
 def of_rate(rate_per_hour: float, today: float, then: float) -> str:
     """Return how the rate comes about at which a largest peak is met again."""
-    if not (math.isfinite(today) and 0 < then < math.inf):
+    if not 0 < then < math.inf:
         return f"No peak tells a rate here: it stays at {rate_per_hour:g} pieces/h."
+    if math.isinf(today):
+        return "Today's peak is infinite: no rate reaches it."
     faster = rate_per_hour * math.sqrt(today / then)
     return (
         f"A peak grows with the square of the rate: N · √(a₁ / a₂) = {rate_per_hour:g} · "
         f"√({in_decimals(today, 4)} / {in_decimals(then, 4)}) = {rate_as_text(faster)} "
         "pieces/h."
     )
+
+
+def start_deg(begins: Motion | Segment) -> float:
+    """Return in deg where a motion or a move begins in the turn, but for what a search leaves."""
+    angle = begins.start_deg if isinstance(begins, Motion) else begins.from_deg
+    return round(angle % DEG_PER_TURN, _PLACES) % DEG_PER_TURN
 
 
 def _peak(diagram: TimingDiagram, move: Segment) -> float:

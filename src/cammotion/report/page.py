@@ -6,11 +6,10 @@ from html import escape
 from pathlib import Path
 
 from cammotion.laws.catalogue import as_law
-from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.own import Machine
 from cammotion.quantities import rate_as_text
-from cammotion.report.bound import bound_said, design_said, free_parts, one_height_said, stays_most
+from cammotion.report.bound import bound_said, design_said, free_parts, one_height_said, stay
 from cammotion.report.findings import Findings
 from cammotion.report.live import live_figure
 from cammotion.report.markup import (
@@ -23,7 +22,7 @@ from cammotion.report.markup import (
     short,
     table,
 )
-from cammotion.report.numbers import of_peak, of_rate, of_velocity
+from cammotion.report.numbers import of_peak, of_rate, of_velocity, start_deg
 from cammotion.report.pictures import moving, timing
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import Moving
@@ -79,12 +78,12 @@ def _summary(found: Findings) -> str:
     if found.least:
         said.append(paragraph(bound_said(found)))
         said += [paragraph(held)] if (held := one_height_said(found)) else []
-    if (found.best or found.least) and (left_out := stays_most(machine)):
-        said.append(
-            paragraph(
-                f"The {left_out} stays as it is: the table does not say where it has to stand."
-            )
-        )
+    if (found.best or found.least) and (left_out := stay(machine)):
+        several = len(left_out) > 1
+        what = "stay as they are" if several else "stays as it is"
+        they = "they have" if several else "it has"
+        whose = " and the ".join(left_out)
+        said.append(paragraph(f"The {whose} {what}: the table does not say where {they} to stand."))
     said += [paragraph(note) for note in found.notes]
     return "".join(said)
 
@@ -113,7 +112,7 @@ def rules_of(found: Findings) -> str:
             "whether its limit is what was meant."
         )
     for name in _pausing(machine):
-        start = f"{machine.diagram[name].start_deg % DEG_PER_TURN:g}"
+        start = f"{start_deg(machine.diagram[name]):g}"
         broken += paragraph(
             f"A stop of the {name} is where a turn of its moves begins, at {start} deg: where it "
             "stands between two moves of one turn is none."
@@ -145,8 +144,8 @@ def _pausing(machine: Machine) -> Iterator[str]:
 
 def _clearance(machine: Machine, rule: Rule, one: Clearance) -> Opened | str:
     if one.angle_deg is None:
-        return "never in the way"
-    at = one.angle_deg % DEG_PER_TURN
+        return "never in the way" if rule in machine.idle else "kept"
+    at = one.angle_deg
     there = " and ".join(_place(machine.diagram[name], at) for name in rule.motions)
     whence = f"Least at {at:.5g} deg: there {there}. {_meant(rule)}"
     value = 0.0 if abs(one.clearance_mm) < _nothing_mm(machine, rule) else one.clearance_mm
@@ -238,7 +237,7 @@ def _design(found: Findings) -> str:
                 [
                     name,
                     f"{move.kind} {abs(move.change_mm):g} mm",
-                    move.from_deg % DEG_PER_TURN,
+                    start_deg(move),
                     move.angle_deg,
                     as_law(move.law).name,
                 ],

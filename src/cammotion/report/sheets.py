@@ -1,6 +1,7 @@
 """The workbook of a report: the machine, its peaks and clearances, and the cam tables."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,6 @@ _MECHANISMS = (
     "pitch in mm",
     "peak velocity in m/s",
     "peak acceleration in m/s2",
-    "peak acceleration of the design in m/s2",
 )
 _RULES = (
     "mechanism",
@@ -38,40 +38,43 @@ _RULES = (
     "only while it is",
     "limit of it in mm",
     "clearance in mm",
-    "clearance of the design in mm",
 )
+_OF_DESIGN = "peak acceleration of the design in m/s2", "clearance of the design in mm"
 _CURVES = ("position in mm", "velocity in m/s", "acceleration in m/s2")
 
 
 def sheets_of(found: Findings) -> dict[str, list[list[Any]]]:
     """Return the sheets of the workbook by their names; the first can be read as a machine."""
-    machine, improved = found.machine, found.improved
+    machine = found.machine
+    designs = [machine, found.improved] if found.best else [machine]
+    peak, clearance = ([column] if found.best else [] for column in _OF_DESIGN)
     sheets: dict[str, list[list[Any]]] = {"machine": machine_rows(machine)}
     if found.best:
-        sheets["design"] = machine_rows(improved)
-    sheets["mechanisms"] = [[*_MECHANISMS], *_mechanisms(machine, improved)]
-    sheets["rules"] = [[*_RULES], *_rules(machine, improved)]
+        sheets["design"] = machine_rows(found.improved)
+    sheets["mechanisms"] = [[*_MECHANISMS, *peak], *_mechanisms(designs)]
+    sheets["rules"] = [[*_RULES, *clearance], *_rules(designs)]
     for motion in machine.diagram.motions:
-        sheets[f"cam {motion.name}"] = _cam(motion.name, machine.diagram, improved.diagram)
+        sheets[f"cam {motion.name}"] = _cam(motion.name, *(one.diagram for one in designs))
     return sheets
 
 
-def _mechanisms(machine: Machine, improved: Machine) -> list[list[Any]]:
-    rows = []
+def _mechanisms(designs: Sequence[Machine]) -> list[list[Any]]:
+    rows, machine = [], designs[0]
     for motion in machine.diagram.motions:
         name = motion.name
-        peaks = [machine.diagram.peak_velocity(name), machine.peaks[name], improved.peaks[name]]
+        peaks = [machine.diagram.peak_velocity(name), *(one.peaks[name] for one in designs)]
         stop = motion.start_mm if motion.is_indexing else ""
         rows.append([name, motion.stops or "", stop, motion.pitch_mm, *map(_finite, peaks)])
     rows.append(["machine rate in pieces/h", machine.diagram.rate_per_hour])
     return rows
 
 
-def _rules(machine: Machine, improved: Machine) -> list[list[Any]]:
-    rows = []
-    for rule, now, then in zip(machine.rules, machine.clearances, improved.clearances, strict=True):
-        rows.append([*_said(rule), _finite(now.clearance_mm), _finite(then.clearance_mm)])
-    return rows
+def _rules(designs: Sequence[Machine]) -> list[list[Any]]:
+    left = zip(*(machine.clearances for machine in designs), strict=True)
+    return [
+        [*_said(rule), *(_finite(one.clearance_mm) for one in each)]
+        for rule, each in zip(designs[0].rules, left, strict=True)
+    ]
 
 
 def _said(rule: Rule) -> list[Any]:
@@ -90,11 +93,14 @@ def _half(condition: Condition) -> tuple[Any, ...]:
 
 
 def _cam(name: str, *diagrams: TimingDiagram) -> list[list[Any]]:
-    """Return the cam table of a mechanism, as it is and as it is designed."""
+    """Return the cam table of a mechanism, as it is and as it is designed.
+
+    Its name stands in the heading in full, since that of its sheet may be cut.
+    """
     angles = np.arange(0, DEG_PER_TURN + STEP_DEG / 2, STEP_DEG)
     columns = [angles]
     heading = ["cam angle in deg"]
-    for diagram, whose in zip(diagrams, ("", " of the design"), strict=True):
+    for diagram, whose in zip(diagrams, ("", " of the design"), strict=False):
         motion = diagram[name]
         values = (
             positions_over_turn(motion, angles),
@@ -103,7 +109,7 @@ def _cam(name: str, *diagrams: TimingDiagram) -> list[list[Any]]:
         )
         columns += [_rounded(np.asarray(each)) for each in values]
         heading += [f"{what}{whose}" for what in _CURVES]
-    return [[*heading], *np.column_stack(columns).tolist()]
+    return [[*heading, f"cam of the {name}"], *np.column_stack(columns).tolist()]
 
 
 def _rounded(column: Floats) -> Floats:

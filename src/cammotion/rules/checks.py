@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import Any, TypeGuard
 
 from cammotion.machine.diagram import TimingDiagram, as_diagram
+from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import InputError, listed, shorten
 from cammotion.rules.clearance import ClearanceRule, in_mm
 from cammotion.rules.rule import Clearance, Rule, Violation
@@ -42,7 +43,10 @@ def find_clearances(diagram: TimingDiagram, rules: Rule | Iterable[Rule]) -> tup
     """
     found = ((rule, rule.room(diagram)) for rule in every_rule(diagram, rules))
     return tuple(
-        Clearance(rule, *room) if room else Clearance(rule, math.inf, None) for rule, room in found
+        Clearance(rule, room.mm, room.at_deg % DEG_PER_TURN)
+        if room
+        else Clearance(rule, math.inf, None)
+        for rule, room in found
     )
 
 
