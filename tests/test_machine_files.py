@@ -329,6 +329,7 @@ def test_nothing_in_a_line_without_a_segment_is_dropped() -> None:
         (",,,,,,see drawing,,", "no segment stands beside 'see drawing': leave the line out, put"),
         ("#1,,l50,205,0,50,cycloidal,,", "Line 4 of my machine: 'from in deg' is 'l50'; it has"),
         ("# rebuilt, as drawn, 3 mm", "no segment stands beside '# rebuilt': leave the line out"),
+        ("Total,,,,,50,,,", "no segment stands beside 'Total': leave the line out"),
     ],
 )
 def test_what_is_wrong_in_a_line_without_a_segment_is_told(line: str, words: str) -> None:
@@ -336,6 +337,77 @@ def test_what_is_wrong_in_a_line_without_a_segment_is_told(line: str, words: str
         cm.machine_from_text("\n".join([*FULL[:2], FULL[3], line]))
     assert words in str(refusal.value)
     assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("title", ["motion,of the press", "Press 7,as built", "stops,law"])
+def test_the_heading_is_the_row_with_most_known_columns(title: str) -> None:
+    assert cm.machine_from_text("\n".join([title, *FULL])) == cm.machine_from_text("\n".join(FULL))
+    other = FULL[0].replace("motion", "mechanism").replace("pieces/h", "strokes/min")
+    with pytest.raises(
+        cm.InputError, match=r"lacks the columns 'motion', 'machine rate"
+    ) as refusal:
+        cm.machine_from_text("\n".join([title, other, *FULL[1:]]))
+    assert "'machine rate in strokes/min' times 60 are pieces/h" in str(refusal.value)
+
+
+def test_a_sheet_before_that_of_the_machine_is_passed_over_and_slips_name_theirs(
+    tmp_path: Path,
+) -> None:
+    right = [line.split(",") for line in FULL]
+    before = {"parts": [["motion", "supplier"], ["die", "Huber"]], "plan": [right[0][1:6]]}
+    part, wrong = [["part", *right[0][1:]], *right[1:]], [*right[:3], ["die", "", "305"]]
+
+    def read(sheet: list[list[str]]) -> cm.Machine:
+        (tmp_path / "m.xlsx").write_bytes(sheets_as_xlsx({**before, "Machine": sheet}))
+        return cm.read_machine(tmp_path / "m.xlsx")
+
+    assert read(right).diagram == cm.machine_from_text("\n".join(FULL)).diagram
+    with pytest.raises(
+        cm.InputError, match=r"^The sheet 'Machine' of m\.xlsx lacks the column 'mo"
+    ):
+        read(part)
+    with pytest.raises(cm.InputError, match=r"^Row 4 of the sheet 'Machine' of m\.xlsx: "):
+        read(wrong)
+
+
+@pytest.mark.parametrize("dwells", [[], ["die,,3.578,5.323,50,50,,,", "die,,6.283,8.901,0,0,,,"]])
+def test_angles_in_radians_are_told(dwells: list[str]) -> None:
+    lines = ["die,,2.618,3.578,0,50,cycloidal,2000,", "die,,5.323,6.283,50,0,cycloidal,,"]
+    sorted_lines = sorted([*lines, *dwells], key=lambda line: float(line.split(",")[2]))
+    with pytest.raises(
+        cm.InputError, match=r"^The moves in m lie .* deg, .* times 57\.29577951\.$"
+    ):
+        cm.machine_from_text("\n".join([FULL[0], *sorted_lines]), "m")
+
+
+def test_a_tiny_machine_in_degrees_is_none_in_radians() -> None:
+    for angle in (2, 8):  # of a whole machine that moves so little, and of a long one's short move
+        lines = ["die,,0,1,0,50,cycloidal,2000,", f"die,,1,{angle},50,0,cycloidal,,"]
+        assert cm.machine_from_text("\n".join([FULL[0], *lines])).diagram["die"].moves
+
+
+@pytest.mark.parametrize(
+    ("angles", "heights", "is_asked"),
+    [
+        ([100, 120, 0, 20, 140, 160], [(0, 9), (9, 0), (0, 5), (5, 0), (0, 7), (7, 0)], True),
+        ([0, 20, 40, 60, 80, 100], [(0, 9), (9, 0), (0, 5), (5, 0), (0, 7), (7, 0)], False),
+        ([100, 120, 0, 20, 140, 160], [(0, 9), (9, 3), (0, 5), (5, 0), (3, 7), (7, 0)], False),
+    ],
+)
+def test_two_parts_of_one_name_are_told_unless_their_lines_may_be_those_of_one(
+    angles: list[int], heights: list[tuple[int, int]], *, is_asked: bool
+) -> None:
+    names = ["arm", "arm", "flap", "flap", "arm", "arm"]
+    lines = [
+        f"{name},,{at},{at + 10},{low},{high},cycloidal,2000,"
+        for name, at, (low, high) in zip(names, angles, heights, strict=True)
+    ]
+    text = "\n".join([FULL[0], *lines])
+    if not is_asked:
+        assert cm.machine_from_text(text).diagram.names == ("arm", "flap")
+        return
+    with pytest.raises(cm.InputError, match=r"^Line 6 of .*: moves of the arm stand here again, "):
+        cm.machine_from_text(text)
 
 
 def test_a_cell_beside_the_heading_is_told_alone(tmp_path: Path) -> None:

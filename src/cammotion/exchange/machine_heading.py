@@ -5,7 +5,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 
 from cammotion.exchange.all_faults import Faults
-from cammotion.exchange.machine_lines import HEADING, IN_FULL, KNOWN_COLUMNS, RULE, STILL, STOPS
+from cammotion.exchange.machine_lines import (
+    HEADING,
+    KNOWN_COLUMNS,
+    NEEDED,
+    RULE,
+    STILL,
+    STOPS,
+    known_column,
+)
 from cammotion.exchange.machine_source import Source
 from cammotion.exchange.other_units import factor_of, unit_of
 from cammotion.quantities import InputError
@@ -39,17 +47,14 @@ def heading_of_table(source: Source, faults: Faults) -> list[str]:
 
     Raises InputError where one is missing that is needed.
     """
-    at, file = source.heading_at, source.said
-    named = {column.casefold(): column for column in (*HEADING, STILL, RULE, IN_FULL)}
-    named["rules"] = RULE
+    at = source.heading_at
     first = source.rows[at] if source.rows else []
-    heading = [named.get(" ".join(cell.split()).casefold(), cell.strip()) for cell in first]
-    needed = [column for column in HEADING if column != STOPS]
-    if missing := [column for column in needed if column not in heading]:
-        unknown = [cell for cell in heading if cell and cell not in named.values()]
+    heading = [known_column(cell) or cell.strip() for cell in first]
+    if missing := [column for column in NEEDED if column not in heading]:
+        unknown = [cell for cell in heading if cell and cell not in KNOWN_COLUMNS]
         strange = f", and has {', '.join(map(repr, unknown))}, unknown here" if unknown else ""
         raise InputError(
-            f"The file {file} lacks {_listed('column', missing)}{strange}: its first line has to "
+            f"The {source.what} lacks {_listed('column', missing)}{strange}: its first line has to "
             f"be {', '.join(HEADING)}, with the numbers in these units; stops may be left "
             f"out.{''.join(_conversions(missing, unknown))}"
         )

@@ -37,6 +37,9 @@ IN_FULL = "law in full"
 KNOWN_COLUMNS = *HEADING, STILL, RULE, IN_FULL
 """All others are of one's own."""
 
+NEEDED = [column for column in HEADING if column != STOPS]
+_COLUMNS = {column.casefold(): column for column in KNOWN_COLUMNS} | {"rules": RULE}
+
 KNOWN = CONSTANT_VELOCITY.name, *LAWS
 """The laws that are known by their names."""
 
@@ -48,6 +51,15 @@ _AS_A_NUMBER = ", and format the cell as a number"
 _EXAMPLES = {RATE: 2000, STOPS: 24}
 _NUMERIC = re.compile(r"[-+−.,]*\d|[=#]")  # a number, what may become one, or its error
 _OF_A_SEGMENT = [*NUMBERS.values(), "law"]
+
+
+def known_column(cell: str) -> str:
+    """Return the column that a cell of a heading names; "" for one of one's own.
+
+    >>> known_column("From  in deg"), known_column("remark")
+    ('from in deg', '')
+    """
+    return _COLUMNS.get(" ".join(cell.split()).casefold(), "")
 
 
 class Laws:
@@ -115,7 +127,8 @@ class Record:
         """A text that stands where a segment should, with no number beside it; or "".
 
         What begins with # is one, too, whatever its commas make of it, unless it has two angles, or
-        all numbers but one and a law: the name of a part may begin so.
+        all numbers but one and a law: the name of a part may begin so. So is one with a number
+        alone, like the total of a column.
         """
         first, *others = [self.cells[column] for column in ("motion", STOPS, *_OF_A_SEGMENT)]
         numeric = [bool(_NUMERIC.match(self.cells[column])) for column in NUMBERS.values()]
@@ -125,6 +138,8 @@ class Record:
         texts = [*filter(None, (first, *others))]
         is_alone = len(texts) == 1 and [*filter(None, self.cells.values())] == texts
         is_cut = first and any(others) and not self.cells["law"]
+        if first and sum(map(bool, others)) == sum(numeric) == 1 and not self.in_full:
+            return first
         if self.in_full or any(map(_NUMERIC.match, others)) or not (is_alone or is_cut):
             return ""
         return texts[0]

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from itertools import groupby, pairwise
 from typing import Any
 
 from cammotion.exchange.all_faults import Faults
@@ -19,6 +19,7 @@ from cammotion.machine.segments import Segment, with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError, one_of, shorten
 
+_HALF_RAD, _NEAR_RAD = 3.0, 0.01  # of a turn in radians: nearly the half; what rounding leaves
 _CUT = {
     ",": ", give the column a heading, or write numbers with a decimal point and texts that have a "
     "comma in quotation marks",
@@ -37,6 +38,7 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
     records = _records(source, heading, faults)
     for record in records:
         record.read(laws, faults)
+    _check_degrees(source, records, faults)
     segments = [record for record in records if record.is_segment]
     names = [*dict.fromkeys(record.cells["motion"] for record in segments)]
     doubtful = _doubtful(segments, faults)
@@ -50,6 +52,7 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
             stops = _stops(own)
             if name not in doubtful and all(one.segment for one in own if one.is_segment):
                 motions.append(_motion(name, own, stops))
+                _check_together(name, segments)
     rate = math.nan
     with faults.at():
         rate = _the_same(records, RATE)
@@ -74,7 +77,7 @@ def _records(source: Source, heading: list[str], faults: Faults) -> list[Record]
     records = [Record(where, heading, line) for where, line in lines if any(map(str.strip, line))]
     _name_motions(records, faults)
     if not any(record.is_segment for record in records):
-        faults.add(f"The file {source.said} has no line with a segment: add some.")
+        faults.add(f"The {source.what} has no line with a segment: add some.")
         faults.check()
     angles = [NUMBERS["from_deg"], NUMBERS["to_deg"]]
     decimal = decimal_mark(
@@ -173,6 +176,50 @@ def _motion(name: str, records: list[Record], stops: Any) -> Motion:
         raise InputError(
             f"{records[0].where} and further: {wrong}{_where_stops_stand(records) * moves_on}"
         ) from None
+
+
+def _check_degrees(source: Source, records: list[Record], faults: Faults) -> None:
+    """Raise what is wrong where the angles are in radians: no move goes beyond a turn of these.
+
+    Or the segments of a motion that lists its dwells add up to one. What moves within 3 deg is a
+    machine that somebody tries.
+    """
+    lines = [record for record in records if record.is_segment]
+    read = [(record.cells["motion"], record.segment) for record in lines if record.segment]
+    moves = [segment for _, segment in read if not segment.is_dwell]
+    if not moves or len(read) < len(lines):
+        return
+    low, high = min(one.from_deg for one in moves), max(one.to_deg for one in moves)
+    turns = dict.fromkeys((name for name, segment in read if segment.is_dwell), 0.0)
+    for name, segment in read:
+        if name in turns:
+            turns[name] += segment.angle_deg
+    is_closed = any(abs(turn - math.tau) < _NEAR_RAD for turn in turns.values())
+    if is_closed or (low >= 0 and _HALF_RAD < high < math.tau + _NEAR_RAD):
+        faults.add(
+            f"The moves in {source.said} lie between {low:g} and {high:g} deg, as in radians: give "
+            f"all angles in deg, the numbers times {math.degrees(1):.10g}."
+        )
+        faults.check()
+
+
+def _check_together(name: str, segments: list[Record]) -> None:
+    """Raise InputError where one name may be that of two parts, whose lines stand apart.
+
+    The moves of each then come back. In a table that is sorted by angle they are those of one.
+    """
+    read = [(record, record.segment) for record in segments if record.segment]
+    moves = [(record, segment) for record, segment in read if not segment.is_dwell]
+    angles = [segment.from_deg for _, segment in moves]
+    grouped = groupby(moves, lambda one: one[0].cells["motion"])
+    blocks = [[*block] for own, block in grouped if own == name]
+    whole = all(block[0][1].from_mm == block[-1][1].to_mm for block in blocks)
+    if len(blocks) > 1 and whole and angles != sorted(angles):
+        raise InputError(
+            f"{blocks[1][0][0].where}: moves of the {name} stand here again, below those of "
+            "another motion, and each time they come back to where they began: give the second one "
+            "a name of its own, or put all lines of the first together."
+        )
 
 
 def _where_stops_stand(records: list[Record]) -> str:
