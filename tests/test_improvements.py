@@ -383,6 +383,36 @@ def test_what_stops_a_move_that_shares_the_turn_is_named() -> None:
     )
 
 
+def test_beside_a_distance_no_move_is_narrowed_for_nothing() -> None:
+    """One angle was told for both: the rise fell from 85 to 80 deg, though no rule is broken."""
+    gripper = cm.motion(
+        "gripper",
+        *(cm.rise(55, over_deg=70), cm.dwell(120), cm.return_(55, over_deg=60), cm.dwell(110)),
+        start_deg=10,
+        start_mm=20,
+    )
+    eye = cm.motion(
+        "eye",
+        *(cm.rise(66, over_deg=85), cm.dwell(90), cm.return_(66, over_deg=60), cm.dwell(125)),
+        start_deg=15,
+    )
+    lock = cm.motion(
+        "lock",
+        *(cm.rise(8, over_deg=40), cm.dwell(120), cm.return_(8, over_deg=40), cm.dwell(160)),
+        start_deg=110,
+    )
+    rules = [
+        cm.DistanceRule("gripper", above="eye", at_least_mm=2),
+        cm.ClearanceRule(cm.moving("eye"), only_while=cm.standing("lock")),
+    ]
+    machine = cm.Machine("m", cm.TimingDiagram([gripper, eye, lock], 1200), rules)
+    changed = next(widening.wider(machine, "eye", rules, []))
+    assert [move.angle_deg for move in changed["eye"].moves] == pytest.approx([85, 80])
+    assert not cm.find_violations(changed, rules)
+    hardest = 2 * math.pi * 0.066 / (80 / 360 * 3) ** 2
+    assert changed.peak_acceleration("eye") == pytest.approx(hardest)
+
+
 def test_beside_a_distance_each_move_has_its_own_angle() -> None:
     """The rule stops nothing: the pusher is never below 10 mm, the flap never above 5 mm."""
     found = cm.improvements(folder(5))

@@ -21,6 +21,7 @@ from machines import (
 from numpy.typing import NDArray
 
 import cammotion as cm
+from cammotion.rules.rule import Violation
 
 AT: Array = np.arange(0, 360, 0.01)
 DEEP = cm.ClearanceRule(cm.beyond("die", 19), only_while=cm.standing("mill"))
@@ -254,6 +255,13 @@ def test_no_way_to_a_stop_is_below_0(make: Any, where: str) -> None:
 def test_a_condition_is_about_a_motion_by_its_name_or_itself(make: Any, motion: Any) -> None:
     with pytest.raises(cm.InputError, match=rf"is given motion={re.escape(repr(motion))}: give a"):
         make(motion)
+
+
+def test_an_arc_of_no_length_is_not_said() -> None:
+    found = Violation(RULE, 170.0, 170.0000002, 31.0, 170.0000001)
+    assert (
+        str(found) == "the die is 31 mm too deep at 170 deg, while the mill is not within 0.65 mm"
+    )
 
 
 def test_a_clearance_says_where_it_is_and_nothing_where_nothing_can_break_its_rule() -> None:

@@ -1,8 +1,8 @@
 """How wide the moves of one mechanism can be beside all others, and what stops them there."""
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass, field
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from cammotion.advice.ends import (
@@ -15,13 +15,14 @@ from cammotion.advice.ends import (
     stands,
     works,
 )
-from cammotion.advice.worse import Faults, faults_in, noted, worsened
+from cammotion.advice.worse import SAME_DEG, Faults, faults_in, noted, worsened
 from cammotion.laws.catalogue import as_law
 from cammotion.limits.frame import is_usual
 from cammotion.limits.widest import widest_move
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.motions import Motion
+from cammotion.machine.segments import with_dwells
 from cammotion.own import Machine
 from cammotion.quantities import InputError
 from cammotion.rules.clearance import ClearanceRule
@@ -46,7 +47,8 @@ def wider(
     What cannot be told, since a check has failed or a search is refused, is put among the `failed`.
     """
     search = _Search(machine, name, rules, failed)
-    yield from (found for found in search.found() if stands(found[name], search.still))
+    found = (each for each in search.found() if stands(each[name], search.still))
+    yield from map(search.as_today, found)
 
 
 def stops(
@@ -110,6 +112,30 @@ class _Search:
             )
         for start in starts:
             yield from self._put_out_all(start)
+
+    def as_today(self, found: TimingDiagram) -> TimingDiagram:
+        """Return the diagram with each move as wide as today that was made narrower for nothing.
+
+        So it is where all rules are kept as well with it, and no peak is higher.
+        """
+        faults, peak = faults_in(found, self.rules), found.peak_acceleration(self.name)
+        for number, today in enumerate(self.motion.moves):
+            motion = found[self.name]
+            moves = [*motion.moves]
+            if moves[number].angle_deg > today.angle_deg - SAME_DEG:
+                continue
+            moves[number] = today
+            with noted(self.failed, f"other angles of the {self.name}"), suppress(InputError):
+                motion = replace(motion, segments=tuple(with_dwells(moves)))
+                wide = found.with_motion(motion)
+                is_as_good = wide.peak_acceleration(self.name) <= peak
+                if (
+                    is_as_good
+                    and stands(motion, self.still)
+                    and not worsened(faults, wide, self.rules, strict=True)
+                ):
+                    found = wide
+        return found
 
     def _is_stuck(self, found: Sequence[TimingDiagram]) -> bool:
         """Tell whether nothing that was found is a gain, though not every move was looked at."""

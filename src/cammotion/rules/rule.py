@@ -122,5 +122,5 @@ class Violation:
         turn = DEG_PER_TURN
         named = f"{self.rule.name}: " if self.rule.name else ""
         fault = self.rule.describe_fault(self.excess_mm, self.angle_deg % turn)
-        arc = f"(from {self.start_deg % turn:.6g} to {self.end_deg % turn or turn:.6g} deg)"
-        return f"{named}{fault} {arc}"
+        start, end = f"{self.start_deg % turn:.6g}", f"{self.end_deg % turn or turn:.6g}"
+        return f"{named}{fault}" + (f" (from {start} to {end} deg)" if start != end else "")
