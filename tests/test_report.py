@@ -19,6 +19,7 @@ from report_checker import check
 
 import cammotion as cm
 from cammotion.advice.ranking import Improvements
+from cammotion.exchange.xlsx_in import read_sheets
 from cammotion.quantities import WrongAnswerError
 from cammotion.report import findings, writing
 from cammotion.report.__main__ import BROKEN, FAILED, KEPT, main
@@ -559,6 +560,25 @@ def test_the_figure_is_of_the_move_with_the_highest_peak(
     die = cm.motion("die", *parts, cm.return_(50, over_deg=280 - first[1] - second[1]))
     figure = live_figure(cm.Machine("press", cm.TimingDiagram([die], 2000)))
     assert "50.0" in re.findall(r"&quot;start&quot;: ?([\d.]+)", figure)
+
+
+def test_each_column_of_a_sheet_says_what_it_holds_and_of_which_design(pads: cm.Report) -> None:
+    file = pads.folder / "tables.xlsx"
+    headings = {name: rows[0] for name, rows in read_sheets(file.name, file.read_bytes()).items()}
+    curves = ["position in mm", "velocity in m/s", "acceleration in m/s2"]
+    of_design = [f"{curve} of the design" for curve in curves]
+    assert headings["cam ejector"] == [
+        "cam angle in deg",
+        *curves,
+        *of_design,
+        "cam of the ejector",
+    ]
+    assert headings["mechanisms"][4:] == [
+        "peak velocity in m/s",
+        "peak acceleration in m/s2",
+        "peak acceleration of the design in m/s2",
+    ]
+    assert headings["rules"][-2:] == ["clearance in mm", "clearance of the design in mm"]
 
 
 def test_no_cell_says_minus_nought_nor_speaks_of_a_design_where_there_is_none() -> None:
