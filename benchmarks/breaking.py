@@ -73,11 +73,20 @@ class Mutant:
     @property
     def names(self) -> set[str]:
         """What is named by the statement, if it is in no function and runs when it is loaded."""
-        nodes = [*ast.walk(ast.parse(self.raw))]
-        functions = (node for node in nodes if isinstance(node, ast.FunctionDef))
-        if any(each.body[0].lineno <= self.line <= (each.end_lineno or 0) for each in functions):
+        if self.around:
             return set()
+        nodes = ast.walk(ast.parse(self.raw))
         return {_given(node) for node in nodes if getattr(node, "lineno", 0) in self.lines} - {""}
+
+    @property
+    def around(self) -> range:
+        """The lines of the outermost function in whose body it is, if it is in one."""
+        for node in ast.walk(ast.parse(self.raw)):
+            if isinstance(node, ast.FunctionDef):
+                body = range(node.body[0].lineno, (node.end_lineno or 0) + 1)
+                if self.line in body:
+                    return body
+        return range(0)
 
     def told_on(self) -> dict[Path, set[int]]:
         """Return the lines that may tell of it: its own, or those in which its names are taken.

@@ -113,7 +113,8 @@ class Covered:
     def tests_of(self, mutant: Mutant, most: float) -> list[str]:
         """Return the tests that may tell that a line is changed, those of a file together.
 
-        First those that run it; then the others of their files, which may look at what was made
+        First those that run it; then those that run its function, which may have made something
+        while a file was loaded; then the others of their files, which may look at what was made
         once and kept. What runs when a file is loaded is told first by files of tests that read a
         text with its name, then by those that run a line with it, in any file of the package, by
         files that say it, and by all that have loaded it. Tests of the starter start it as another
@@ -147,7 +148,8 @@ class Covered:
             there, _ = self._ran(taking.relative_to(ROOT).as_posix())
             here |= {test for line in lines for test in there.get(line, ())}
         quick = {test for test in here if self.seconds[test] <= _QUICK}
-        groups = [quick, here, self._of(map(file_of, here))]
+        around = {test for line in mutant.around for test in ran.get(line, ())}
+        groups = [quick, here, around, self._of(map(file_of, here | around))]
         if names := mutant.names:
             saying = {file for file in loading if _says(file, names)}
             keeping = {file for file in loading if _says_kept(file, names)}
