@@ -61,12 +61,12 @@ def spans(
 ) -> list[Span]:
     """Return where a part of a number keeps a condition, whatever its starts and angles are.
 
-    `laws` are those that each move may have. Raises InputError where one of them meets the limit
-    another number of times than another.
+    `laws` are those that each move may have, as many for one as for another. Raises InputError
+    where one of them meets the limit another number of times than another.
     """
     tried = []
-    for number in range(max(map(len, laws))):
-        spread = _spread(motion, [own[min(number, len(own) - 1)] for own in laws])
+    for chosen in zip(*laws, strict=True):
+        spread = _spread(motion, chosen)
         found, place = _arcs(spread, condition), partial(_place, part, spread)
         if found == [(0.0, DEG_PER_TURN)]:  # all of the turn, which no move bounds
             tried.append([Span(*found[0])])
