@@ -174,6 +174,21 @@ def test_a_flight_over_many_turns_is_a_throw_too(preload: float) -> None:
     assert flight.gap_mm == pytest.approx(about, rel=1e-6)
 
 
+@pytest.mark.parametrize("preload", [0.2, 0.24])  # the error, and half of the gap
+def test_the_gap_of_a_flight_that_a_rising_cam_ends_before_its_top(preload: float) -> None:
+    low, high = (
+        (cm.rise(h, over_deg=b), cm.return_(h, over_deg=b)) for h, b in ((10, 60), (100, 80))
+    )
+    lifter = cm.motion("f", *low, cm.dwell(20), *high, cm.dwell(60))
+    first = cm.follower_flights(lifter, cm.FollowerLoad(mass_kg=1, preload_N=preload), 6000)[0]
+    at = np.linspace(first.leaves_at_deg, first.lands_at_deg, 10_001)
+    since = (at - at[0]) / 600  # s
+    thrown = lifter.position_mm(at[0]) + 1000 * lifter.derivative(1, at[0], 6000) * since
+    gaps = thrown - 500 * preload * since**2 - lifter.position_mm(at)
+    assert gaps[-1] == pytest.approx(0, abs=1e-6)
+    assert first.gap_mm == pytest.approx(gaps.max(), rel=1e-6)
+
+
 @pytest.mark.parametrize("rate", [36000, 360000])
 def test_a_follower_that_hardly_anything_presses_is_refused_soon(rate: float) -> None:
     began = time.perf_counter()

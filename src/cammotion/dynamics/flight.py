@@ -136,19 +136,20 @@ class Cam:
         raise AssertionError  # turns have no end
 
     def widest(self, fall: Fall, since: float, end: float) -> float:
-        """Return the largest gap in mm of a flight, which is within a turn of its top.
+        """Return the largest gap in mm of a flight, which is within a turn of where it is highest.
 
-        For the cam is at its lowest once within half a turn of that.
+        For the cam is at its lowest once in that turn. A cam may hit it before its top.
         """
-        highest = since + fall.top_s * self.per_s
-        first, last = max(since, highest - DEG_PER_TURN), min(end, highest + DEG_PER_TURN)
+        top = since + fall.top_s * self.per_s
+        first = max(since, min(top, end) - DEG_PER_TURN)
+        last = min(end, top + DEG_PER_TURN)
         length = last - first
         places = np.linspace(first, last, max(_FEWEST, math.ceil(length / _FINE_DEG) + 1))
         gaps = self.gap(fall, since, places)
-        top = int(np.argmax(gaps))
-        beside = places[max(top - 1, 0)], places[min(top + 1, len(places) - 1)]
+        best = int(np.argmax(gaps))
+        beside = places[max(best - 1, 0)], places[min(best + 1, len(places) - 1)]
         found = searched(lambda at: self.gap(fall, since, at), *beside)
-        return max(found.value, float(gaps[top]))
+        return max(found.value, float(gaps[best]))
 
     def gap(self, fall: Fall, since: float, places: Floats) -> Floats:
         """Return the gaps in mm at places of a flight."""
