@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from machines import MONOTONE, examples, make_diagram, make_die, make_mill
-from shafts import AT, COUNT, DIE, PRESSING, SHAFT, SPEED, die, forces, mill, torque
+from shafts import AT, COUNT, DIE, PRESSING, SHAFT, SPEED, TURN_S, die, forces, mill, torque
 
 import cammotion as cm
 from cammotion import x
@@ -90,6 +90,20 @@ def test_a_weight_that_a_lift_carries_on_is_paid_for() -> None:
         make_diagram(make_mill()), {"mill": cm.FollowerLoad(mass_kg=20, weight_N=200)}
     )
     assert lift.mean_torque_N_m * 2 * math.pi == pytest.approx(20)
+
+
+def test_friction_holds_back_from_where_a_move_begins() -> None:
+    """By hand: 4 h/tm^2 of 12 kg, and 20 N against the motion from its very first angle on."""
+    up, down = (
+        move(50, over_deg=60, law="constant acceleration") for move in (cm.rise, cm.return_)
+    )
+    moved = cm.motion("die", up, cm.dwell(90), down, cm.dwell(150), start_deg=150.1)
+    load = {"die": cm.FollowerLoad(mass_kg=12)}
+    shaft = cm.Camshaft(make_diagram(moved), load, friction_N={"die": 20})
+    mass = 12 * 4 * 0.050 / (60 / 360 * TURN_S) ** 2
+    ends = np.add([150.1, 210.1, 300.1, 330.1, 360.1], [0, 0, 0, 360, -360])
+    expected = [mass + 20, 0, -mass - 20, mass - 20, 0]
+    assert shaft.force_N("die", ends) == pytest.approx(expected)
 
 
 def test_a_spring_counts_from_the_lowest_position() -> None:

@@ -23,7 +23,7 @@ from cammotion.arguments import warn
 from cammotion.arguments.by_name import by_name
 from cammotion.bracketed import Extreme, summit
 from cammotion.drive.process import ProcessForce, force_beside
-from cammotion.drive.spans import Moved, Span, SpanFunction, nodes, running_extremes, spans
+from cammotion.drive.spans import Moved, Span, SpanFunction, nodes, running_extremes, spans, ways
 from cammotion.dynamics.loads import FollowerLoad, check_spring
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN
@@ -268,8 +268,8 @@ class Camshaft(Alike):
         motion, rate = self.diagram[name], self.diagram.rate_per_hour
         derivatives = (motion.derivative(order, angle, rate) for order in (1, 2))
         moved = Moved(*map(np.asarray, (motion.position_mm(angle), *derivatives)))
-        parts = self._parts(name, moved, np.sign(moved.velocity), angle, angle)
-        return np.add(*parts), moved.velocity
+        way = ways(name, self.spans_of(name), angle) if name in self.friction_N else 0.0
+        return np.add(*self._parts(name, moved, way, angle, angle)), moved.velocity
 
     def _parts(
         self,

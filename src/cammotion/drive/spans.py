@@ -87,6 +87,13 @@ def spans(motions: Sequence[Motion], ends_deg: Iterable[float]) -> tuple[Span, .
     return tuple(Span(low, high, motions) for low, high in pairwise([*ends, turn]))
 
 
+def ways(name: str, over: Sequence[Span], angles_deg: Floats) -> Floats:
+    """Return the way of a motion at any angles; where a span begins, what begins there."""
+    lows = [span.low for span in over]
+    numbers = np.searchsorted(lows, (angles_deg + ROUNDING_DEG) % DEG_PER_TURN, side="right") - 1
+    return np.array([span.way(name) for span in over])[numbers]
+
+
 def nodes(span: Span) -> tuple[Floats, Floats]:
     """Return places in a span, and the weights in deg with which values there are integrated."""
     places, weights = _gauss(np.array([span.low, span.high]))
