@@ -1,5 +1,6 @@
 """What is odd to ask of a follower is refused in a sentence, and whole numbers are whole."""
 
+import re
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
@@ -109,3 +110,11 @@ def test_what_is_too_late_or_too_fast_is_refused(
 ) -> None:
     with pytest.raises(cm.InputError, match=said):
         asked(cm.MoveResponse(chain, DIE))
+
+
+@pytest.mark.parametrize(("swings", "turns", "said"), [(120, 500, 1.08e5), (0.2, 30_000, 1.2e5)])
+def test_swings_are_counted_over_all_turns(swings: float, turns: int, said: float) -> None:
+    """216 in a turn of 1.8 s, or one in each of 4 segments: the limit held for each of them."""
+    start = cm.StartResponse(cm.tuned_mass(swings, 0.02), cm.EXAMPLE.die, 2000)
+    with pytest.raises(cm.InputError, match=re.escape(f"can swing {said:.3g} times between")):
+        start.peak_acceleration(over=(150, 150 + 360 * turns))

@@ -85,31 +85,44 @@ class Course:
                 found[:, here] = kind.after(begins[:, here], numbers, within, kind.seen(row, rates))
         return found
 
-    def samples(self, low: float, high: float) -> list[Spots]:
-        """Return spots from one place to another, piece by piece, with both ends of each.
+    def samples(self, over: Sequence[tuple[float, float]]) -> list[list[Spots]]:
+        """Return spots from one place to another of each two, piece by piece, with both ends.
 
         There are 24 in each swing of the fastest mode or wave, and more where a piece begins, after
-        which what is damped strongly changes soonest.
+        which what is damped strongly changes soonest. Raises InputError for too many of all.
         """
-        ends = np.append(self.lows[1:], self.high)
-        return [
-            Spots(np.full(len(within), number), within)
-            for number in np.flatnonzero((self.lows < high) & (ends > low))
-            for within in [self._within(int(number), low, high)]
-        ]
-
-    def _within(self, number: int, low: float, high: float) -> Floats:
-        begin = max(low - self.lows[number], 0.0)
-        end = min(high - self.lows[number], self._widths[number])
-        modes = self.system.frequencies[-1]
-        fastest = max([modes, *(abs(f) for _, f, _ in self._forcings[number].waves)])
-        swings = fastest * (end - begin) / (2 * np.pi)
+        swings = sum(float(np.maximum(self._parts(*ends)[3], 1).sum()) for ends in over)
         if swings > _MOST_SWINGS:
             raise InputError(
-                f"The follower can swing {swings:.3g} times between the places to look between; at "
-                f"most {_MOST_SWINGS:g} are looked at: give places that are closer together, or a "
-                "softer spring."
+                f"The follower can swing {swings:.3g} times between the places to look between, "
+                f"once in each piece of its motion at least; at most {_MOST_SWINGS:g} are looked "
+                "at: give places that are closer together, or a softer spring."
             )
+        return [
+            [
+                Spots(np.full(len(within), number), within)
+                for number, *ends in zip(*self._parts(*each), strict=True)
+                for within in [self._within(*ends)]
+            ]
+            for each in over
+        ]
+
+    def _parts(self, low: float, high: float) -> tuple[Integers, Floats, Floats, Floats]:
+        """Return the pieces between two places, from where to where in each, and its swings."""
+        begins = np.maximum(low - self.lows, 0.0)
+        ends = np.minimum(high - self.lows, self._widths)
+        numbers = np.flatnonzero(begins < ends)
+        begins, ends = begins[numbers], ends[numbers]
+        return numbers, begins, ends, self._fastest[numbers] * (ends - begins) / (2 * np.pi)
+
+    @cached_property
+    def _fastest(self) -> Floats:
+        """The fastest mode or wave of each piece."""
+        modes = self.system.frequencies[-1]
+        waves = ([abs(rate) for _, rate, _ in each.waves] for each in self._forcings)
+        return np.array([max([modes, *rates]) for rates in waves])
+
+    def _within(self, begin: float, end: float, swings: float) -> Floats:
         count = _FEWEST + int(_PER_SWING * swings)
         soonest = 1 / np.linalg.norm(self.system.matrix, 2)
         soon = np.arange(max(0.0, np.log2((end - begin) / soonest) + 1))

@@ -215,7 +215,7 @@ class MoveResponse(Response):
             return [(low, self._begins[0], Spots(np.zeros(1, dtype=np.intp), np.zeros(1)))]
         return [
             (self._course.lows[number], self._begins[number], spots)
-            for spots in self._course.samples(max(low, 0.0), high)
+            for spots in self._course.samples([(max(low, 0.0), high)])[0]
             for number in spots.pieces[:1]
         ]
 
@@ -262,10 +262,12 @@ class _TurnResponse(Response):
         self._phase(np.array([low, high]))  # refuses what is none of its places
         ends = (int((angle - self.motion.start_deg) // DEG_PER_TURN) for angle in (low, high))
         first, last = ends
+        turns = [(turn, turn * DEG_PER_TURN) for turn in range(first, last + 1)]
+        samples = self._course.samples([(low - before, high - before) for _, before in turns])
         found = []
-        for turn in range(first, last + 1):
-            before, begins = turn * DEG_PER_TURN, self._course.begins(self._start(turn))
-            for spots in self._course.samples(low - before, high - before):
+        for (turn, before), parts in zip(turns, samples, strict=True):
+            begins = self._course.begins(self._start(turn))
+            for spots in parts:
                 number = spots.pieces[0]
                 found.append((before + self._course.lows[number], begins[number], spots))
         return found
