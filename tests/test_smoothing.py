@@ -35,12 +35,19 @@ def uneven(is_cycle: bool) -> cm.CamTable:
     return cm.CamTable(angle, y, is_cycle=is_cycle)
 
 
+def near(by_deg: float, is_cycle: bool = False) -> cm.CamTable:
+    """Return a cosine at every tenth degree, and at one place more, next to 100 deg."""
+    angle = np.sort([*turn(36), 100 + by_deg])
+    return cm.CamTable(angle, 20 - 20 * np.cos(np.radians(angle)), is_cycle=is_cycle)
+
+
 TABLES = {
     "even cycle": CAM,
     "odd cycle": cm.CamTable(turn(9), np.arange(9.0) % 4, is_cycle=True),
     "uneven cycle": uneven(True),
     "half": HALF,
     "uneven half": uneven(False),
+    "near cycle": near(1e-5, is_cycle=True),
 }
 
 
@@ -69,7 +76,11 @@ def test_no_neighbour_costs_less(table: cm.CamTable, amount: float) -> None:
             assert cost(table, other, amount) > least
 
 
-@pytest.mark.parametrize("table", [HALF, uneven(False)], ids=["even", "uneven"])
+@pytest.mark.parametrize(
+    "table",
+    [HALF, uneven(False), near(1e-4), near(1e-5)],
+    ids=["even", "uneven", "near", "very near"],
+)
 @pytest.mark.parametrize("amount", [1e-7, 1e-4, 1e-1])
 def test_with_free_ends_it_is_the_spline_of_scipy(table: cm.CamTable, amount: float) -> None:
     places = np.radians(table.angle_deg)
@@ -269,7 +280,11 @@ def test_velocity_and_angles_between_the_points() -> None:
         (lambda: cm.smoothed(CAM, 1).at(0, 1, rate_per_hour=0), "machine rate is 0"),
         (
             lambda: cm.smoothed(cm.CamTable(np.arange(1001.0), np.arange(1001.0))),
-            "There are 1001 points to be smoothed; .* at most 1000",
+            "There are 1001 points to be smoothed; .* at most 1000: take one of every 2, or give",
+        ),
+        (
+            lambda: cm.smoothed(cm.CamTable(np.arange(3598.0), np.arange(3598.0))),
+            "There are 3598 points .*: take one of every 4, or give",
         ),
     ],
 )

@@ -8,7 +8,9 @@ the first mean over the points, the second over the places. It is a cubic spline
 point. Between the values f at the knots and the second derivatives g there, R g = Q f holds, with
 two banded matrices of the widths between the knots; and the mean of f''^2 is g'Rg. So the points
 fall apart into modes, the eigenvectors of Q'R^-1 Q, and each is divided by 1 + amount * (its own
-eigenvalue): that is Demmler's and Reinsch's form. On even points of a cycle the modes are the
+eigenvalue): that is Demmler's and Reinsch's form. They are found from the root of that matrix, as
+singular vectors: the eigenvalues of points that nearly touch are so large that in the matrix itself
+their rounding would cover the small ones. On even points of a cycle the modes are the
 harmonics. With the width d of a step the k-th has, for every amount, the eigenvalue
 
     48 sin(k d/2)^4 / (d^4 (2 + cos(k d))),    and    g = -12 sin(k d/2)^2 / (d^2 (2 + cos(k d))) f,
@@ -22,6 +24,7 @@ The amount can be chosen by generalised cross-validation (Craven and Wahba): the
 which estimates how well a point that was left out would have been foretold.
 """
 
+import math
 from typing import Any, Literal
 
 import numpy as np
@@ -75,21 +78,21 @@ class AnyPoints:
         if places.size > MOST:
             raise InputError(
                 f"There are {places.size} points to be smoothed; at uneven places or between two "
-                f"ends that is possible for at most {MOST}: take every second one, or give a whole "
-                "turn of even angles."
+                f"ends that is possible for at most {MOST}: take one of every "
+                f"{math.ceil(places.size / MOST)}, or give a whole turn of even angles."
             )
-        number, length = places.size, period or float(places[-1] - places[0])
+        length = period or float(places[-1] - places[0])
         r, q = _matrices(places, period if ends == "periodic" else None)
         if ends == "natural":
             r, q = r[1:-1, 1:-1], q[1:-1]
         self._bends = np.linalg.solve(r, q)
         self._ends, self._places, self._slopes = ends, places, slopes
         self._free = slice(1, -1) if ends == "clamped" else slice(None)
-        rough = q.T @ self._bends
-        free, count = self._free, len(range(number)[self._free])
-        values, self._vectors = np.linalg.eigh((rough + rough.T)[free, free] / 2)
-        values[: _LINES[ends]] = 0.0
-        self.eigenvalues = np.maximum(values, 0.0) * count / length
+        root = np.linalg.solve(np.linalg.cholesky(r), q)[:, self._free]
+        _, values, vectors = np.linalg.svd(root)
+        self._vectors, count = vectors.T, len(vectors)
+        bending = count - _LINES[ends]
+        self.eigenvalues = np.pad(values[:bending] ** 2, (0, _LINES[ends])) * count / length
 
     def modes(self, values: Floats) -> Floats:
         """Return the parts of the points, measured from the smoothest curve with these ends."""
