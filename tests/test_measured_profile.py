@@ -260,7 +260,13 @@ REFUSED: list[tuple[Any, str]] = [
         50 * CIRCLE[[*range(30), 34, 33, 32, 31, *range(35, 90)]],
         "leave 20 deg out after position 29.* put them in order",
     ),
-    ([math.nan, *50 * CIRCLE[1:]], "points of the profile is nan"),
+    (
+        50 * CIRCLE[[*range(90), 0, 1]],
+        "^The last 2 points .* over the first ones again: leave them",
+    ),
+    (50 * CIRCLE[[*range(90), 0]] * np.exp(1e-3j * (np.arange(91) == 90)), "^The last point goes"),
+    (50 * CIRCLE[[*range(7), *range(5, 90)]], "at positions 5 and 7 are one"),
+    ([math.nan, *50 * CIRCLE[1:]], "^The coordinate of a point of the profile is nan"),
 ]
 
 

@@ -12,7 +12,7 @@ FORCE = Quantity("force on the cam", "N", example=500, low=-math.inf)
 RADIUS = Quantity("radius of curvature of the profile", "mm", example=60, low=-math.inf)
 WIDTH = Quantity("width of the contact", "mm", example=12)
 MODULUS = Quantity("modulus of elasticity", "N/mm²", example=210_000)
-POISSON = Quantity("Poisson's ratio", "", example=0.3, high=0.5)
+POISSON = Quantity("Poisson ratio", "", example=0.3, high=0.5)
 
 
 def hertz_pressure(  # noqa: PLR0913 - each is in the formula

@@ -20,12 +20,13 @@ from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.quantities import Floats, InputError, Quantity, as_text, shorten
 
 PROBE = Quantity("radius of the probe", "mm", example=2, low_included=True)
-POINT = Quantity("points of the profile", "mm", example=50, low=-1e5, high=1e5)
+POINT = Quantity("coordinate of a point of the profile", "mm", example=50, low=-1e5, high=1e5)
 COUNT = Quantity("count of angles", "", example=360, low=8, high=1e5, low_included=True)
 
 _FLAT = "flat face"
 _FEWEST = 36
 _WIDEST_DEG = 12.0  # between two points, as seen from the axis
+_SAME_RAD = 1e-9  # so far from the first point to the last a turn is not exceeded
 _NOISE, _ROUNDING = 10.0, 3e-5  # times the noise, and of the size: so far off an answer may be
 
 
@@ -154,19 +155,27 @@ def _checked(x_mm: ArrayLike, y_mm: ArrayLike, *, clockwise: bool) -> Places:
     ends = np.append(points, points[0])
     same = np.flatnonzero(np.abs(np.diff(ends)) <= 1e-9 * size)
     if same.size:
-        raise InputError(
-            f"The points of the profile at positions {same[0]} and {(same[0] + 1) % len(points)} "
-            "are one: give each point once."
-        )
+        raise _twice(same[0], (same[0] + 1) % len(points))
     _check_round(points, ends)
+    _, first, which = np.unique(points, return_index=True, return_inverse=True)
+    again = np.flatnonzero(first[which] < np.arange(len(points)))
+    if again.size:
+        raise _twice(first[which[again[0]]], again[0])
     area = (ends[:-1].conj() * ends[1:]).imag.sum()
     if not clockwise:
         points, area = -points.conj(), -area
     return points if area > 0 else points[::-1]
 
 
+def _twice(first: int, second: int) -> InputError:
+    return InputError(
+        f"The points of the profile at positions {first} and {second} are one: give each point "
+        "once."
+    )
+
+
 def _check_round(points: Places, ends: Places) -> None:
-    """Raise InputError unless the points go once round the axis, without a gap."""
+    """Raise InputError unless the points go once round the axis, without a gap or an overlap."""
     if np.abs(points).min() > 0:
         turned = np.angle(ends[1:] / ends[:-1])
         turns = round(abs(float(turned.sum())) / (2 * math.pi))
@@ -176,6 +185,13 @@ def _check_round(points: Places, ends: Places) -> None:
         raise InputError(
             f"The points of the profile go {turns} times round the axis, and a disc cam goes once "
             "round it: give x and y about the axis, in order, and each point once."
+        )
+    passed = np.cumsum(turned[:-1]) * np.sign(turned.sum()) - 2 * math.pi
+    if passed[-1] > _SAME_RAD:
+        again = len(passed) - int(np.argmax(passed > -np.median(np.abs(turned)) / 2))
+        last = f"last {again} points of the profile go" if again > 1 else "last point goes"
+        raise InputError(
+            f"The {last} over the first ones again: leave {'them' if again > 1 else 'it'} out."
         )
     worst = int(np.abs(turned).argmax())
     if math.degrees(abs(turned[worst])) > _WIDEST_DEG:
