@@ -1,6 +1,7 @@
 """One mass on a spring, against solvers that know nothing of its formulas."""
 
 import math
+import time
 from typing import Any
 
 import numpy as np
@@ -200,6 +201,25 @@ def test_shapes() -> None:
 def test_what_is_refused(given: tuple[Any, ...], words: str) -> None:
     with pytest.raises(cm.InputError, match=words):
         cm.OneMass(*given)
+
+
+def test_numbers_take_no_formula() -> None:
+    """It was written out first: 6 s for 361 points."""
+    even = np.linspace(0, 1, 361)
+    law = cm.law_from_points(even, even**2 * (3 - 2 * even))
+    began = time.perf_counter()
+    assert cm.OneMass(law, 4).peak == pytest.approx(cm.OneMass("cubic", 4).peak, rel=1e-6)
+    assert time.perf_counter() - began < 1.5
+
+
+def test_a_square_of_a_wave_is_two_waves() -> None:
+    """It was refused as no wave."""
+    turned = sp.pi * cm.x / 2
+    square, wave = (
+        cm.MotionLaw("it", s) for s in (sp.sin(turned) ** 2, (1 - sp.cos(2 * turned)) / 2)
+    )
+    found, known = (cm.OneMass(law, 4.3).a.subs(cm.x, 0.3) for law in (square, wave))
+    assert float(found) == pytest.approx(float(known), rel=1e-12)
 
 
 def test_what_is_refused_later() -> None:

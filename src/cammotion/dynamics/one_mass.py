@@ -22,6 +22,7 @@ from typing import Any, NamedTuple
 
 import sympy
 from numpy.typing import ArrayLike
+from sympy.simplify.fu import TR8
 
 from cammotion.alike import Alike
 from cammotion.dynamics.chain import UNDERDAMPED, tuned_mass
@@ -29,7 +30,10 @@ from cammotion.dynamics.forcing import check_velocity
 from cammotion.dynamics.response import MoveResponse
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
+from cammotion.laws.piece import Piece, Placed
 from cammotion.laws.reader import Zone, cut
+from cammotion.laws.series import Series
+from cammotion.laws.spline import Spline
 from cammotion.laws.symbols import exact, x
 from cammotion.machine.kinematics import MM_PER_M, Move
 from cammotion.quantities import InputError, Numbers, Quantity
@@ -75,7 +79,9 @@ class OneMass(Alike):
         self._of = {
             s: v if getattr(v, "free_symbols", None) else q.number(v) for s, (q, v) in given.items()
         }
-        _zones(self.law)  # refuses a law that has none
+        check_velocity(self.law)
+        if not all(map(_is_of_waves, self.law.curve.pieces)):
+            _zones(self.law)  # refuses a law that has none
 
     @property
     def z(self) -> sympy.Expr:
@@ -196,9 +202,15 @@ def _response(law: MotionLaw, derivative: int) -> sympy.Expr:
     return sympy.Piecewise(*pieces, (0, True), evaluate=False) - sympy.Add(*swings)
 
 
+def _is_of_waves(piece: Piece) -> bool:
+    """Whether a piece is known to be of polynomials and waves; to write that out takes seconds."""
+    while isinstance(piece, Placed):
+        piece = piece.inner
+    return isinstance(piece, Series | Spline)
+
+
 @lru_cache(maxsize=64)
 def _zones(law: MotionLaw) -> tuple[_Forced, ...]:
-    check_velocity(law)
     merged: list[Zone] = []
     for zone in cut(law.name, law.a):
         is_same = merged and all(
@@ -212,7 +224,7 @@ def _zones(law: MotionLaw) -> tuple[_Forced, ...]:
 def _forced(law: MotionLaw, acceleration: sympy.Expr) -> sympy.Expr:
     """Return the motion of the form of A that obeys the equation: Z'' + 2 D w Z' + w^2 Z = -A."""
     forced = power = sympy.Integer(0)
-    for term in sympy.Add.make_args(sympy.expand(acceleration)):
+    for term in sympy.Add.make_args(sympy.expand(TR8(acceleration))):  # products of waves are sums
         if term.is_polynomial(x):
             power += term
             continue
