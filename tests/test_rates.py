@@ -100,6 +100,9 @@ def test_what_no_rate_meets_and_what_every_rate_exceeds() -> None:
     (always,) = cm.rate_limits(jumping, acceleration_m_per_s2=1)
     assert always.rate_per_hour == 0
     assert str(always) == "at any rate the die exceeds the acceleration of 1 m/s², at 0 deg"
+    preloaded = {"die": cm.FollowerLoad(mass_kg=12, preload_N=100)}
+    (standing,) = cm.rate_limits(cm.Camshaft(make_diagram(), preloaded), force_N=100)
+    assert str(standing).startswith("at any rate the die exceeds the force of 100 N, at ")
     weighted = cm.FollowerLoad(mass_kg=1, preload_N=50)
     rates = cm.rate_limits(cm.Camshaft(still, {"pin": weighted}), force_N=60, torque_N_m=1)
     assert [limit.rate_per_hour for limit in rates] == [math.inf, math.inf]

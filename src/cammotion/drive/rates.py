@@ -18,7 +18,7 @@ import numpy as np
 
 from cammotion.arguments import checked
 from cammotion.arguments.by_name import by_name
-from cammotion.bracketed import largest
+from cammotion.bracketed import largest, summit
 from cammotion.drive.camshaft import LOADED, Camshaft
 from cammotion.drive.spans import Span
 from cammotion.machine.diagram import TimingDiagram, as_diagram
@@ -159,10 +159,14 @@ def _rate(
 ) -> tuple[float, float | None]:
     """Return the rate at which a limit is met, and where; infinity and None for none."""
 
-    def share(span: Span, angles: Floats) -> Floats:
+    def room(span: Span, angles: Floats) -> tuple[Floats, Floats]:
+        """Return what the masses take, and what the rest leaves of the limit in their direction."""
         inertia, standing = parts(span, angles)
-        room = limit - np.sign(inertia) * standing
-        return np.abs(inertia) / np.maximum(room, _LEAST * limit)
+        return np.abs(inertia), limit - np.sign(inertia) * standing
+
+    def share(span: Span, angles: Floats) -> Floats:
+        taken, left = room(span, angles)
+        return taken / np.maximum(left, _LEAST * limit)
 
     def asked(span: Span, angles: Floats, faster: float) -> Floats:
         """Return what is asked with so many times the square of the rate."""
@@ -172,12 +176,15 @@ def _rate(
     most = largest(partial(asked, faster=0.0), over)
     if most.value > limit * (1 + _SAME):
         return 0.0, most.at_deg
-    found = largest(share, over)
+    found, span = summit(share, over)
+    at_deg = found.at_deg % DEG_PER_TURN
     if found.value <= 0:
         return math.inf, None
+    if room(span, np.array([found.at_deg]))[1] <= 2 * _LEAST * limit:
+        return 0.0, at_deg
     rate = shaft.diagram.rate_per_hour / math.sqrt(found.value)
     peak = largest(partial(asked, faster=1 / found.value), over).value
     if not math.isclose(peak, limit, rel_tol=_SAME):
         told = f"at {rate:g} pieces/h the peak is {peak:g} and not {limit:g}"
         raise WrongAnswerError("rate_limits", told)
-    return rate, found.at_deg
+    return rate, at_deg
