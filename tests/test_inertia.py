@@ -5,7 +5,7 @@ import math
 import pickle
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -134,6 +134,16 @@ def test_a_body_is_copied_and_read_back(body: Any) -> None:
         assert thicker.inertia_kg_m2 == pytest.approx(3 * body.inertia_kg_m2)
         with pytest.raises(cm.InputError, match="weighed in one way"):
             dataclasses.replace(body, mass_kg=1)
+
+
+def test_a_rotor_is_equal_by_its_parts_and_stays_as_it_is() -> None:
+    """It had no hash, and its parts could be changed."""
+    one, other = example(), cm.Rotor(dict(reversed([*example().parts.items()])))
+    again = pickle.loads(pickle.dumps(one))  # noqa: S301
+    assert one == other == dataclasses.replace(one) == again != example(station_kg=15)
+    assert len({one, other, again, cm.Indexer(one, 8, 0.75).turns, example(station_kg=15)}) == 2
+    with pytest.raises(TypeError):
+        cast("dict[str, object]", one.parts)["plate"] = 1
 
 
 def test_a_rotor_as_a_table() -> None:

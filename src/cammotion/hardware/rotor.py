@@ -3,7 +3,10 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
 
+from cammotion.alike import Alike
 from cammotion.hardware.inertia import Cross, Cuboid, Disc, OwnInertia, PointMasses, Ring
 from cammotion.machine.kinematics import MM_PER_M, STANDARD_GRAVITY
 from cammotion.quantities import InputError, Quantity, decimals_of, shorten
@@ -12,8 +15,8 @@ _GRAVITY = Quantity("acceleration of gravity", "m/s2", example=9.81)
 _KINDS = (Disc, Ring, Cuboid, Cross, PointMasses, OwnInertia)
 
 
-@dataclass(frozen=True)
-class Rotor:
+@dataclass(frozen=True, eq=False)
+class Rotor(Alike):
     """All that turns, part by part: `parts` has a name for each.
 
     Raises InputError for no parts at all, and for what is no part.
@@ -44,7 +47,10 @@ class Rotor:
                     f"The part {shorten(name)} is {shorten(part)}; there are the kinds {known}: "
                     "give for example cammotion.Disc(radius_mm=500, mass_kg=43.04)."
                 )
-        object.__setattr__(self, "parts", dict(self.parts))
+        object.__setattr__(self, "parts", MappingProxyType(dict(self.parts)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self.parts),)
 
     @property
     def mass_kg(self) -> float:
