@@ -176,6 +176,35 @@ def test_a_cycle_that_is_the_index_but_for_the_last_digit_is_one() -> None:
     assert all_of_it.rms_torque_N_m(0.3) == pytest.approx(all_of_it.rms_torque_N_m(0.1 + 0.2))
 
 
+BACK = cm.law_from_points([0, 0.2, 0.4, 0.6, 0.8, 1], [0, -0.1, 0.2, 0.9, 1.15, 1])
+
+
+def test_friction_acts_against_a_law_that_goes_backwards() -> None:
+    """It drove the table on: Camshaft is another computation, samples are a third."""
+    found = cm.Indexer(1, 8, 0.5, BACK, friction_N_m=20, work_N_m=3)
+    inside = X[1:-1]
+    speed, alpha = found.velocity_rad_per_s(inside), found.acceleration_rad_per_s2(inside)
+    torque = alpha + 3 + 20 * np.sign(speed)
+    assert_near(found.torque_N_m(inside), torque, rel=1e-9)
+    assert found.torque_N_m(0.1) == pytest.approx(-17.1127, abs=1e-4)
+    assert found.peak_torque_N_m == pytest.approx(np.abs(torque).max(), rel=1e-3)
+    assert found.peak_power_W == pytest.approx(np.abs(torque * speed).max(), rel=1e-6)
+    assert found.rms_torque_N_m(0.5) == pytest.approx(np.sqrt(np.mean(torque**2)), rel=1e-3)
+    negative = [(inside > low) & (inside < high) for low, high in found.braking]
+    assert np.array_equal(np.any(negative, axis=0), torque < 0)
+    turret = cm.indexing_motion("t", cm.rise(8, over_deg=100, law=BACK), cm.dwell(260), stops=8)
+    radius = 8 * 0.008 / (2 * math.pi)  # m, so that the loads are 1 kg m2 and 20 N m
+    shaft = cm.Camshaft(
+        cm.TimingDiagram([turret], 2000),
+        {"t": cm.FollowerLoad(mass_kg=1 / radius**2)},
+        friction_N={"t": 20 / radius},
+    )
+    free = cm.Indexer(1, 8, 0.5, BACK, friction_N_m=20)
+    asked = free.camshaft_torque_N_m(inside[::97], 100)
+    assert shaft.torque_N_m(100 * inside[::97]) == pytest.approx(asked)
+    assert abs(shaft.peak_torque().value) == pytest.approx(free.peak_camshaft_torque_N_m(100))
+
+
 ANY: Any = cm  # what a learner may type, unseen by a type checker
 BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: ANY.Indexer(-38.5, 8, 0.75), r"inertia is -38.5 kg m2.*for example 38.5 kg m2"),
@@ -204,6 +233,7 @@ BAD: list[tuple[Callable[[], object], str]] = [
     (lambda: table().rms_torque_N_m(-1), r"cycle time is -1 s"),
     (lambda: table().torque_N_m(1.5), r"x = t/tm is 1.5"),
     (lambda: table().impact_rad_per_s(0), r"backlash is 0 deg.*0.02 deg"),
+    (lambda: table(BACK, friction_N_m=10).impact_rad_per_s(0.02), r"backwards when friction has"),
     (lambda: table().impact_rad_per_s(40), r"backlash is 40 deg.*gains only .* smaller"),
 ]
 

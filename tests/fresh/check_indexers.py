@@ -29,7 +29,8 @@ def _check(law: cm.MotionLaw, rng: np.random.Generator) -> None:
     inside = np.linspace(0, 1, FINE)[1:-1]
     step = 2 * np.pi / stops
     omega = step / time * function_of(law, 1)(inside)
-    torque = inertia * step / time**2 * function_of(law, 2)(inside) + friction
+    dragged = np.where(omega < 0, -friction, friction)
+    torque = inertia * step / time**2 * function_of(law, 2)(inside) + dragged
     power = torque * omega
     for own, said, what in (
         (float(np.abs(torque).max()), table.peak_torque_N_m, "torque"),

@@ -14,6 +14,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain, pairwise
 from typing import Any
 
 import numpy as np
@@ -22,10 +23,11 @@ from numpy.typing import ArrayLike
 from cammotion.bracketed import cuts, largest
 from cammotion.hardware.rotor import Rotor
 from cammotion.laws.catalogue import as_law
+from cammotion.laws.curve import Curve
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.piece import Piece, bisect
 from cammotion.machine.kinematics import ANGLE
-from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers
+from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain
 
 
 class _Inertia(Quantity):
@@ -53,8 +55,9 @@ class Indexer:
     """A table that a law turns from stop to stop, and what that takes.
 
     `turns` is what turns, a Rotor or its inertia in kg m2, `stops` the number of stops in a turn of
-    the table, `time_s` the indexing time tm. `friction_N_m` acts against the motion, `work_N_m` is
-    what else holds it back; both are taken as constant while the table moves. `safety` is what
+    the table, `time_s` the indexing time tm. `friction_N_m` acts against the motion, the other way
+    round where the law goes backwards; `work_N_m` is what else holds the table back; both are taken
+    as constant while the table moves. `safety` is what
     the required torque is larger by. Raises InputError for numbers out of range, and for a law
     whose velocity jumps or that does not go from 0 to 1.
 
@@ -119,8 +122,9 @@ class Indexer:
     @property
     def peak_torque_N_m(self) -> float:  # noqa: N802
         """The largest torque of all, in either direction, without the safety factor, in N m."""
-        ends = self._law.curve.derived(2).extremes
-        return max(abs(self.inertia_kg_m2 * self._per_a * a + self._drag) for a in ends)
+        runs = ((drag, curve.derived(2).extremes) for curve, drag in self._runs)
+        per_a = self.inertia_kg_m2 * self._per_a
+        return max(abs(per_a * a + drag) for drag, ends in runs for a in ends)
 
     @property
     def required_torque_N_m(self) -> float:  # noqa: N802
@@ -147,7 +151,7 @@ class Indexer:
         >>> table.torque_N_m([0.125, 0.5, 0.875]).round(1)
         array([ 307.2,   10. , -287.2])
         """
-        return self.inertia_kg_m2 * self.acceleration_rad_per_s2(x) + self._drag
+        return plain(self.inertia_kg_m2 * self.acceleration_rad_per_s2(x) + self._drag_at(x))
 
     def power_W(self, x: ArrayLike) -> Numbers:  # noqa: N802
         """Return the power in W at x = t/tm, 0 to 1: negative where the table drives."""
@@ -165,7 +169,7 @@ class Indexer:
             speed = piece.derivative.over(places.copy()) * (self.step_rad / self.time_s)
             return np.abs(self._torque_over(piece, places) * speed)
 
-        return largest(power, self._law.curve.pieces).value
+        return largest(power, self._pieces).value
 
     def camshaft_torque_N_m(self, x: ArrayLike, angle_deg: float) -> Numbers:  # noqa: N802
         """Return the torque on the camshaft in N m at x = t/tm, 0 to 1, a number or an array.
@@ -200,7 +204,7 @@ class Indexer:
             )
         nodes, weights = np.polynomial.legendre.leggauss(_NODES)
         total = 0.0
-        for piece in self._law.curve.pieces:
+        for piece in self._pieces:
             ends = np.array([piece.low, *cuts(piece), piece.high])
             half = np.diff(ends) / 2
             places = ends[:-1, None] + half[:, None] * (1 + nodes)
@@ -212,10 +216,14 @@ class Indexer:
     def braking(self) -> list[tuple[float, float]]:
         """The intervals of x in which the torque is negative: the drive holds the table back.
 
+        Where friction turns with the law, one of them ends and the next begins.
+
         >>> Indexer(38.5, stops=8, time_s=0.75).braking
         [(0.5, 1.0)]
         """
-        return self._law.curve.derived(2).where(-self._drag_a, -1, 1e-12)
+        per_a = self.inertia_kg_m2 * self._per_a
+        found = (curve.derived(2).where(-drag / per_a, -1, 1e-12) for curve, drag in self._runs)
+        return [*chain.from_iterable(found)]
 
     def impact_rad_per_s(self, backlash_deg: float) -> float:
         """Return how fast the table runs into the other flank when the torque turns, in rad/s.
@@ -224,7 +232,8 @@ class Indexer:
         becomes negative the table runs free, slowed by friction and work alone, until the drive,
         which goes on by its law, has fallen back by the backlash. A table that is braked only by
         these never gets there: 0. Raises InputError for a backlash that is not used up while the
-        table is faster than its drive and before the index ends.
+        table is faster than its drive and before the index ends, and for a law that goes backwards
+        when friction has stopped the table.
 
         >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).impact_rad_per_s(0.02):.4f} rad/s")
         0.0286 rad/s
@@ -240,10 +249,18 @@ class Indexer:
             gone = x - start
             return float(speed * gone - self._drag_a * gone**2 / 2 - (law(x) - at))
 
+        def free(x: float) -> float:
+            return float(speed - self._drag_a * (x - start))
+
         def faster(x: float) -> float:
-            return float(speed - self._drag_a * (x - start) - law(x, 1))
+            return float(free(x) - law(x, 1))
 
         end = self._gained_until(faster)
+        if self.friction_N_m and free(end) < -_SAME:
+            raise InputError(
+                f"The law {law.name!r} goes backwards when friction has stopped the free table: "
+                "give a smaller friction_N_m, or a law that only goes on."
+            )
         if ahead(end) < gap:
             most = math.degrees(ahead(end) * self.step_rad)
             raise InputError(
@@ -273,19 +290,35 @@ class Indexer:
     def _per_a(self) -> float:
         return self.step_rad / self.time_s**2
 
+    @cached_property
+    def _runs(self) -> list[tuple[Curve, float]]:
+        """The law cut where friction turns back with it, and what friction and work take in N m."""
+        law, found = self._law.curve, []
+        backwards = law.derived(1).where(0.0, -1, _SAME) if self.friction_N_m else []
+        for number, ends in enumerate(pairwise([0.0, *chain.from_iterable(backwards), 1.0])):
+            if pieces := law.between(*ends) if backwards else law.pieces:
+                friction = -self.friction_N_m if number % 2 else self.friction_N_m
+                found.append((Curve(pieces), friction + self.work_N_m))
+        return found
+
     @property
-    def _drag(self) -> float:
-        return self.friction_N_m + self.work_N_m
+    def _pieces(self) -> list[Piece]:
+        return [piece for curve, _ in self._runs for piece in curve.pieces]
+
+    def _drag_at(self, x: ArrayLike) -> Any:
+        """Return friction and work in N m at x, where the law turns back of what comes after."""
+        curves, drags = zip(*self._runs, strict=True)
+        return np.array(drags)[np.searchsorted([each.low for each in curves[1:]], x, side="right")]
 
     @property
     def _drag_a(self) -> float:
         """How the law's A would be if friction and work alone braked the table."""
-        return self._drag / (self.inertia_kg_m2 * self._per_a)
+        return (self.friction_N_m + self.work_N_m) / (self.inertia_kg_m2 * self._per_a)
 
     def _torque_over(self, piece: Piece, places: Floats) -> Floats:
         """Return the torque in N m over a piece of the law."""
         a = piece.derivative.derivative.over(places.copy())
-        return self.inertia_kg_m2 * self._per_a * a + self._drag
+        return np.asarray(self.inertia_kg_m2 * self._per_a * a + self._drag_at(places))
 
     def _shaft_rad_per_s(self, angle_deg: Any) -> float:
         return math.radians(ANGLE.number(angle_deg)) / self.time_s
