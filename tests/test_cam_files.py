@@ -82,6 +82,11 @@ def test_an_svg_is_on_a_scale_of_one_to_one(tmp_path: Path) -> None:
     reached = np.array(ends, dtype=float)
     near = np.abs(reached[:, None] - CAM.profile_mm(np.arange(0, 360, 0.01))).max(axis=2)
     assert near.min(axis=1).max() < 0.02
+    paths = [path.attrib["d"] for path in drawing.iter() if path.get("class")]
+    corners = [re.findall(corner, path) for path in paths]
+    is_open = [not path.endswith("Z") for path in paths]
+    assert is_open == [ends[0] != ends[-1] for ends in corners]
+    assert any(is_open)
 
 
 @pytest.mark.parametrize("name", ["cam.csv", "cam.txt"])
