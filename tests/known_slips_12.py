@@ -192,7 +192,7 @@ NUMBER_SLIPS = [
         "12.2",
         "the sucker's way and angle",
         lambda m: peak(m, 90, 60, 4),
-        "number of the lesson|finite",
+        "^These are way and angle|number of the lesson|sucker of the lesson|finite",
     ),
     KnownSlip(
         "12.2",

@@ -85,7 +85,7 @@ ODD_FORMULAS: list[tuple[Any, str]] = [
     (str(FORMULA), "without quotes"),
     ([FORMULA], "several values .*list"),
     (sympy.Matrix([FORMULA]), "several values"),
-    (sympy.Eq(sympy.Symbol("a"), FORMULA), r"^This is an equation: give its right side, \.rhs\.$"),
+    (sympy.Eq(FORMULA, sympy.Symbol("a")), r"equation: give the side with the formula, \.rhs or"),
     (True, "is no formula"),
     (3.0, "one number, .* no t or h_m or t_m in it"),
     (sympy.sqrt(-h_m), "real, finite"),

@@ -13,9 +13,11 @@ from cammotion.teaching.variants import machine_for
 
 TYPED = [
     ("01.3", "", 0.3923, "degrees of its work are not free"),
+    ("02.4", "", 0.33, "^This is by how much it grows"),  # a quarter of the right number is 0.3328
     ("02.1", "Zoë", 0.341, "velocity.* Or: This is the acceleration in g"),
     ("12.1", "Anna", 4185, "^This compares the velocities[^.]*[.][^.]*[.]$"),
     ("12.1", "s0", 3679.3, "mill got another angle.* Or: Close.*rounded on the way"),
+    ("12.2", "Learner0", 7.84, "^These are way and angle of the lesson's sucker[^O]*$"),
     ("08.1", "", 27.1558, "^Here the plate has no hole"),
     ("08.2", "", 308.744, "^With a wrong answer to 08.1 .* has no hole"),
     ("08.3", "", 107.877, "^With a wrong answer to 08.1 .* has no hole"),

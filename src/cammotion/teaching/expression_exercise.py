@@ -170,7 +170,9 @@ class ExpressionExercise(Exercise):
         except (sympy.SympifyError, TypeError, ValueError):
             expression = None
         if isinstance(expression, sympy.Equality):
-            raise OddAnswerError("This is an equation: give its right side, .rhs.")
+            raise OddAnswerError(
+                "This is an equation: give the side with the formula, .rhs or .lhs."
+            )
         if not isinstance(expression, sympy.Expr):
             raise OddAnswerError(f"{shorten(answer)} is no formula. Write {self.wanted}.")
         names = {symbol.name for symbol in expression.free_symbols}

@@ -159,8 +159,12 @@ class NumberExercise(Exercise):
         """Say what has happened to a number that is neither right nor one of the slips."""
         right = self.solution(machine)
         mixed_up = self._mixed_up(given, machine, FEWEST + 1)
-        is_ratio = is_as_typed if mixed_up else _agrees if self.is_quotient else self._is_about
-        ratios = [said for r, said in self.ratios.items() if is_ratio(given, r * right)]
+        is_ratio = is_as_typed if mixed_up else self._is_about
+        ratios = [
+            said
+            for r, said in self.ratios.items()
+            if is_ratio(given, r * right) and (not self.is_quotient or _agrees(given, r * right))
+        ]
         carried = self._carried_to(given, machine)
         rounded = in_one(
             reason

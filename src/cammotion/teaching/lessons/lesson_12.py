@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable
 from functools import partial
+from operator import ne
 
 from cammotion.laws.catalogue import LAWS
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, indexing_time
@@ -20,8 +21,8 @@ from cammotion.teaching.number_exercise import NumberExercise
 from cammotion.teaching.prediction import Prediction
 
 _CYCLOID, _HARMONIC = 2 * math.pi, math.pi**2 / 2
-_SUCKER_MM, _SUCKER_DEG = 90, 60
-_LESSONS_LEAST = 4.0  # m/s2, of the sucker of the lesson, which goes so far in so many degrees
+_SUCKER = 90, 60  # mm and deg: its way and its angle in the lesson
+_LESSONS_LEAST = 4.0  # m/s2, of the sucker at the lesson's rate
 _LESSONS_BALANCED = 4198  # pieces/h; its table has the mill within 0.65 mm, and not 0.645
 _ROOM, _LESS = 1.02, 0.9  # of the balance by the cycloid, that a design may have
 _SHARPER = 2.0  # times the jerk of the gentle laws, that the contest allows
@@ -118,11 +119,18 @@ def _carriage(m: MillAndDie) -> tuple[float, float]:
 
 
 def _with_the_suckers(m: MillAndDie) -> Iterable[float]:
-    """Yield what 12.2 is with way, angle or time of the lesson's sucker, or with way and angle."""
-    sucker = (_SUCKER_MM, _SUCKER_DEG)
-    yield from with_one_of_the_lesson(partial(_gentlest, m), _carriage(m), sucker)
-    yield _gentlest(m, *sucker)
-    yield 4 * m.pitch_mm / MM_PER_M / float(indexing_time(_SUCKER_DEG, EXAMPLE.rate_per_hour)) ** 2
+    """Yield what 12.2 is with way, angle or time of the lesson's sucker."""
+    yield from with_one_of_the_lesson(partial(_gentlest, m), _carriage(m), _SUCKER)
+    yield 4 * m.pitch_mm / MM_PER_M / float(indexing_time(_SUCKER[1], EXAMPLE.rate_per_hour)) ** 2
+
+
+def _of_the_sucker(m: MillAndDie) -> float:
+    """Return what 12.2 is with way and angle of the lesson's sucker.
+
+    NaN where one of them is the carriage's, too, and at the lesson's rate, which is told by itself.
+    """
+    has_own = m.rate_per_hour != EXAMPLE.rate_per_hour and all(map(ne, _carriage(m), _SUCKER))
+    return _gentlest(m, *_SUCKER) if has_own else math.nan
 
 
 def _least(m: MillAndDie, factor: float = 4.0) -> float:
@@ -329,6 +337,10 @@ EXERCISES = (
             Slip(
                 lambda m: 4 * m.pitch_mm / MM_PER_M / math.radians(m.mill_angle_deg) ** 2,
                 "The angle was put in for the time, in radians. How long does the cam need for it?",
+            ),
+            Slip(
+                _of_the_sucker,
+                "These are way and angle of the lesson's sucker. The carriage has its own.",
             ),
             Slip(
                 lambda m: _LESSONS_LEAST,
