@@ -62,7 +62,15 @@ TYPED = [
     *("0.8/s", "0.8 per s", "0.8 a second", "3k", "3K", "3 thousand", "64 rpm", "5 MM", "30°"),
     *("2x", "2 ×", "4.6× as fast", "5 times", "2x3", "2pi", "2 pi", "2π", "6.28 pixels", "3 PI"),
     *("half of 4.154", "twice 9", "1/4 of the peak", "2 thirds", "0.9 of it", "8/24"),
-    *("8.6'", "9\u2032"),
+    *("8.6'", "9\u2032", "'92.5'", "\u201892.5\u2019", "'8.6''", "“8”", " '1/4' "),
+    *("10 % lower", "by 10 %", "10 % off", "-10 %", "- 10 %", "90 % by it", "10 times smaller"),
+    *("25 per cent", "25 Percent", "25 Prozent", "25 percent", "50 %, half the stroke"),
+    *("0.14 deg of play", "a factor of 10", "8 of them", "0.3 of them", "8 of 24", "12of it"),
+    *("1.04, a quarter of it", "1/4 (a quarter)", "140 (twice)", "8, a third", "1 half", "a half"),
+    *("half of the 4.154", "half of -4", "twice .5", "a tenth of 4.154", "6 and a half"),
+    *("9 tenths", "8.6 quarters", "the 5th", "0.25 of 1", "1/3 of them"),
+    *("0.25 x tm", "1/4 X TM", "0.25 times tm", "1/4*tm", "4 x tms", "4 × tm²", "4 tm"),
+    *("2 pi²", "2pi²", "²pi 2", "2 pier", "pi2", "1½", "1 ½", "6¼", "2¾ x", "1.5½", "8/18", "8th"),
     *("6.3 mm radius", "5 per minute", "MIN 4", "0.2 metres", "5 d", "4 ms", "°5", "3 deg/s"),
 ]
 

@@ -1,17 +1,38 @@
 // What is said to an answer and to a prediction. Python has decided it when the page was built, or
 // decides it by the same steps: `verdicts.py` and `teaching/prediction.py`.
 
+const LETTER = String.raw`[a-zµμ\u00c0-\u024f]`;
+const SHARE = /%|per ?cent|prozent/i;
 const NUMBER =
-  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?(?:\d+(?:[.,]\d+)?|\.\d+)(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?|\.\d+))?(?![.,]?\d|\s*\/\s*\d)(?:\s*%)?/giu;
-const UNSURE =
-  /(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*|[√×·=<>≤≥π]|(?:\b|(?<=\d))pi\b|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum|half|thirds?|quarters?|twice|times)\b/giu;
-const BLANK = /(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)/g; // 4 500
-const TIMES = /(?<=\d)\s*[x×](?![\p{L}\p{N}_])/giu; // 2x
-const PART = /%|percent|\bof\b/i; // of something that is not typed
+  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?(?:\d+(?:[.,]\d+)?|\.\d+)(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?|\.\d+))?(?![.,]?\d|\s*\/\s*\d)/giu;
+const PART_WORDS = "half|halves|thirds?|quarters?|(?:four|fif|six|seven|eigh|nin|ten)ths?";
+const UNSURE = new RegExp(
+  [
+    String.raw`(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*`, // but for the square of a second
+    `[√×·=<>≤≥π]|(?<!${LETTER})pi(?!${LETTER})`, // what is to be reckoned out
+    String.raw`\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum|times)\b`,
+    String.raw`\b(?:${PART_WORDS}|twice)\s+(?:(?:of|the|about)\s+)*(?=[\-+−]?\.?\d)`, // half of 4.154
+    String.raw`(?:\d\s*|\band\s+an?\s+)(?:${PART_WORDS})\b`, // 2 thirds, 2 and a half
+  ].join("|"),
+  "giu",
+);
+// What is written otherwise before a text is read.
+const PLAIN = [
+  [/^\s*['‘](.*)['’]\s*$/u, "$1"], // 'in quotes'
+  [/(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)/g, "$1$2"], // 4 500
+  [/(?<=\d)\s*½/g, ".5"],
+  [/(?<=\d)\s*¼/g, ".25"],
+  [/(?<=\d)\s*¾/g, ".75"],
+  [new RegExp(String.raw`\s*(?:[x×*·]|times)\s*tm(?!${LETTER})`, "giu"), " tm"],
+  [/(?<=\d)\s*[x×](?![\p{L}\p{N}_])/giu, " times"], // 2x
+];
+const PART = /(?<count>(?<![\d.,/])\d+\s*of\b)|\d\s*of\b/gi; // 0.9 of it
+// 10 % lower: a share of what is to be told, and not what is left of it.
+const CHANGE =
+  /[-+−]\s*\.?\d|\b(?:lower|smaller|higher|larger|greater|bigger|better|worse)\b|\b(?:off|under|over|by|minus|plus)\b/i;
 const GROUPED =
   /^([-+−]?[1-9]\d{0,2}([.,'’ \u00a0\u202f])\d{3}(?:\2\d{3})*)(?:(?!\2)[.,](\d+))?$/; // 4,420.8
 const WITH_UNIT = /\d\s*[\p{L}%°]/u;
-const LETTER = String.raw`[a-zµμ\u00c0-\u024f]`;
 const UNITS = {
   m: /m|met(?:er|re)s?/,
   cm: /cm/,
@@ -32,8 +53,10 @@ const UNIT = new RegExp(
     `)(?!${LETTER})`,
   "giu",
 );
-const SHARES = ["percent", "fraction", "times the"];
+const TIMES_THE = "times the";
+const SHARES = ["percent", "fraction", TIMES_THE];
 const WHOLE = "out of";
+const WHOLES = [WHOLE, "place,"]; // here a stroke parts what is asked for from all there are
 const LARGEST = 1e12,
   CLOSE = 0.02,
   IN_TIMES = 1.95;
@@ -66,12 +89,12 @@ export function verdict({ off, edges, places, said }, given, format) {
 
 /** The numbers that a typed prediction may be: one, none, or two that make sense. */
 export function numbersIn({ asked, low, high }, typed, readings) {
-  const text = typed.replace(BLANK, "$1$2").replace(TIMES, " times");
+  const text = PLAIN.reduce((read, [written, plain]) => read.replace(written, plain), typed);
   const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
   const isShare = saysShare(text);
   const isOne =
-    !(PART.test(text) && !SHARES.some((share) => asked.includes(share))) &&
-    !(asked.includes(WHOLE) && text.includes("/")) &&
+    !(text.includes("/") && WHOLES.some((whole) => asked.includes(whole))) &&
+    !isPart(text, asked) &&
     !isUnsure(text, asked) &&
     !(asked && unitsOf(text).some((unit) => !unitsOf(asked).includes(unit)));
   if (found.length !== 1 || !isOne) return [];
@@ -83,6 +106,16 @@ export function numbersIn({ asked, low, high }, typed, readings) {
     .filter((number) => number === 0 || isBelieved(Math.abs(number)));
   const sensible = numbers.filter((number) => low <= Math.abs(number) && Math.abs(number) <= high);
   return sensible.length ? sensible : numbers;
+}
+
+/** Whether a text is a part of something that is not typed, but for a part that is asked. Of what is
+ * so many times something, a share is one, unless it is by how much that changes. So many of them
+ * are no part where it is asked how many. */
+function isPart(text, asked) {
+  if (SHARES.some((share) => asked.includes(share)))
+    return asked.includes(TIMES_THE) && saysShare(text) && CHANGE.test(text);
+  const parts = [...text.matchAll(PART)];
+  return saysShare(text) || parts.some(({ groups }) => !(groups.count && asked.includes(WHOLE)));
 }
 
 /** Whether a text has a sign or a word that makes its number none, but for those asked. */
@@ -101,7 +134,7 @@ function isBelieved(size) {
 }
 
 function saysShare(text) {
-  return text.includes("%") || text.includes("percent");
+  return SHARE.test(text);
 }
 
 /** What a typed prediction may be, "" unless that is more than one number. */

@@ -7,21 +7,39 @@ from cammotion.quantities import shorten
 from cammotion.typed import readings
 
 _DIGITS = r"(?:\d+(?:[.,]\d+)?|\.\d+)"
+_LETTER = r"[a-zµμ\u00c0-\u024f]"
+_SHARE = re.compile(r"%|per ?cent|prozent", re.IGNORECASE)
 _NUMBER = re.compile(
     rf"(?<![\w.,^/*])(?P<value>[-+−]?{_DIGITS}(?:e[-+]?\d+)?)"
-    rf"(?:\s*/\s*(?P<over>{_DIGITS}))?(?![.,]?\d|\s*/\s*\d)(?:\s*%)?",
+    rf"(?:\s*/\s*(?P<over>{_DIGITS}))?(?![.,]?\d|\s*/\s*\d)",
     re.IGNORECASE,
 )
-_UNSURE = re.compile(  # but for the square of a second
-    r"(?<!/s)\^|(?<!/s)(?<!/s\*)\*|[√×·=<>≤≥π]|(?:\b|(?<=\d))pi\b"
-    r"|\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum"
-    r"|half|thirds?|quarters?|twice|times)\b",
+_PART_WORDS = r"half|halves|thirds?|quarters?|(?:four|fif|six|seven|eigh|nin|ten)ths?"
+_UNSURE = re.compile(
+    rf"""
+    (?<!/s)\^ | (?<!/s)(?<!/s\*)\*                      # but for the square of a second
+    | [√×·=<>≤≥π] | (?<!{_LETTER})pi(?!{_LETTER})       # what is to be reckoned out
+    | \b(?:at\ (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum|times)\b
+    | \b(?:{_PART_WORDS}|twice)\s+(?:(?:of|the|about)\s+)*(?=[-+−]?\.?\d)         # half of 4.154
+    | (?:\d\s*|\band\s+an?\s+)(?:{_PART_WORDS})\b            # 2 thirds, 2 and a half
+    """,
+    re.IGNORECASE | re.VERBOSE,
+)
+_PLAIN = [  # what is written otherwise before a text is read
+    (re.compile(r"^\s*['\u2018](.*)['\u2019]\s*$"), r"\1"),  # 'in quotes'
+    (re.compile(r"(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)"), r"\1\2"),  # 4 500
+    (re.compile(r"(?<=\d)\s*½"), ".5"),
+    (re.compile(r"(?<=\d)\s*¼"), ".25"),
+    (re.compile(r"(?<=\d)\s*¾"), ".75"),
+    (re.compile(rf"\s*(?:[x×*·]|times)\s*tm(?!{_LETTER})", re.IGNORECASE), " tm"),
+    (re.compile(r"(?<=\d)\s*[x×](?!\w)", re.IGNORECASE), " times"),  # 2x
+]
+_PART = re.compile(r"(?P<count>(?<![\d.,/])\d+\s*of\b)|\d\s*of\b", re.IGNORECASE)  # 0.9 of it
+_CHANGE = re.compile(  # 10 % lower: a share of what is to be told, and not what is left of it
+    r"[-+−]\s*\.?\d|\b(?:lower|smaller|higher|larger|greater|bigger|better|worse)\b"
+    r"|\b(?:off|under|over|by|minus|plus)\b",
     re.IGNORECASE,
 )
-_BLANK = re.compile(r"(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)")  # 4 500
-_TIMES = re.compile(r"(?<=\d)\s*[x×](?!\w)", re.IGNORECASE)  # 2x
-_PART = re.compile(r"%|percent|\bof\b", re.IGNORECASE)  # of something that is not typed
-_LETTER = r"[a-zµμ\u00c0-\u024f]"
 _UNITS = {
     "m": r"m|met(?:er|re)s?",
     "cm": r"cm",
@@ -40,8 +58,10 @@ _UNIT = re.compile(  # a short one only at a number, at a stroke or after "per"
     rf"(?:{'|'.join(f'(?P<{name}>{words})' for name, words in _UNITS.items())})(?!{_LETTER})",
     re.IGNORECASE,
 )
-_SHARES = ("percent", "fraction", "times the")
+_TIMES_THE = "times the"
+_SHARES = ("percent", "fraction", _TIMES_THE)
 _WHOLE = "out of"
+_WHOLES = (_WHOLE, "place,")  # here a stroke parts what is asked for from all there are
 _LARGEST = 1e12  # beyond that, or below its inverse, it is a joke and no prediction
 _SENSIBLE = 999.0
 _CLOSE = 0.02
@@ -154,7 +174,8 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
     >>> numbers_in("16 % less", "percent less"), numbers_in(".5", "mm"), numbers_in("5 in", "mm")
     ((16.0,), (0.5,), ())
     """
-    text = _TIMES.sub(" times", _BLANK.sub(r"\1\2", text))
+    for written, plain in _PLAIN:
+        text = written.sub(plain, text)
     found = [*_NUMBER.finditer(text)]
     if len(found) != 1 or not _is_one_number(text, asked):
         return ()
@@ -170,11 +191,22 @@ def numbers_in(text: str, asked: str) -> tuple[float, ...]:
 
 def _is_one_number(text: str, asked: str) -> bool:
     """Tell whether all that is typed is a number in the unit that is asked for."""
-    if _PART.search(text) and not any(share in asked for share in _SHARES):
+    if "/" in text and any(whole in asked for whole in _WHOLES):
         return False
-    if _WHOLE in asked and "/" in text:
-        return False
-    return not (_is_unsure(text, asked) or (asked and _units(text) - _units(asked)))
+    is_other = _is_part(text, asked) or _is_unsure(text, asked)
+    return not (is_other or (asked and _units(text) - _units(asked)))
+
+
+def _is_part(text: str, asked: str) -> bool:
+    """Tell whether a text is a part of something that is not typed, but for a part that is asked.
+
+    Of what is so many times something, a share is one, unless it is by how much that changes. So
+    many of them are no part where it is asked how many.
+    """
+    if any(share in asked for share in _SHARES):
+        return _TIMES_THE in asked and _is_share(text) and bool(_CHANGE.search(text))
+    parts = (found for found in _PART.finditer(text) if not (found["count"] and _WHOLE in asked))
+    return _is_share(text) or any(parts)
 
 
 def _is_unsure(text: str, asked: str) -> bool:
@@ -190,7 +222,7 @@ def _units(text: str) -> set[str | None]:
 
 
 def _is_share(text: str) -> bool:
-    return "%" in text or "percent" in text
+    return bool(_SHARE.search(text))
 
 
 def _readings(digits: str) -> tuple[float, ...]:
