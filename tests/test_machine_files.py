@@ -655,6 +655,11 @@ def test_the_name_of_a_sheet_never_ends_in_an_apostrophe() -> None:
     assert not any(name.startswith("'") or name.endswith(("'", " ")) for name in found)
 
 
+def test_long_names_of_sheets_are_cut_where_a_spreadsheet_cuts_them() -> None:
+    found = read_sheets("b.xlsx", sheets_as_xlsx({"a" * 40: [["x"]], "a" * 41: [["x"]]}))
+    assert [*found] == ["a" * 31, "a" * 29 + " 2"]
+
+
 def test_a_long_name_of_a_file_is_that_of_the_machine(tmp_path: Path) -> None:
     """It was shortened as in a sentence."""
     machine = cm.Machine("press", cm.EXAMPLE.diagram)

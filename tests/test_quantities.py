@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from test_house import MODULES
 
-from cammotion.quantities import Quantity
+from cammotion.quantities import InputError, Quantity
 
 KEPT = Path(__file__).parent / "data" / "quantities.txt"
 
@@ -48,6 +48,12 @@ def test_an_example_is_one(place: str, one: Quantity) -> None:
 
 def test_what_is_asked_for_is_as_it_is_kept() -> None:
     assert [*table()] == KEPT.read_text("utf-8").splitlines()
+
+
+@pytest.mark.parametrize("beyond", [1e60, 1e-60])
+def test_a_number_whose_powers_overflow_is_told_how_large_it_may_be(beyond: float) -> None:
+    with pytest.raises(InputError, match=r"a number of 1e-50 to 1e\+50 above 0 mm: give"):
+        Quantity("stroke", "mm", example=50).number(beyond)
 
 
 if __name__ == "__main__":
