@@ -7,6 +7,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot as plt
 import pytest
 from matplotlib.text import Annotation
 
@@ -231,7 +232,7 @@ def test_limits_the_wrong_way_round_are_refused() -> None:
     assert cm.Limits(40, "g6", upper_um=-9, lower_um=-9).width_um == 0
 
 
-@pytest.mark.parametrize("sign", "⌀Øø∅")
+@pytest.mark.parametrize("sign", "⌀Øø∅φΦϕ")
 def test_the_sign_of_a_diameter_may_stand_before_it(sign: str) -> None:
     assert cm.Fit(f"{sign}40 H7/g6").summary == cm.Fit(f" {sign} 40 H7/g6").summary
     assert cm.limits_of(f"{sign}40 g6") == cm.limits_of("40 g6")
@@ -251,7 +252,10 @@ def test_how_a_fit_is_written_is_said(asked: str, words: str) -> None:
         cm.Fit(asked)
 
 
-@pytest.mark.parametrize("asked", ["40 g6/H7", "40 H7", "H7/g6", "40 H7/G6", 40, None, "40 H7/g6/"])
+@pytest.mark.parametrize(
+    "asked",
+    ["40 g6/H7", "40 jS6/H7", "40 t6/H7", "40 H7", "H7/g6", "40 H7/G6", 40, None, "40 H7/g6/"],
+)
 def test_what_is_no_fit_is_refused_in_words(asked: Any) -> None:
     with pytest.raises(cm.InputError, match=r"capital letter and a shaft .* '40 H7/g6'\.$"):
         cm.Fit(asked)
@@ -287,5 +291,10 @@ def test_a_fit_is_drawn_to_scale() -> None:
     at = {text.get_text(): text.xyann for text in beside.texts if isinstance(text, Annotation)}
     assert at["+360"] == (0, 3)
     assert [at["+4"][1], at["-6"][1]] == pytest.approx([10.6, -10.6], abs=0.3)
+    figure, places = plt.subplots(2, 2, figsize=(7, 5))
+    small = cm.plot_fit(cm.Fit("40 H11/h5"), ax=places[0, 0])
+    figure.draw_without_rendering()
+    below = next(text for text in small.texts if text.get_text() == "-11")
+    assert below.get_window_extent().y0 >= small.get_window_extent().y0
     with pytest.raises(cm.InputError, match="no fit to draw"):
         cm.plot_fit([])

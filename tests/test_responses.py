@@ -418,6 +418,8 @@ def test_what_a_response_refuses() -> None:
         start.acceleration([200, 149])
     with pytest.raises(cm.InputError, match="starts at 150"):
         start.peak_acceleration(over=(100, 300))
+    with pytest.raises(cm.InputError, match="cam angle is 10 deg; the machine starts at 150"):
+        start.peak_acceleration(over=(10, -10))  # nor over the end of a turn, (10, 350)
     with pytest.raises(cm.InputError, match="number of the mass is 3; the follower has 2"):
         start.acceleration(200, 3)
     with pytest.raises(cm.InputError, match="number of the spring is 0"):

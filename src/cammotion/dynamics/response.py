@@ -285,6 +285,12 @@ class StartResponse(_TurnResponse):
         turned = np.block([[matrix, np.zeros((len(row), 1))], [row, np.ones(1)]])
         return np.asarray(np.linalg.matrix_power(turned, turn)[-1, :-1])
 
+    def _between(self, over: tuple[float, float] | None) -> tuple[float, float]:
+        places = CAM_ANGLE.array(self.span if over is None else over)
+        if places.shape == (2,):
+            self._phase(places[:1])  # what begins too early does so over the end of a turn, too
+        return super()._between(over)
+
     def _runs(self, over: tuple[float, float] | None) -> list[tuple[float, Floats, Spots]]:
         low, high = self._between(over)
         begin = self.motion.start_deg

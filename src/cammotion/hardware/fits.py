@@ -40,7 +40,7 @@ _POWERS = {  # um = factor * mm ** power, with the sign of the deviation
 }
 ZONE = r"([A-Za-z]+)\s*(\d{1,4})"
 _HOLE, _SHAFT = r"([A-Z][A-Za-z]*)\s*(\d{1,4})", r"([a-z][A-Za-z]*)\s*(\d{1,4})"
-_SIZE = r"\s*[⌀Øø∅]?\s*(\d+(?:\.\d+)?)\s*(?:mm)?\s*"
+_SIZE = r"\s*[⌀Øø∅φΦϕ]?\s*(\d+(?:\.\d+)?)\s*(?:mm)?\s*"
 _MENDED = {
     "with a point for the comma": (",", "."),
     "with the hole first": (f"{_SHAFT}\\s*/\\s*{_HOLE}", r"\3\4/\1\2"),
@@ -275,7 +275,9 @@ def _mended(pattern: str, given: Any) -> str:
         if re.search(before, text):
             text = re.sub(before, after, text)
             how.append(each)
-    return f"it {' and '.join(how)}, {shorten(text)}" if re.fullmatch(pattern, text) else ""
+    found = re.fullmatch(pattern, text)
+    reads = found and all(part in _LETTERS for part in found.groups() if part.isalpha())
+    return f"it {' and '.join(how)}, {shorten(text)}" if reads else ""
 
 
 def _limits(diameter_mm: float, letter: str, grade: int) -> Limits:

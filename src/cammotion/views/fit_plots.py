@@ -18,6 +18,7 @@ _APART, _WIDTH = 4.0, 0.9  # from fit to fit, and how wide a zone is
 _INK = "#1b1b1b"
 _SIZE, _LINE = 11, 28  # of a text in points, and how many letters a line has
 _GAP, _NAME = 3.0, 11.0  # points between a zone and its numbers, and from its name to them
+_CLEAR, _ROOM = 0.135, _NAME + 1.2 * _SIZE  # above all zones: by their span, and in points at least
 
 
 @checked
@@ -42,8 +43,8 @@ def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
     ax.grid(visible=False, axis="x")
     ax.axhline(0, color=_INK, linewidth=1.5)
     lowest, highest = _span(fits)
-    clear = 0.09 * (highest - lowest)
-    ax.set_ylim(lowest - 1.5 * clear, highest + 1.5 * clear)
+    clear = _clear(ax) * (highest - lowest)
+    ax.set_ylim(lowest - clear, highest + clear)
     for number, fit in enumerate(fits):
         left = _APART * number
         _draw_zone(ax, left, fit.hole, HOLE, "")
@@ -56,6 +57,12 @@ def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
     ax.set_xticks(starts + 1.2, names, fontsize=_SIZE)
     ax.tick_params(axis="x", length=0)
     return ax
+
+
+def _clear(ax: Axes) -> float:
+    """Return how much is left above and below all zones, by their span: room for a number there."""
+    tall = ax.get_window_extent().height * POINTS_PER_INCH / ax.figure.dpi
+    return max(_CLEAR, _ROOM / max(tall - 2 * _ROOM, _ROOM))
 
 
 def _span(fits: Iterable[Fit]) -> tuple[float, float]:
