@@ -162,6 +162,15 @@ def of_half_the_slots(m: MillAndDie) -> float:
     return seen_bent(m.table.slots / 2, entry(m) / 2, 2) * omega(m) ** 2
 
 
+def of_cosine(m: MillAndDie) -> float:
+    """Return it with cos(pi/n) for sin(pi/n), NaN where these are one.
+
+    The cosine is the sine of what is left to a right angle, pi/2 - pi/n, which is pi over that n.
+    """
+    n = m.table.slots
+    return seen_bent(2 * n / (n - 2), entry(m) / 2, 2) * omega(m) ** 2 if n != 4 else math.nan
+
+
 def in_degrees(m: MillAndDie, alpha: float) -> float:
     """Return it with the sine of 180/n for that of pi/n."""
     return seen_bent(math.radians(m.table.slots), alpha, 2) * omega(m) ** 2
@@ -387,7 +396,7 @@ SLIPS = [
         "whole turn",
     ),
     KnownSlip("08.3", "velocity factor", lambda m: shaft(m, CV[m.table.law]), "Cv"),
-    KnownSlip("08.3", "half", lambda m: shaft(m) / 2, "half"),
+    KnownSlip("08.3", "pi/n, once", lambda m: shaft(m) / 2, "half .* in one place"),
     KnownSlip("08.3", "by the angle", lambda m: shaft(m) / m.table.time_s, "by the angle"),
     KnownSlip("08.3", "with friction", with_friction, "friction"),
     KnownSlip(
@@ -412,6 +421,7 @@ SLIPS = [
         r"alpha is pi/\(2n\)",
     ),
     KnownSlip("08.4", "2 pi/n", of_half_the_slots, "2 pi/n|finite"),
+    KnownSlip("08.4", "cos(pi/n)", of_cosine, "lambda is the cosine|finite"),
     KnownSlip("08.4", "no arctan", tangent, "arctan is missing"),
     KnownSlip("08.4", "half of the entry", lambda m: bent(m, entry(m)) * omega(m) ** 2 / 2, "line"),
     KnownSlip(

@@ -110,10 +110,10 @@ def leaves(m: MillAndDie, pressed: float | None = None, more: float = 0) -> floa
 
 
 @cache
-def leaves_in_degrees(m: MillAndDie) -> float:
-    """Return it with a way of the spring for which the sine counts in degrees."""
+def leaves_in_degrees(m: MillAndDie, added: float = 1) -> float:
+    """Return it with a way of the spring for which the sine counts in degrees, or not at all."""
     x = np.linspace(0.51, 0.99, 20_001)
-    way = x - np.sin(np.radians(2 * math.pi * x)) / (2 * math.pi)
+    way = x - added * np.sin(np.radians(2 * math.pi * x)) / (2 * math.pi)
     force = m.follower.spring_N_per_mm * (m.follower.pressed_mm + m.follower.lift_mm * way)
     brake = -2 * math.pi * np.sin(2 * math.pi * x) * m.follower.lift_mm / 1000
     return turns(m, math.sqrt(float(np.max(m.follower.lifted_kg * brake / force))))
@@ -390,7 +390,7 @@ SLIPS = [
         "10.2", "half the swings", lambda m: arrows(m, (4, -8, 4), math.pi * swings(m)), "half"
     ),
     KnownSlip("10.2", "two alike", lambda m: arrows(m, (4, -4)), "two jumps"),
-    KnownSlip("10.2", "no factor", lambda m: arrows(m, (1, -2, 1)), "One stroke"),
+    KnownSlip("10.2", "no factor", lambda m: arrows(m, (1, -2, 1)), "One stroke .* 2 of 2 sin"),
     KnownSlip("10.2", "harmonic", harmonic, "simple harmonic"),
     KnownSlip("10.2", "no 2 pi below", lambda m: pushed(m) * math.tau**2, "square of the swings"),
     KnownSlip(
@@ -454,6 +454,7 @@ SLIPS = [
         "sine counts in degrees",
     ),
     KnownSlip("10.3", "in degrees", leaves_in_degrees, "sine counts in degrees"),
+    KnownSlip("10.3", "x for s", lambda m: leaves_in_degrees(m, 0), "that of the stroke: put x"),
     KnownSlip("10.3", "less weight", lambda m: leaves(m, None, -G * m.follower.lifted_kg), "level"),
     KnownSlip(
         "10.3",

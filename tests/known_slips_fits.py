@@ -215,7 +215,12 @@ SLIPS = [
     KnownSlip("11.4", "both halves", lambda m: turned(m, play(m) / 4), "a quarter of it: the"),
     KnownSlip("11.4", "to and fro", lambda m: turned(m, 2 * play(m)), "twice"),
     KnownSlip("11.4", "pi r", lambda m: turned(m, 2 * play(m)), "pi times the radius"),
-    KnownSlip("11.4", "no pi", lambda m: play(m) / 1000 / m.fits.shaft[0] * 360, "pi times that"),
+    KnownSlip(
+        "11.4",
+        "no pi",
+        lambda m: play(m) / 1000 / m.fits.shaft[0] * 360,
+        "pi times the diameter, and a rad is 180/pi degrees",
+    ),
     KnownSlip("11.4", "by the formula", key_by_formula, "formula|finite"),
     KnownSlip("11.4", "the row before", lambda m: key_of_row(m, -1), "beside the right one"),
     KnownSlip("11.4", "the row after", lambda m: key_of_row(m, 1), "beside the right one"),

@@ -164,6 +164,13 @@ def _of_two_pi(m: MillAndDie) -> float:
     return _by_the_formula(m, ratio, alpha) if m.table.slots != _SQUARE else math.nan
 
 
+def _of_cosine(m: MillAndDie) -> float:
+    """Return the acceleration with lambda = cos(pi/n), NaN where that is the sine."""
+    ratio = math.cos(math.pi / m.table.slots)
+    alpha = math.radians(_wheel(m).angle_deg / 4)
+    return _by_the_formula(m, ratio, alpha) if m.table.slots != _SQUARE else math.nan
+
+
 def _plate_in_words(m: MillAndDie) -> str:
     t = m.table
     hole = f", weighed with its hole of radius {t.hole_mm:g} mm in the middle" if t.hole_mm else ""
@@ -442,6 +449,10 @@ EXERCISES = (
                 "velocity.",
             ),
             Slip(
+                lambda m: _shaft(m) / 2,
+                "The step is half of what it should be in one place: it is 2 pi/n.",
+            ),
+            Slip(
                 lambda m: _shaft(m) / 4,
                 "The step is half of what it should be, and it counts twice. It is 2 pi/n, not "
                 "pi/n.",
@@ -576,6 +587,11 @@ EXERCISES = (
                 _of_two_pi,
                 "Here lambda is sin(2 pi/n). From a slot to the middle between it and the next it "
                 "is half as far: sin(pi/n).",
+            ),
+            Slip(
+                _of_cosine,
+                "Here lambda is the cosine, which belongs to the radius of the wheel. The crank "
+                "has the sine.",
             ),
             Slip(
                 _half_of_the_wheels_way,

@@ -178,10 +178,10 @@ def _at_in_degrees(m: MillAndDie, place: float) -> float:
     return m.follower.pressed_mm + m.follower.lift_mm * law_in_degrees(place)
 
 
-def _leaves_in_degrees(m: MillAndDie) -> float:
-    """Return the least speed of many places with such a sine in the way of the spring alone."""
-    places = (place / 1000 for place in range(501, 1000))
-    return min(_speed(m, _at_in_degrees(m, x), -float(_CYCLOID(x, 2))) for x in places)
+def _leaves_by(m: MillAndDie, way: Callable[[float], float]) -> float:
+    """Return the least speed of many places with another law in the way of the spring alone."""
+    f, places = m.follower, (place / 1000 for place in range(501, 1000))
+    return min(_speed(m, f.pressed_mm + f.lift_mm * way(x), -float(_CYCLOID(x, 2))) for x in places)
 
 
 def _hertz(stiffness: float, mass: float) -> float:
@@ -478,7 +478,8 @@ EXERCISES = (
             Slip(
                 lambda m: _ringing(m, 1, -2, 1),
                 "One stroke by the square of the time was taken for the acceleration. It is 4, so "
-                "that half of the stroke is done in half of the time.",
+                "that half of the stroke is done in half of the time; or the 2 of 2 sin is lost, "
+                "and counts squared.",
             ),
             Slip(
                 lambda m: _ringing(m, 2, -4, 2),
@@ -572,7 +573,11 @@ EXERCISES = (
                 SINE_LOST,
             ),
             Slip(lambda m: _speed(m, _at_in_degrees(m, 3 / 4)), IN_DEGREES),
-            Slip(_leaves_in_degrees, IN_DEGREES),
+            Slip(partial(_leaves_by, way=law_in_degrees), IN_DEGREES),
+            Slip(
+                partial(_leaves_by, way=float),
+                "The share of the time was taken for that of the stroke: put x into the law.",
+            ),
             Slip(
                 lambda m: (
                     SECONDS_PER_MINUTE * _hertz(m.follower.spring_N_per_mm, m.follower.lifted_kg)

@@ -399,7 +399,7 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: _turned(m, _key_um(m)) * math.pi,
-                "The play was divided by the diameter. A turn is pi times that.",
+                "A pi is lost: a turn is pi times the diameter, and a rad is 180/pi degrees.",
             ),
             Slip(
                 lambda m: _turned(m, _key_by_the_formula(m)),
