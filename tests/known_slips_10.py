@@ -207,6 +207,19 @@ def each_alone(m: MillAndDie) -> float:
     return hertz(1, f.m1_kg / f.k1_N_per_mm + f.m2_kg / f.k2_N_per_mm)
 
 
+def rayleigh(m: MillAndDie) -> float:
+    """Return Rayleigh's quotient in Hz for the shape that the weights make, NaN where it is right.
+
+    It is x K x over x M x, with K x = M 1.
+    """
+    f = m.follower
+    k1, k2 = f.k1_N_per_mm, f.k2_N_per_mm
+    masses, stiffness = np.diag([f.m1_kg, f.m2_kg]), np.array([[k1 + k2, -k2], [-k2, k2]])
+    x = np.linalg.solve(stiffness, np.diag(masses))
+    wrong = hertz(float(x @ stiffness @ x), float(x @ masses @ x))
+    return wrong if abs(wrong / lower(m) - 1) > 0.002 else math.nan
+
+
 POLYNOMIAL = np.polynomial.Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
 
 
@@ -547,6 +560,7 @@ SLIPS = [
     ),
     KnownSlip("10.4", "0.618", two_equal, "0.618|finite"),
     KnownSlip("10.4", "periods", dunkerley, "squares of two periods .* any two masses"),
+    KnownSlip("10.4", "Rayleigh", rayleigh, "Rayleigh|finite"),
     KnownSlip("10.4", "periods alone", each_alone, "squares of two periods .* spring before it"),
     KnownSlip(
         "10.4",

@@ -447,6 +447,12 @@ SLIPS = [
         lambda m: die(m) * (harsh(m) / gentle(m) + 1) / 2,
         "Half of the percentage",
     ),
+    KnownSlip(
+        "05.3",
+        "divided by half the percent less",
+        lambda m: die(m) / (1 - percent_less(gentle(m), harsh(m)) / 200),
+        "Half of the percentage",
+    ),
     as_good_as("modified sine"),
     as_good_as("modified trapezoid"),
     as_good_as("constant acceleration"),

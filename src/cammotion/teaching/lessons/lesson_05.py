@@ -42,8 +42,8 @@ _WITH_CV = "This is with Cv, the factor of the velocity. The acceleration has Ca
 _WITH_CQ = "This is with Cq, the factor of the torque. The acceleration has Ca."
 _FORCE = "This is the force, mass times acceleration. The acceleration is asked for."
 _HALF_OF_THE_PERCENTAGE = (
-    "Half of the percentage was put on the angle. For small changes that is nearly right; the root "
-    "is exact."
+    "Half of the percentage was taken for the root. For small changes that is nearly right; the "
+    "root is exact."
 )
 
 
@@ -388,6 +388,7 @@ EXERCISES = (
             ),
             Slip(lambda m: m.die_angle_deg * (3 - _kept(m)) / 2, _HALF_OF_THE_PERCENTAGE),
             Slip(lambda m: m.die_angle_deg * (1 + 1 / _kept(m)) / 2, _HALF_OF_THE_PERCENTAGE),
+            Slip(lambda m: m.die_angle_deg * 2 / (1 + _kept(m)), _HALF_OF_THE_PERCENTAGE),
             Slip(
                 lambda m: m.die_angle_deg / _kept(m) ** 2,
                 "The ratio of the peaks was squared. In the peak the angle is squared: the other "

@@ -245,6 +245,14 @@ def _periods_alone(m: MillAndDie) -> float:
     return 1 / math.hypot(1 / alone[0], 1 / alone[1])
 
 
+def _rayleigh(m: MillAndDie) -> float:
+    """Return the estimate for 10.4 from how far the weights would press the springs, in Hz."""
+    f = m.follower
+    slide = (f.m1_kg + f.m2_kg) / f.k1_N_per_mm
+    head = slide + f.m2_kg / f.k2_N_per_mm
+    return _hertz(f.m1_kg * slide + f.m2_kg * head, f.m1_kg * slide**2 + f.m2_kg * head**2)
+
+
 def _law(m: MillAndDie, derivative: int = 0) -> float:
     return m.follower.wanted_mm * float(_SMOOTH(m.follower.wanted_x, derivative))
 
@@ -686,6 +694,12 @@ EXERCISES = (
                 "The squares of two periods were added, each of a mass on the spring before it "
                 "alone. But under the head the push rod gives way too. And the eigenvalue is asked "
                 "for, where such a sum is an estimate.",
+            ),
+            Slip(
+                _rayleigh,
+                "This is Rayleigh's quotient with the ways by which the weights would press the "
+                "springs. That is an estimate, and above the lower frequency. The eigenvalue is "
+                "asked for.",
             ),
             Slip(
                 lambda m: _hertz(_row(m), m.follower.m1_kg + m.follower.m2_kg),
