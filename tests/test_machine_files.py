@@ -375,15 +375,19 @@ def test_angles_in_radians_are_told(dwells: list[str]) -> None:
     lines = ["die,,2.618,3.578,0,50,cycloidal,2000,", "die,,5.323,6.283,50,0,cycloidal,,"]
     sorted_lines = sorted([*lines, *dwells], key=lambda line: float(line.split(",")[2]))
     with pytest.raises(
-        cm.InputError, match=r"^The moves in m lie .* deg, .* times 57\.29577951\.$"
+        cm.InputError, match=r"^The moves in m lie .* deg, .* times 57\.29577951\. If they are"
     ):
         cm.machine_from_text("\n".join([FULL[0], *sorted_lines]), "m")
 
 
-def test_a_tiny_machine_in_degrees_is_none_in_radians() -> None:
+def test_a_tiny_machine_in_degrees_is_none_in_radians(tmp_path: Path) -> None:
     for angle in (2, 8):  # of a whole machine that moves so little, and of a long one's short move
         lines = ["die,,0,1,0,50,cycloidal,2000,", f"die,,1,{angle},50,0,cycloidal,,"]
         assert cm.machine_from_text("\n".join([FULL[0], *lines])).diagram["die"].moves
+    quick = [cm.rise(10, over_deg=5), cm.dwell(355)]
+    table = cm.TimingDiagram([cm.indexing_motion("table", *quick, stops=60)], 600)
+    path = cm.write_machine(cm.Machine("few", table), tmp_path / "few.csv")
+    assert cm.read_machine(path).diagram["table"].moves[0].angle_deg == 5
 
 
 @pytest.mark.parametrize(
@@ -392,6 +396,7 @@ def test_a_tiny_machine_in_degrees_is_none_in_radians() -> None:
         ([100, 120, 0, 20, 140, 160], [(0, 9), (9, 0), (0, 5), (5, 0), (0, 7), (7, 0)], True),
         ([0, 20, 40, 60, 80, 100], [(0, 9), (9, 0), (0, 5), (5, 0), (0, 7), (7, 0)], False),
         ([100, 120, 0, 20, 140, 160], [(0, 9), (9, 3), (0, 5), (5, 0), (3, 7), (7, 0)], False),
+        ([100, 120, 0, 20, 140, 160], [(0, 9), (9, 0), (0, 5), (5, 0), (0, 9), (9, 0)], False),
     ],
 )
 def test_two_parts_of_one_name_are_told_unless_their_lines_may_be_those_of_one(

@@ -179,10 +179,10 @@ def _motion(name: str, records: list[Record], stops: Any) -> Motion:
 
 
 def _check_degrees(source: Source, records: list[Record], faults: Faults) -> None:
-    """Raise what is wrong where the angles are in radians: no move goes beyond a turn of these.
+    """Raise what is wrong where the angles are in radians: no segment goes beyond a turn of these.
 
-    Or the segments of a motion that lists its dwells add up to one. What moves within 3 deg is a
-    machine that somebody tries.
+    Or those of a motion that lists its dwells add up to one. What moves within 3 deg is a machine
+    that somebody tries, and a dwell up to 360 deg proves degrees.
     """
     lines = [record for record in records if record.is_segment]
     read = [(record.cells["motion"], record.segment) for record in lines if record.segment]
@@ -190,15 +190,17 @@ def _check_degrees(source: Source, records: list[Record], faults: Faults) -> Non
     if not moves or len(read) < len(lines):
         return
     low, high = min(one.from_deg for one in moves), max(one.to_deg for one in moves)
+    last = max(segment.to_deg for _, segment in read)
     turns = dict.fromkeys((name for name, segment in read if segment.is_dwell), 0.0)
     for name, segment in read:
         if name in turns:
             turns[name] += segment.angle_deg
     is_closed = any(abs(turn - math.tau) < _NEAR_RAD for turn in turns.values())
-    if is_closed or (low >= 0 and _HALF_RAD < high < math.tau + _NEAR_RAD):
+    if is_closed or (low >= 0 and _HALF_RAD < high <= last < math.tau + _NEAR_RAD):
         faults.add(
             f"The moves in {source.said} lie between {low:g} and {high:g} deg, as in radians: give "
-            f"all angles in deg, the numbers times {math.degrees(1):.10g}."
+            f"all angles in deg, the numbers times {math.degrees(1):.10g}. If they are in deg, add "
+            "the dwell that makes it a turn of 360 deg."
         )
         faults.check()
 
@@ -206,7 +208,8 @@ def _check_degrees(source: Source, records: list[Record], faults: Faults) -> Non
 def _check_together(name: str, segments: list[Record]) -> None:
     """Raise InputError where one name may be that of two parts, whose lines stand apart.
 
-    The moves of each then come back. In a table that is sorted by angle they are those of one.
+    The moves of each then come back, and have another travel. In a table that is sorted by angle
+    they are those of one.
     """
     read = [(record, record.segment) for record in segments if record.segment]
     moves = [(record, segment) for record, segment in read if not segment.is_dwell]
@@ -214,11 +217,12 @@ def _check_together(name: str, segments: list[Record]) -> None:
     grouped = groupby(moves, lambda one: one[0].cells["motion"])
     blocks = [[*block] for own, block in grouped if own == name]
     whole = all(block[0][1].from_mm == block[-1][1].to_mm for block in blocks)
-    if len(blocks) > 1 and whole and angles != sorted(angles):
+    travels = {max(abs(segment.change_mm) for _, segment in block) for block in blocks}
+    if len(travels) > 1 and whole and angles != sorted(angles):
         raise InputError(
             f"{blocks[1][0][0].where}: moves of the {name} stand here again, below those of "
-            "another motion, and each time they come back to where they began: give the second one "
-            "a name of its own, or put all lines of the first together."
+            "another motion, with another travel, and each time they come back to where they "
+            "began: give the second one a name of its own, or put all lines of the first together."
         )
 
 
