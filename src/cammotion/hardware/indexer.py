@@ -47,6 +47,7 @@ _WORK = Quantity("work torque", "N m", example=0, low_included=True)
 _SAFETY = Quantity("safety factor", "", example=1.5, low=1, low_included=True)
 _BACKLASH = Quantity("backlash", "deg", example=0.02)
 _SAME = 1e-12  # of the index: 0.1 + 0.2 s are a cycle of 0.3
+_STILL = 1e-9  # of index and time: a speed that is none
 _NODES = 24  # with which a smooth part is integrated
 
 
@@ -230,10 +231,10 @@ class Indexer:
 
         `backlash_deg` is how far the table can turn while the drive stands. From where the torque
         becomes negative the table runs free, slowed by friction and work alone, until the drive,
-        which goes on by its law, has fallen back by the backlash. A table that is braked only by
-        these never gets there: 0. Raises InputError for a backlash that is not used up while the
-        table is faster than its drive and before the index ends, and for a law that goes backwards
-        when friction has stopped the table.
+        which goes on by its law, has fallen back by the backlash. Where they stop it first,
+        friction holds it, or a larger work turns it back. A table that is braked only by these
+        never gets there: 0. Raises InputError for a backlash that is not used up while the table is
+        faster than its drive and before the index ends.
 
         >>> print(f"{Indexer(38.5, stops=8, time_s=0.75).impact_rad_per_s(0.02):.4f} rad/s")
         0.0286 rad/s
@@ -243,24 +244,15 @@ class Indexer:
         if not self.braking:
             return 0.0
         law, start = self._law, self.braking[0][0]
-        at, speed = law(start), law(start, 1)
+        at, free = law(start), self._let_go(start)
 
         def ahead(x: float) -> float:
-            gone = x - start
-            return float(speed * gone - self._drag_a * gone**2 / 2 - (law(x) - at))
-
-        def free(x: float) -> float:
-            return float(speed - self._drag_a * (x - start))
+            return float(free(x)[0] - (law(x) - at))
 
         def faster(x: float) -> float:
-            return float(free(x) - law(x, 1))
+            return float(free(x)[1] - law(x, 1))
 
         end = self._gained_until(faster)
-        if self.friction_N_m and free(end) < -_SAME:
-            raise InputError(
-                f"The law {law.name!r} goes backwards when friction has stopped the free table: "
-                "give a smaller friction_N_m, or a law that only goes on."
-            )
         if ahead(end) < gap:
             most = math.degrees(ahead(end) * self.step_rad)
             raise InputError(
@@ -270,6 +262,23 @@ class Indexer:
         hit = bisect(lambda x: ahead(x) < gap, start, end)
         return faster(hit) * self.step_rad / self.time_s
 
+    def _let_go(self, start: float) -> Callable[[float], tuple[float, float]]:
+        """Return, over x, how far a table has turned that is let go at `start`, and how fast it is.
+
+        Stopped, it is held by friction, or turned back by what work is larger by.
+        """
+        speed, slowed = float(self._law(start, 1)), self._as_a(self.work_N_m + self.friction_N_m)
+        turned = self._as_a(max(self.work_N_m - self.friction_N_m, 0.0))
+        stops = max(speed, 0.0) / slowed if slowed else math.inf
+
+        def free(x: float) -> tuple[float, float]:
+            on = min(x - start, stops)
+            then, left = x - start - on, speed - slowed * on
+            way = speed * on - slowed * on**2 / 2 + left * then - turned * then**2 / 2
+            return way, left - turned * then
+
+        return free
+
     def _gained_until(self, faster: Callable[[float], float]) -> float:
         """Return the x up to which a free table is faster than its drive, 1 if it is to the end.
 
@@ -278,7 +287,7 @@ class Indexer:
         braked = [end for _, end in self.braking]
         again = [*(start for start, _ in self.braking[1:]), 1.0]
         for low, high in zip(braked, again, strict=True):
-            if faster(high) < 0:
+            if faster(high) < _STILL:  # both may stand there
                 return bisect(lambda x: faster(x) > 0, low, high)
         return 1.0
 
@@ -310,10 +319,9 @@ class Indexer:
         curves, drags = zip(*self._runs, strict=True)
         return np.array(drags)[np.searchsorted([each.low for each in curves[1:]], x, side="right")]
 
-    @property
-    def _drag_a(self) -> float:
-        """How the law's A would be if friction and work alone braked the table."""
-        return (self.friction_N_m + self.work_N_m) / (self.inertia_kg_m2 * self._per_a)
+    def _as_a(self, torque_N_m: float) -> float:  # noqa: N803 (units)
+        """Return how the law's A would be if that torque alone braked the table."""
+        return torque_N_m / (self.inertia_kg_m2 * self._per_a)
 
     def _torque_over(self, piece: Piece, places: Floats) -> Floats:
         """Return the torque in N m over a piece of the law."""
