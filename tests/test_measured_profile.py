@@ -189,6 +189,31 @@ def test_order_closing_point_and_sense_do_not_matter() -> None:
     assert mirrored.position_mm == pytest.approx(lift.position_mm, abs=1e-9)
 
 
+STEEP = RollerCam(
+    cm.motion(
+        "steep",
+        cm.rise(50, over_deg=35),
+        cm.dwell(100),
+        cm.return_(50, over_deg=60, law="modified sine"),
+        cm.dwell(165),
+        start_deg=150,
+    ),
+    cm.TranslatingRoller(5, offset_mm=45),
+    60,
+)
+
+
+def test_the_first_point_may_lie_on_a_flank_that_turns_back() -> None:
+    """Seen from the axis the last points pass it, beside it: they were to be left out."""
+    for first in (330, 345):
+        points = np.roll(STEEP.cutter_mm(np.arange(720) / 2, 2), -first, axis=0)
+        lift = lift_from_profile(*points.T, follower=STEEP.follower, probe_radius_mm=2, count=36)
+        assert np.abs(off_um(lift, STEEP.motion)).max() < 0.01
+    again = np.vstack([points, (points[:3] + points[1:4]) / 2])
+    with pytest.raises(InputError, match=r"^The last 3 points .* over the first ones again"):
+        lift_from_profile(*again.T, follower=STEEP.follower, probe_radius_mm=2)
+
+
 def test_an_arm_keeps_its_pivot_whichever_way_the_cam_turns() -> None:
     """The same steel, turned the other way, lifts it as before, but in the other order."""
     arm = cm.SwingingRoller(10, arm_mm=100, pivot_mm=110)

@@ -8,6 +8,7 @@ far out along it the profile reaches.
 
 import math
 from dataclasses import dataclass
+from itertools import takewhile
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,6 +28,7 @@ _FLAT = "flat face"
 _FEWEST = 36
 _WIDEST_DEG = 12.0  # between two points, as seen from the axis
 _SAME_RAD = 1e-9  # so far from the first point to the last a turn is not exceeded
+_ON = 0.1  # of a step: so near to the polygon of points, another one is on their curve
 _NOISE, _ROUNDING = 10.0, 3e-5  # times the noise, and of the size: so far off an answer may be
 
 
@@ -186,9 +188,9 @@ def _check_round(points: Places, ends: Places) -> None:
             f"The points of the profile go {turns} times round the axis, and a disc cam goes once "
             "round it: give x and y about the axis, in order, and each point once."
         )
-    passed = np.cumsum(turned[:-1]) * np.sign(turned.sum()) - 2 * math.pi
-    if passed[-1] > _SAME_RAD:
-        again = len(passed) - int(np.argmax(passed > -np.median(np.abs(turned)) / 2))
+    passed = float(turned[:-1].sum()) * np.sign(turned.sum()) - 2 * math.pi
+    again = _again(points) if passed > _SAME_RAD else 0
+    if again:
         last = f"last {again} points of the profile go" if again > 1 else "last point goes"
         raise InputError(
             f"The {last} over the first ones again: leave {'them' if again > 1 else 'it'} out."
@@ -199,3 +201,20 @@ def _check_round(points: Places, ends: Places) -> None:
             f"The points of the profile leave {math.degrees(abs(turned[worst])):.3g} deg out after "
             f"position {worst}, as seen from the axis: measure there too, or put them in order."
         )
+
+
+def _again(points: Places) -> int:
+    """Return how many of the last points lie on the polygon of the first ones, beyond its start.
+
+    Where a flank turns back, as seen from the axis, the last points pass the first one beside it.
+    """
+    starts, steps = points[: len(points) // 2], np.diff(points[: len(points) // 2 + 1])
+    lengths = np.abs(steps)
+    near = _ON * np.maximum(lengths, np.median(lengths))
+
+    def is_over(point: complex) -> bool:
+        shares = ((point - starts) / steps).real.clip(0, 1)
+        off = np.abs(point - starts - shares * steps)
+        return bool((off < near).any() and off.min() <= (1 - _SAME_RAD) * abs(point - points[0]))
+
+    return sum(1 for _ in takewhile(is_over, points[::-1]))
