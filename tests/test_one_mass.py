@@ -212,13 +212,23 @@ def test_numbers_take_no_formula() -> None:
     assert time.perf_counter() - began < 1.5
 
 
-def test_a_square_of_a_wave_is_two_waves() -> None:
+HALF_TURN, CUBIC = sp.pi * cm.x / 2, 3 * cm.x**2 - 2 * cm.x**3
+
+
+@pytest.mark.parametrize(
+    ("power", "waves"),
+    [
+        (sp.sin(HALF_TURN) ** 2, (1 - sp.cos(2 * HALF_TURN)) / 2),
+        (
+            CUBIC + sp.sin(2 * HALF_TURN) ** 4,
+            CUBIC + (3 - 4 * sp.cos(4 * HALF_TURN) + sp.cos(8 * HALF_TURN)) / 8,
+        ),
+    ],
+)
+def test_a_power_of_a_wave_is_waves(power: sp.Expr, waves: sp.Expr) -> None:
     """It was refused as no wave."""
-    turned = sp.pi * cm.x / 2
-    square, wave = (
-        cm.MotionLaw("it", s) for s in (sp.sin(turned) ** 2, (1 - sp.cos(2 * turned)) / 2)
-    )
-    found, known = (cm.OneMass(law, 4.3).a.subs(cm.x, 0.3) for law in (square, wave))
+    laws = (cm.MotionLaw("it", s) for s in (power, waves))
+    found, known = (cm.OneMass(law, 4.3).a.subs(cm.x, 0.3) for law in laws)
     assert float(found) == pytest.approx(float(known), rel=1e-12)
 
 

@@ -51,6 +51,7 @@ SWINGS = Quantity(
     low_included=True,
 )
 _SAME, _PROBES = 1e-12, (0.3123, 0.7411)  # zones that differ by less there are one
+_ROUNDS = 8  # each halves how many waves are multiplied
 _ACCELERATION = 2  # the highest derivative a response is asked for
 tau, zeta = sympy.symbols("tau zeta", positive=True)
 
@@ -224,7 +225,7 @@ def _zones(law: MotionLaw) -> tuple[_Forced, ...]:
 def _forced(law: MotionLaw, acceleration: sympy.Expr) -> sympy.Expr:
     """Return the motion of the form of A that obeys the equation: Z'' + 2 D w Z' + w^2 Z = -A."""
     forced = power = sympy.Integer(0)
-    for term in sympy.Add.make_args(sympy.expand(TR8(acceleration))):  # products of waves are sums
+    for term in sympy.Add.make_args(_as_sum(acceleration)):
         if term.is_polynomial(x):
             power += term
             continue
@@ -242,6 +243,15 @@ def _forced(law: MotionLaw, acceleration: sympy.Expr) -> sympy.Expr:
         factor, before = -(2 * zeta * _w * factor + before) / _w**2, factor
         power = power.diff(x)
     return forced
+
+
+def _as_sum(expression: sympy.Expr) -> sympy.Expr:
+    """Return it as a sum, in which products of waves are sums of waves, and theirs again."""
+    for _ in range(_ROUNDS):
+        before, expression = expression, sympy.expand(TR8(expression))
+        if expression == before:
+            break
+    return expression
 
 
 def _swing(since: sympy.Expr, start: sympy.Expr, rate: sympy.Expr) -> sympy.Expr:
