@@ -42,8 +42,8 @@ _WITH_CV = "This is with Cv, the factor of the velocity. The acceleration has Ca
 _WITH_CQ = "This is with Cq, the factor of the torque. The acceleration has Ca."
 _FORCE = "This is the force, mass times acceleration. The acceleration is asked for."
 _HALF_OF_THE_PERCENTAGE = (
-    "Half of the percentage was taken for the root. For small changes that is nearly right; the "
-    "root is exact."
+    "Half of the percentage was taken for the root, which is nearly right for small changes, or "
+    "the root was rounded. It is exact, with all its digits."
 )
 
 
