@@ -478,6 +478,6 @@ def test_a_response_shows_what_it_is_of() -> None:
 
 def test_a_start_that_rounding_puts_before_itself_is_the_start() -> None:
     """The turn before it was begun, of a chain whose passage through a turn cannot be undone."""
-    response = cm.StartResponse(cm.tuned_mass(300, 0.9), DIE, 20)
+    response = cm.StartResponse(cm.tuned_mass(300, 0.9), DIE, 200)
     low, high = response.span
     assert response.peak_acceleration(over=(low - 5e-10, high)) == response.peak_acceleration()
