@@ -69,7 +69,8 @@ class Quantity:
     """A physical quantity with its unit and the range in which it makes sense.
 
     `low` itself is allowed only where `low_included` is set; `high` always is. What misses an
-    end by no more than `rounding` is there. `kind` says in words what is asked for.
+    end by no more than `rounding` is there. `kind` says in words what is asked for, and `instead`
+    what else may be given.
 
     >>> Quantity("indexing angle", "deg", example=55, high=360).array([27.5, 55])
     array([27.5, 55. ])
@@ -83,6 +84,7 @@ class Quantity:
     low_included: bool = False
     kind: str = "finite number"
     rounding: float = 0.0
+    instead: str = ""
 
     def array(self, value: ArrayLike) -> Floats:
         """Return `value` as an array of floats of the same shape, each of them in range.
@@ -165,7 +167,8 @@ class Quantity:
 
     @property
     def _example(self) -> str:
-        return f"for example {self.example:g}{self._unit}"
+        other = f"{self.instead}, or " if self.instead else ""
+        return f"{other}for example {self.example:g}{self._unit}"
 
     def _as_floats(self, value: ArrayLike) -> Floats:
         if is_masked(value):

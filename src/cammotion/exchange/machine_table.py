@@ -1,6 +1,7 @@
 """The table of a machine: segments, rules and still arcs, read with all faults told at once."""
 
 import math
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from itertools import groupby, pairwise
 from typing import Any
@@ -52,7 +53,7 @@ def read_table(source: Source, given: Iterable[MotionLaw] = ()) -> Machine:
             stops = _stops(own)
             if name not in doubtful and all(one.segment for one in own if one.is_segment):
                 motions.append(_motion(name, own, stops))
-                _check_together(name, segments)
+    _check_together([motion.name for motion in motions], segments, faults)
     rate = math.nan
     with faults.at():
         rate = _the_same(records, RATE)
@@ -205,8 +206,8 @@ def _check_degrees(source: Source, records: list[Record], faults: Faults) -> Non
         faults.check()
 
 
-def _check_together(name: str, segments: list[Record]) -> None:
-    """Raise InputError where one name may be that of two parts, whose lines stand apart.
+def _check_together(names: list[str], segments: list[Record], faults: Faults) -> None:
+    """Note where one name may be that of two parts, whose lines stand apart.
 
     The moves of each then come back, and have another travel. In a table that is sorted by angle
     they are those of one.
@@ -214,16 +215,19 @@ def _check_together(name: str, segments: list[Record]) -> None:
     read = [(record, record.segment) for record in segments if record.segment]
     moves = [(record, segment) for record, segment in read if not segment.is_dwell]
     angles = [segment.from_deg for _, segment in moves]
-    grouped = groupby(moves, lambda one: one[0].cells["motion"])
-    blocks = [[*block] for own, block in grouped if own == name]
-    whole = all(block[0][1].from_mm == block[-1][1].to_mm for block in blocks)
-    travels = {max(abs(segment.change_mm) for _, segment in block) for block in blocks}
-    if len(travels) > 1 and whole and angles != sorted(angles):
-        raise InputError(
-            f"{blocks[1][0][0].where}: moves of the {name} stand here again, below those of "
-            "another motion, with another travel, and each time they come back to where they "
-            "began: give the second one a name of its own, or put all lines of the first together."
-        )
+    blocks: dict[str, list[list[tuple[Record, Segment]]]] = defaultdict(list)
+    for name, block in groupby(moves, lambda one: one[0].cells["motion"]):
+        blocks[name].append([*block])
+    for name in names if angles != sorted(angles) else ():
+        whole = all(block[0][1].from_mm == block[-1][1].to_mm for block in blocks[name])
+        travels = {max(abs(one.change_mm) for _, one in block) for block in blocks[name]}
+        if len(travels) > 1 and whole:
+            faults.add(
+                f"{blocks[name][1][0][0].where}: moves of the {name} stand here again, below those "
+                "of another motion, with another travel, and each time they come back to where "
+                "they began: give the second one a name of its own, or put all lines of the first "
+                "together."
+            )
 
 
 def _where_stops_stand(records: list[Record]) -> str:

@@ -29,16 +29,7 @@ from cammotion.laws.piece import Piece, bisect
 from cammotion.machine.kinematics import ANGLE
 from cammotion.quantities import Floats, InputError, Numbers, Quantity, keep_numbers, plain
 
-
-class _Inertia(Quantity):
-    """That of what turns, which a Rotor sums up of its parts."""
-
-    @property
-    def _example(self) -> str:
-        return f"a Rotor of its parts, or {super()._example}"
-
-
-_INERTIA = _Inertia("inertia", "kg m2", example=38.5)
+_INERTIA = Quantity("inertia", "kg m2", example=38.5, instead="a Rotor of its parts")
 _STOPS = Quantity("number of stops", "", example=8, low=2, low_included=True)
 _TIME = Quantity("indexing time", "s", example=0.75)
 _CYCLE = Quantity("cycle time", "s", example=1.8)
@@ -58,9 +49,9 @@ class Indexer:
     `turns` is what turns, a Rotor or its inertia in kg m2, `stops` the number of stops in a turn of
     the table, `time_s` the indexing time tm. `friction_N_m` acts against the motion, the other way
     round where the law goes backwards; `work_N_m` is what else holds the table back; both are taken
-    as constant while the table moves. `safety` is what
-    the required torque is larger by. Raises InputError for numbers out of range, and for a law
-    whose velocity jumps or that does not go from 0 to 1.
+    as constant while the table moves. `safety` is what the required torque is larger by. Raises
+    InputError for numbers out of range, and for a law whose velocity jumps or that does not go from
+    0 to 1.
 
     >>> table = Indexer(38.5, stops=8, time_s=0.75, law="modified sine", friction_N_m=10)
     >>> print(f"{table.peak_acceleration_rad_per_s2:.3f} rad/s2, {table.peak_torque_N_m:.2f} N m")
