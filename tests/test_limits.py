@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from crowds import draw_any
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from long_arrays import assert_near
@@ -507,6 +508,20 @@ def cases(draw: st.DrawFn, motions: tuple[str, ...] = ("die", "mill")) -> Case:
     return Case(
         cm.TimingDiagram([mill, die], draw(st.integers(500, 5000))), motion, rule, still, jerk
     )
+
+
+@pytest.mark.parametrize(("seed", "name"), [(103, "part 0"), (682, "part 1")])
+def test_what_turns_between_two_nodes_is_held_in_its_corridor(seed: int, name: str) -> None:
+    """It turns back in the middle of a cell, so far from both nodes that it takes some rounds."""
+    crowd = draw_any(np.random.default_rng(seed))
+    rules = [rule for rule in crowd.rules if name in rule.motions]
+    asked: Any = {"still": crowd.still[name], "travel_mm": crowd.travel_mm.get(name)}
+    coarse, fine = (
+        cm.least_acceleration(crowd.diagram, name, rules, cells=cells, **asked)
+        for cells in (40, 360)
+    )
+    assert fine.bound <= coarse.reached <= 1.001 * fine.bound
+    assert cm.find_violations(coarse.design, rules) == ()
 
 
 REFUSALS = r"^(No motion keeps all of this|At .* has to stand|On a grid of .* take more cells)"

@@ -38,6 +38,11 @@ class GridMotion:
     starting: Floats
     ending: Floats
 
+    @property
+    def peak(self) -> float:
+        """Its largest acceleration, either way."""
+        return float(np.abs([self.starting, self.ending]).max())
+
     def strays(self, room: Corridor) -> Floats:
         """Return for each cell how far, in mm, the motion leaves the corridor inside of it."""
         high, low = (

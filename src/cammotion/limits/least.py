@@ -173,17 +173,22 @@ def _reach(room: Corridor, times: Floats, most_jerk: float) -> tuple[Corridor, G
     """Return a motion with the least peak that a grid can have, and its corridor about its stops.
 
     What strays from the corridor between two nodes is held off a little further at both, and the
-    program is solved once more.
+    program is solved once more. If that is not enough, it is held off so far that no acceleration
+    up to the peak lets it stray: two nodes at a distance d from a limit, a time h apart, keep it
+    there if d is the peak times h²/8.
     """
     if room.bands:
         room = room.about(from_above(room, times, most_jerk, np.zeros(len(times)))[1])
     held_off = np.where(room.inner, KEPT_MM, 0.0)
-    for _ in range(_ROUNDS):
+    for number in range(_ROUNDS):
         curve, _ = from_above(room, times, most_jerk, held_off)
         strays = curve.strays(room)
         if not strays.any():
             return room, curve
-        held_off += np.where(room.inner, 1.5 * np.maximum(strays, np.roll(strays, 1)), 0.0)
+        off = 1.5 * strays
+        if number >= _ROUNDS // 2:
+            off = np.where(strays > 0, np.maximum(off, curve.peak * times**2 / 8), 0.0)
+        held_off += np.where(room.inner, np.maximum(off, np.roll(off, 1)), 0.0)
     raise InputError(
         f"On a grid of {room.cells} cells the motion cannot be kept in its corridor between two "
         "nodes: take more cells."
