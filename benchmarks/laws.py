@@ -1,5 +1,7 @@
 """What a motion law costs: beside NumPy by hand, beside another package, and when first used."""
 
+import contextlib
+import ctypes
 import importlib
 import os
 import subprocess
@@ -22,6 +24,7 @@ Curve: TypeAlias = Callable[[Array], Any]
 Curves: TypeAlias = tuple[Curve, Curve, Curve, Curve]
 """S, V, A and J, each to be called by itself, as a law's own are."""
 
+_TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3  # options of mallopt, in bytes
 POINTS = 100_000
 ROUNDS = 40
 FIRST_USES = 7
@@ -45,11 +48,24 @@ print(time.perf_counter() - started)
 
 def measure_laws() -> list[Finding]:
     """Compute s, v, a, j of every law at 100,000 points, and the same by hand in NumPy."""
+    keep_freed_memory()
     x = np.linspace(0, 1, POINTS)
     return [
         Finding(f"s, v, a, j of {name} : by hand", ratio_to_hand(name, x), 1.5, "x")
         for name in BY_HAND
     ]
+
+
+def keep_freed_memory() -> None:
+    """Have the C library keep what is freed for the next array, where it can be told (glibc).
+
+    It else gives memory back to the system now and then. Which side of a comparison then has to
+    fetch it anew for each array is luck, and takes up to ten times as long as the sums.
+    """
+    with contextlib.suppress(AttributeError, OSError, TypeError):
+        tell = ctypes.CDLL(None).mallopt
+        for option in (_TRIM_THRESHOLD, _MMAP_THRESHOLD):
+            tell(option, 2**25)  # the most that it takes
 
 
 def ratio_to_hand(name: str, x: Array) -> float:
