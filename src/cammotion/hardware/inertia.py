@@ -6,6 +6,7 @@ by its thickness along the axis and its density. Lengths are in mm, masses in kg
 """
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, fields
 
 from cammotion.machine.kinematics import MM_PER_M
@@ -28,7 +29,7 @@ class _Reckoned(float):
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class _Body:
+class _Body(ABC):
     """A flat body about its own axis: its area, and its square of gyration.
 
     Each kind adds these two. `mass_kg` is filled in where thickness and density were given, as a
@@ -73,18 +74,19 @@ class _Body:
         """The moment of inertia about the axis, in kg m2."""
         return self.mass_kg * self._gyration_m2
 
+    @abstractmethod
     def _read_sizes(self) -> None:
         """Raise InputError for sizes that make no sense."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def _area_m2(self) -> float:
-        raise NotImplementedError
+        """The area of the plate."""
 
     @property
+    @abstractmethod
     def _gyration_m2(self) -> float:
         """The square of the radius of gyration."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)

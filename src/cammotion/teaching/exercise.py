@@ -1,6 +1,7 @@
 """What all exercises have in common, and those with options: how an answer is judged."""
 
 import unicodedata
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -48,7 +49,7 @@ def led_to(answer: Callable[[MillAndDie], Any], machine: MillAndDie) -> Any:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Exercise:
+class Exercise(ABC):
     """What all kinds have in common.
 
     `number` names the notebook and the exercise, like "02.3". `question` asks it with the numbers
@@ -75,26 +76,26 @@ class Exercise:
         return Verdict("wrong", fault, short_name(fault)) if fault else Verdict("right", self.right)
 
     @property
+    @abstractmethod
     def wanted(self) -> str:
         """What kind of answer is asked for, in words."""
-        raise NotImplementedError
 
     def wanted_for(self, machine: MillAndDie) -> str:  # noqa: ARG002 - only numbers need it
         """Return what is asked for, with how many digits where so many are needed."""
         return self.wanted
 
+    @abstractmethod
     def solution(self, machine: MillAndDie) -> Any:
         """Return the right answer, computed for a machine."""
-        raise NotImplementedError
 
+    @abstractmethod
     def find_fault(self, answer: Any, machine: MillAndDie) -> str:
         """Return why an answer is wrong, "" for a right one; raise OddAnswerError for no answer."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def faults(self) -> tuple[str, ...]:
         """All that `find_fault` may return, with … in the place of a number that it measures."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, kw_only=True)

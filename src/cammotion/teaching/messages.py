@@ -1,5 +1,6 @@
 """What an exercise shows: its question, a hint, what is said of an answer, and the progress."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
@@ -22,18 +23,18 @@ _WORDS: dict[State, str] = {"right": "Right.", "wrong": "Not yet.", "open": ""}
 _IN_WORDS = {2: "two", 3: "three"}
 
 
-class Card:
+class Card(ABC):
     """Something that is shown as HTML, and as plain text where there is no HTML."""
 
     @property
+    @abstractmethod
     def text(self) -> str:
         """The plain text."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def html(self) -> str:
         """The HTML."""
-        raise NotImplementedError
 
     def __repr__(self) -> str:
         return self.text
@@ -43,10 +44,11 @@ class Card:
 
 
 @dataclass(frozen=True, repr=False)
-class Question(Card):
+class Question:
     """The question of an exercise, with the unit of its answer; it may hold formulas.
 
-    `machine` is what it asks about.
+    So it is shown as Markdown, and as plain text where there is none. `machine` is what it asks
+    about.
     """
 
     number: str
@@ -58,6 +60,9 @@ class Question(Card):
     def text(self) -> str:
         """The plain text."""
         return f"Exercise {self.number}. {self.question} (Answer: {self.wanted}.)"
+
+    def __repr__(self) -> str:
+        return self.text
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         markdown = f"**Exercise {self.number}.** {self.question} *Answer: {self.wanted}.*"
