@@ -29,15 +29,14 @@ from cammotion.limits.faults import Asked, find_faults
 from cammotion.limits.grid_motion import KEPT_MM, GridMotion
 from cammotion.limits.programs import from_above, from_below
 from cammotion.limits.quickest import limit_of
-from cammotion.limits.standing import check_begins_at_a_stop, still_arcs
+from cammotion.limits.standing import at_rest, check_begins_at_a_stop, still_arcs
 from cammotion.machine.arcs import Arc
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats, InputError, Quantity, WrongAnswerError, outward
 from cammotion.rules.checks import find_violations
-from cammotion.rules.rule import ROUNDING_MM, Rule
+from cammotion.rules.rule import Rule
 
 _JERK_LIMIT = Quantity("jerk limit", "m/s³", example=20)
 _CELLS = Quantity("number of cells", "", example=720, low=12, high=2880, low_included=True)
@@ -129,7 +128,7 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
     # in parts of a turn all numbers are of one size, and the solver rounds least
     times, part = room.cells_deg * (_PARTS / DEG_PER_TURN), diagram.cycle_time_s / _PARTS
     limit = most_jerk * MM_PER_M * part**3
-    stands = _standing(own, room)
+    stands = at_rest(own, room.low_mm[room.still])
     if stands and (room.still_cells.all() or _is_allowed(diagram, stands, asked)):
         lowest, best = 0.0, stands
     else:
@@ -142,15 +141,6 @@ def least_acceleration(  # noqa: PLR0913 - all but three are given by name
         found = today  # which a grid need not have
     _check(found, asked)
     return replace(found, bound=min(found.bound, found.reached))  # but for rounding it is so
-
-
-def _standing(own: Motion, room: Corridor) -> Motion | None:
-    """Return the motion that stands where it has to, all of the turn; None if it has to move."""
-    places, start = room.low_mm[room.still], own.start_deg
-    if room.pitch_mm or np.ptp(places) > ROUNDING_MM:
-        return None
-    at, end = float(places[0]), start + DEG_PER_TURN
-    return Motion(own.name, (Segment(from_deg=start, to_deg=end, from_mm=at, to_mm=at),))
 
 
 def _is_allowed(diagram: TimingDiagram, motion: Motion, asked: Asked) -> bool:

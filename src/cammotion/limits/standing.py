@@ -12,7 +12,7 @@ from cammotion.machine.arcs import arcs as as_set
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN, into_turn
 from cammotion.machine.motions import Motion
-from cammotion.machine.segments import CAM_ANGLE, arcs_of
+from cammotion.machine.segments import CAM_ANGLE, Segment, arcs_of
 from cammotion.quantities import Floats, InputError, listed, shorten
 from cammotion.rules.rule import ROUNDING_MM
 
@@ -92,6 +92,18 @@ def pair_of(given: Any, what: str, fix: str) -> tuple[float, float]:
     except (TypeError, ValueError):
         raise InputError(f"{what} is {shorten(given)}: give {fix}.") from None
     return first, second
+
+
+def at_rest(motion: Motion, places_mm: Floats) -> Motion | None:
+    """Return the motion that stands all of the turn; None for one that has to move.
+
+    `places_mm` are the positions at which it has to stand.
+    """
+    if motion.pitch_mm or np.ptp(places_mm) > ROUNDING_MM:
+        return None
+    at, start = float(places_mm[0]), motion.start_deg
+    end = start + DEG_PER_TURN
+    return Motion(motion.name, (Segment(from_deg=start, to_deg=end, from_mm=at, to_mm=at),))
 
 
 def unrolled_mm(motion: Motion, angles_deg: ArrayLike) -> Floats:

@@ -50,7 +50,7 @@ class Search:
 
     def __init__(self, task: Task, end: float) -> None:
         self.task, self.end, self.best = task, end, Best(0.0, None)
-        for design in (task.diagram, self._best_moves(task)):
+        for design in (task.diagram, _at_rest(task), self._best_moves(task)):
             if design and not list(faults_of(task, design)):
                 self._keep(design)
 
@@ -152,6 +152,14 @@ class Search:
         peak = weighted_peak(design, self.task.weights)
         if peak < self.reached:
             self.best = Best(min(self.best.bound, peak), design)
+
+
+def _at_rest(task: Task) -> TimingDiagram:
+    """Return the diagram in which all parts stand that need not move."""
+    design = task.diagram
+    for standing in filter(None, (part.at_rest for part in task.parts)):
+        design = design.with_motion(standing)
+    return design
 
 
 class _Grid:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cammotion.limits.corridors import NEAR_DEG
-from cammotion.limits.standing import unrolled_mm
+from cammotion.limits.standing import at_rest, unrolled_mm
 from cammotion.machine.arcs import Arc
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
@@ -56,6 +56,11 @@ class Part:
         """Where it stands, in the order of the angles, over a turn from the first one on."""
         places = unrolled_mm(self.motion, np.array(self.still).mean(axis=1))
         return [Stand(*arc, place) for arc, place in zip(self.still, places.tolist(), strict=True)]
+
+    @property
+    def at_rest(self) -> Motion | None:
+        """The motion that stands all of the turn; None if it has to move."""
+        return at_rest(self.motion, np.array([stand.place_mm for stand in self.stands]))
 
     @property
     def middles_deg(self) -> list[float]:
