@@ -1,6 +1,7 @@
 """Progress is kept wherever a notebook runs, said where, and whatever lies in its place."""
 
 import codecs
+import errno
 import json
 import os
 import stat
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from desk import files_in, line_of, read_file, restart, sit_down
+from small_workbook import raiser
 
 import cammotion as cm
 from cammotion.teaching import places
@@ -88,6 +90,16 @@ def test_it_stays_where_it_is_when_the_notebook_changes_its_folder(
     cm.check("01.2", 0.3846)
     assert len(read_file(tmp_path / "home" / "course")["exercises"]) == 2
     assert not (tmp_path / FILE).exists()
+
+
+def test_a_place_is_not_named_while_nothing_can_be_written_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    go_to(tmp_path / "home", monkeypatch)
+    with monkeypatch.context() as full:
+        full.setattr("os.fsync", raiser(OSError(errno.ENOSPC, "full")))
+        assert "is kept in" not in cm.check("01.1", 140).text
+    assert "is kept in" in cm.check("01.1", 70).text
 
 
 def close(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,7 +13,7 @@ import pytest
 from desk import STRANGERS, files_in, line_of, read_file, restart, sit_down
 
 import cammotion as cm
-from cammotion.teaching import session
+from cammotion.teaching import session, store
 from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.places import FILE, GRADING
 
@@ -214,7 +214,9 @@ def test_records_of_a_stranger_are_read_as_far_as_they_make_sense(work: Path) ->
         assert cm.progress().note == ""
 
 
-@pytest.mark.parametrize("place", ["json.dump", "pathlib.Path.replace", "os.fsync"])
+@pytest.mark.parametrize(
+    "place", ["json.dump", "pathlib.Path.replace", "os.fsync", f"{store.__name__}.only_one"]
+)
 def test_what_cannot_be_written_is_kept_in_memory_and_said(
     work: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
@@ -224,9 +226,11 @@ def test_what_cannot_be_written_is_kept_in_memory_and_said(
         said = cm.check("01.2", 0.3846)
         assert said.is_right
         assert "could not be written (No space left on device); it is kept until" in said.text
+        assert said.text.endswith(" closed: make room on the disk.")
         cm.check("02.4", 1.331)
         assert cm.progress().right == 3
         assert "could not be written" in cm.progress().note
+        assert "is kept in" not in repr(cm.progress())
         assert cm.hint("02.1").step == 1
         assert [*read_file(work)["exercises"]] == ["01.1"]
         assert files_in(work) == [FILE]

@@ -102,6 +102,9 @@ def test_the_environment_of_the_workbook_is_no_folder_of_pages(
 def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="The folder site cannot be written"):
         folder.write(tmp_path / "not there" / "site", FILES)
+    (tmp_path / "a.txt").touch()
+    with pytest.raises(InputError, match=r"^a\.txt is there already, is a file, and was left"):
+        folder.check_free(tmp_path / "a.txt")
     with pytest.raises(InputError, match=r"The folder xxx.* cannot be written \("):
         folder.check_free(tmp_path / ("x" * 300))
 

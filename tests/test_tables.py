@@ -1,6 +1,7 @@
 """Timing diagrams in files: what is written is read back, and nothing is lost or overwritten."""
 
 import csv
+import errno
 import os
 import re
 from collections.abc import Callable, Iterator
@@ -13,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from machines import DIPPING, MONOTONE, examples, make_diagram, make_die, make_mill
+from small_workbook import raiser
 
 import cammotion as cm
 from cammotion import Motion, MotionLaw, Segment, TimingDiagram, read_segments
@@ -336,6 +338,16 @@ def test_a_file_that_may_not_be_written_to_is_not_replaced(tmp_path: Path) -> No
     with pytest.raises(cm.InputError, match=r"^The file mine\.csv cannot be written \(Permission"):
         write(DIAGRAM, path, overwrite=True)
     assert path.read_text() == "a week's work"
+
+
+@pytest.mark.parametrize("number", [errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)])
+def test_on_a_full_disk_room_is_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    monkeypatch.setattr(Path, "write_bytes", raiser(OSError(number, "full")))
+    with pytest.raises(cm.InputError, match=r"written \(full\): make room on the disk\.$"):
+        write(DIAGRAM, tmp_path / "m.csv")
+    assert not [*tmp_path.iterdir()]
 
 
 @pytest.mark.parametrize("write_table", [write, write_curves_of])

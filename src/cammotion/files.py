@@ -1,5 +1,6 @@
 """Files that are read and written for the learner: nothing that is there already is lost."""
 
+import errno
 import os
 import re
 import shutil
@@ -14,6 +15,7 @@ from cammotion.quantities import InputError, shorten
 _NO_NAME = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f\ud800-\udfff]')  # in no name of a file
 _DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 _LONGEST = 60  # characters of a file's name
+_FULL = (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC))  # Windows knows no quota
 
 
 def write_new(path: str | Path, text: str | bytes, *, overwrite: bool = False) -> Path:
@@ -96,9 +98,14 @@ def _told(path: Path) -> Iterator[None]:
         ) from None
     except OSError as wrong:
         raise InputError(
-            f"The file {_name(path)} cannot be written ({wrong.strerror}): choose a folder that is "
-            "there and that you may write to."
+            f"The file {_name(path)} cannot be written ({wrong.strerror}): "
+            f"{remedy(wrong, 'choose a folder that is there and that you may write to')}."
         ) from None
+
+
+def remedy(wrong: OSError, otherwise: str) -> str:
+    """Return what to do where nothing can be written: make room on a full disk, or `otherwise`."""
+    return "make room on the disk" if wrong.errno in _FULL else otherwise
 
 
 def read_text(path: str | Path) -> str:

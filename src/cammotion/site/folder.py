@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from cammotion.files import remedy
 from cammotion.quantities import InputError, shorten
 
 MARKER = "made-by-workbook"
@@ -20,9 +21,10 @@ def check_free(folder: Path) -> None:
         is_folder = folder.is_dir() and not folder.is_symlink()
         if is_folder and (_is_ours(folder) or not any(folder.iterdir())):
             return
+    what = "is a file" if folder.is_file() else "was not made by this command"
     raise InputError(
-        f"{shorten(folder.name, of=str)} is there already, was not made by this command, and was "
-        "left as it is: give another folder with --folder."
+        f"{shorten(folder.name, of=str)} is there already, {what}, and was left as it is: give "
+        "another folder with --folder."
     )
 
 
@@ -86,8 +88,8 @@ def _told(folder: Path) -> Iterator[None]:
     except OSError as wrong:
         raise InputError(
             f"The folder {shorten(folder.name, of=str)} cannot be written "
-            f"({wrong.strerror or shorten(str(wrong))}): give one in a folder that is there and "
-            "that you may write to."
+            f"({wrong.strerror or shorten(str(wrong))}): "
+            f"{remedy(wrong, 'give one in a folder that is there and that you may write to')}."
         ) from None
 
 

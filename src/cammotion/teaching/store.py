@@ -23,6 +23,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from cammotion.files import remedy
 from cammotion.teaching.lock import only_one
 from cammotion.teaching.places import FILE, KINDS, Place
 
@@ -47,7 +48,8 @@ class Store:
         self.find_place = find_place
         self._known: Content = {}
         self._unwritten: list[tuple[str, str, Change]] = []
-        self._kept_aside = self._not_read = self._not_written = self._obstacle = ""
+        self._kept_aside = self._not_read = self._not_written = ""
+        self._obstacle: OSError | None = None
         self._patience_s = _PATIENCE_S
         self._has_told = False
 
@@ -63,12 +65,16 @@ class Store:
 
     @property
     def where(self) -> str:
-        """Where the file is, or why there is none, in a sentence."""
+        """Where the file is, or why there is none, in a sentence; "" while it cannot be written."""
+        if self._not_written:
+            return ""
         kept = f"kept in {self.file}" if self.file else "not kept"
         return self.place.remark or f"Your progress is {kept}."
 
     def tell(self) -> str:
-        """Return the complaint, and once what the learner would not expect of the place."""
+        """Return the complaint, and once, if it is written, what is unexpected of the place."""
+        if self._not_written:
+            return self.complaint
         remark = "" if self._has_told else self.place.remark
         self._has_told = True
         return " ".join(filter(None, [self.complaint, remark]))
@@ -107,7 +113,7 @@ class Store:
 
         Where that cannot be, `_obstacle` says why, and nothing is written.
         """
-        self._obstacle = ""
+        self._obstacle = None
         with ExitStack() as held:
             try:
                 if self.file:
@@ -117,9 +123,9 @@ class Store:
                 self._patience_s = _PATIENCE_S
             except TimeoutError:
                 self._patience_s = _WHEN_TRIED_S
-                self._obstacle = "another notebook has been writing to it for seconds"
+                self._obstacle = OSError("another notebook has been writing to it for seconds")
             except OSError as wrong:
-                self._obstacle = str(wrong.strerror or wrong)
+                self._obstacle = wrong
             yield
 
     def _make_folder(self) -> None:
@@ -151,10 +157,10 @@ class Store:
             if not all(isinstance(record, dict) for records in own for record in records):
                 raise ValueError("not of this workbook")
         except OSError as wrong:  # it may pass, as on a network drive
-            self._obstacle = str(wrong.strerror or wrong)
+            self._obstacle = wrong
             self._not_read = (
-                f"Your progress could not be read ({self._obstacle}), and may be more than what "
-                "is shown; the file is left as it is, and tried again."
+                f"Your progress could not be read ({wrong.strerror or wrong}), and may be more "
+                "than what is shown; the file is left as it is, and tried again."
             )
             return self._known
         except (ValueError, AttributeError, RecursionError):
@@ -166,13 +172,14 @@ class Store:
         """Write the file whole or not at all; what cannot be written stays in memory."""
         try:
             if self.file and self._obstacle:
-                raise OSError(self._obstacle)
+                raise self._obstacle
             if self.file:
                 _write(content, _target(self.file))
         except OSError as wrong:
+            todo = remedy(wrong, "")
             self._not_written = (
                 f"Your progress could not be written ({wrong.strerror or wrong}); it is kept until "
-                "this notebook is closed."
+                f"this notebook is closed{todo and f': {todo}'}."
             )
         else:
             self._known = content
