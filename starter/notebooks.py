@@ -49,7 +49,7 @@ def find(wanted: str) -> Path:
     """Find the workbook's own notebook with this number (2 or 02) or name."""
     for path in originals():
         number = number_of(path.stem)
-        if wanted in (path.name, path.stem) or wanted.zfill(len(number)) == number:
+        if wanted in (path.name, path.stem) or (wanted and wanted.zfill(len(number)) == number):
             return path
     known = ", ".join(path.stem for path in originals()) or "none"
     raise WorkbookError(f"There is no notebook {wanted!r}. Known are: {known}.")

@@ -208,6 +208,7 @@ def test_a_fit_by_trying_every_pair_of_parts(designation: str) -> None:
         ("5 G7", "5 mm, and the letter G is confirmed here only for diameters over 6 up to 400 mm"),
         ("2 F7", "only for diameters over 3 up to 400 mm: give for example 6 mm"),
         ("450 F7", "only for diameters over 3 up to 400 mm: give for example 400 mm"),
+        ("40 cd7", "zone with the letter 'cd': use one of 'd', 'e'"),  # another one than d
         ("40 t6", "no confirmed tolerance zone with the letter 't': use one of 'd', 'e'"),
         ("40 JS7", "letter 'JS': use one of 'F', 'G', 'H'"),  # js is a shaft
         ("40 K7", "letter 'K': use one of 'F', 'G', 'H'"),

@@ -163,7 +163,10 @@ def test_what_is_found_in_the_explorer() -> None:
 
     at = brentq(lambda size: 26 * unit(size) + 2.5 * size**0.34 - 100, 3, 500)
     assert at == pytest.approx(274, abs=0.5)
-    assert [round(16 * unit(size)) for size in (40, 320)] == [25, 54]
+    small, large = (16 * unit(size) for size in (40, 320))
+    assert (round(small), round(large)) == (25, 54)
+    page = (Path(__file__).parents[1] / "docs" / "teaching.md").read_text("utf-8")
+    assert f"from 25 to 54 µm, {large / small:.1f} times for eight times the diameter" in page
     figure = zones_figure()
     (size,) = [symbol for symbol in figure.values if str(symbol) == "size"]
     figure.values = {size: round(at)}

@@ -83,6 +83,8 @@ def test_fresh_takes_a_number_or_a_name_of_a_lesson(
     add_solution(root)
     for wanted in ("02", "2", "02_maximum_acceleration", "02_maximum_acceleration.ipynb"):
         start("fresh", wanted)
+    with pytest.raises(WorkbookError, match="There is no notebook ''"):
+        notebooks.find("")
     laid = [json.loads(path.read_text()) for path in (root / "work").iterdir()]
     assert len(laid) == 4
     assert all(copy["cells"][0]["source"] == ["02_maximum_acceleration"] for copy in laid)

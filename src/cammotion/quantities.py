@@ -252,14 +252,26 @@ def one_of(
     'cycloidal'
     """
     names = {known_name: known_name for known_name in known}
-    if isinstance(name, str):
-        if name in names:
-            return name
+    if isinstance(name, str) and name not in names:
         given, folded = name[:_LONG].casefold(), _folded({**also, **names})
         if not is_exact and len(folded.get(given, ())) == 1:
             return folded[given][0]
         if near := _near(given, folded):
             raise UnknownNameError(f"There is no {what} {shorten(name)}: did you mean {near}?")
+    return to_the_letter(what, name, names)
+
+
+def to_the_letter(what: str, name: Any, known: Iterable[str]) -> str:
+    """Return a name that is one of the `known` as it stands, since those near mean other things.
+
+    Otherwise raise InputError with all.
+
+    >>> to_the_letter("letter of a shaft", "g", ["f", "g"])
+    'g'
+    """
+    names = [*known]
+    if isinstance(name, str) and name in names:
+        return name
     listed = shorten(", ".join(f"'{each}'" for each in names), _LISTED, of=str)
     raise UnknownNameError(f"There is no {what} {shorten(name)}: use one of {listed}.")
 

@@ -21,7 +21,7 @@ from cammotion.hardware.iso_286 import (
     UPPER,
 )
 from cammotion.machine.kinematics import UM_PER_MM
-from cammotion.quantities import InputError, Quantity, keep_numbers, one_of, shorten
+from cammotion.quantities import InputError, Quantity, keep_numbers, one_of, shorten, to_the_letter
 
 Kind = Literal["clearance", "transition", "interference"]
 
@@ -284,7 +284,7 @@ def _limits(diameter_mm: float, letter: str, grade: int) -> Limits:
     """Return the limits of a zone: a capital letter is of a hole, a small one of a shaft."""
     at = _step(diameter_mm)
     known = [each for each in _LETTERS if each.isupper() == letter[0].isupper()]
-    one_of("confirmed tolerance zone with the letter", letter, known, is_exact=True)
+    to_the_letter("confirmed tolerance zone with the letter", letter, known)
     width = GRADES[_checked_grade(grade)][at]
     zone = f"{letter}{grade}"
     if letter == SYMMETRIC:
