@@ -299,6 +299,9 @@ def test_a_folder_is_a_folder(tmp_path: Path) -> None:
     for folder in (tmp_path / "no", tmp_path / "die.csv"):
         with pytest.raises(InputError, match=r"^There is no folder '(no|die.csv)': make it, or"):
             write_cam_tables(DIAGRAM, folder)
+    (tmp_path / "f.txt").touch()
+    with pytest.raises(InputError, match=r"^'f\.txt' is a file: give a folder\.$"):
+        write_cam_tables(DIAGRAM, tmp_path / "f.txt")
     with pytest.raises(InputError, match=r"^The path of the file is None"):
         write_cam_tables(DIAGRAM, None)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"^The diagram is Motion.*: give a TimingDiagram"):

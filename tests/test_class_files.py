@@ -54,9 +54,10 @@ def test_a_folder_without_any(tmp_path: Path) -> None:
     said = rf"^There is no progress\.json in the folder {tmp_path.name}, nor .* work\.$"
     with pytest.raises(InputError, match=said):
         read_class(tmp_path)
-    for content, lack in (("{", "broken"), (" \n", "empty")):
+    for content, lack in (("{", "broken, and cannot be read"), (" \n", "empty")):
         (tmp_path / "x.json").write_text(content)
-        with pytest.raises(InputError, match=rf"x\.json was left out: it is {lack}"):
+        said = rf"x\.json was left out: it is {lack}: ask for it anew\.$"
+        with pytest.raises(InputError, match=said):
             read_class(tmp_path)
 
 

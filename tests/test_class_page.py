@@ -244,10 +244,15 @@ def test_a_page_that_no_file_can_be_is_a_sentence(
 def test_no_folder_is_a_sentence(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for wrong in (tmp_path / "nowhere", folder / "carla.JSON", tmp_path / ("x" * 300)):
-        assert main([str(wrong), "--output", str(tmp_path / "x.html")]) == 1
-        said = capsys.readouterr().err
-        assert re.fullmatch(r"There is no folder .*: give the one into which you have .*\.\n", said)
+    page = folder / "old.html"
+    page.touch()
+    for wrong in (tmp_path / "nowhere", tmp_path / ("x" * 300)):
+        for output in (tmp_path / "x.html", page):  # which is no matter then
+            assert main([str(wrong), "--output", str(output)]) == 1
+            said = capsys.readouterr().err
+            assert re.fullmatch(r"There is no folder .*: give the one into which .*\.\n", said)
+    assert main([str(folder / "carla.JSON"), "--output", str(tmp_path / "x.html")]) == 1
+    assert re.fullmatch(r".*carla\.JSON is a file: give a folder\.\n", capsys.readouterr().err)
     with pytest.raises(InputError, match="no folder"):
         read_class(tmp_path / "nowhere")
     assert not (tmp_path / "x.html").exists()

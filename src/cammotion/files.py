@@ -179,6 +179,14 @@ def is_folder(path: Path) -> bool:
         return False
 
 
+def check_folder(path: Path, name: str, remedy: str) -> None:
+    """Raise InputError for what is no folder, with its `name`; `remedy` is for where nothing is."""
+    if not is_folder(path):
+        if os.path.exists(path):  # noqa: PTH110 - no error where a path is too long
+            raise InputError(f"{name} is a file: give a folder.")
+        raise InputError(f"There is no folder {name}: {remedy}.")
+
+
 def as_path(path: Any) -> Path:
     """Return the path of a file; raise InputError for what can be none."""
     if not isinstance(path, str | Path):

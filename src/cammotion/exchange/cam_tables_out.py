@@ -7,7 +7,7 @@ import numpy as np
 
 from cammotion.exchange.cam_table_cut import DECIMALS, SEPARATORS
 from cammotion.exchange.table_numbers import ANGLE_DECIMALS
-from cammotion.files import as_path, is_folder, stems, write_all
+from cammotion.files import as_path, check_folder, stems, write_all
 from cammotion.machine.diagram import TimingDiagram, as_diagram
 from cammotion.machine.kinematics import DEG_PER_TURN, MM_PER_M, into_turn, over_time
 from cammotion.machine.motions import Motion
@@ -180,11 +180,8 @@ def _write(
 ) -> dict[str, Path]:
     """Write all the files, unless one of them is there already, or none."""
     place = as_path(folder)
-    if not is_folder(place):
-        raise InputError(
-            f"There is no folder {shorten(place.name)}: make it, or give another one; each "
-            "mechanism gets a file of its own in it."
-        )
+    remedy = "make it, or give another one; each mechanism gets a file of its own in it"
+    check_folder(place, shorten(place.name), remedy)
     paths = {
         name: place / f"{stem}{ending}" for name, stem in zip(texts, stems(texts), strict=True)
     }

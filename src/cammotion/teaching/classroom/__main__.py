@@ -52,12 +52,12 @@ def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> list
             f"The page of the class is {clean(str(output), 200)}, which is no name of a page: give "
             "one that ends in .html with --output."
         )
+    school = read_class(folder)  # first: an old page must not hide that there is no such folder
     if os.path.lexists(output) and not overwrite:
         raise InputError(
             f"The file {clean(str(output), 200)} is there already and was left as it is: give "
             "another name with --output, or add --overwrite."
         )
-    school = read_class(folder)
     shown = school.anonymous() if anonymous else school
     write_new(output, page.write(shown, date.today()), overwrite=overwrite)
     students = plural(len(school.students), "student")

@@ -12,7 +12,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from cammotion.files import is_folder
+from cammotion.files import check_folder
 from cammotion.quantities import InputError
 from cammotion.teaching.classroom.clean import clean
 from cammotion.teaching.places import FILE, KINDS, SOLUTIONS
@@ -66,11 +66,8 @@ def read_class(folder: Path) -> SchoolClass:
 
     Raises InputError where there is no folder, or no progress file in it.
     """
-    if not is_folder(folder):
-        raise InputError(
-            f"There is no folder {clean(str(folder), 200)}: give the one into which you have "
-            "collected your students' progress files or work folders."
-        )
+    remedy = "give the one into which you have collected your students' progress files"
+    check_folder(folder, clean(str(folder), 200), f"{remedy} or work folders")
     notices: list[str] = []
     students: dict[tuple[str, bytes], Student] = {}
 
@@ -191,11 +188,11 @@ def _read(file: Path) -> tuple[bytes, dict[str, Any]]:
     except OSError as wrong:
         raise _NoProgressError(_cannot_be_opened(wrong)) from None
     if not raw.strip():
-        raise _NoProgressError("is empty")
+        raise _NoProgressError("is empty: ask for it anew")
     try:
         content = json.loads(raw)  # in any UTF, as the store reads it
     except (ValueError, RecursionError):
-        raise _NoProgressError("is broken, and cannot be read") from None
+        raise _NoProgressError("is broken, and cannot be read: ask for it anew") from None
     if not isinstance(content, dict) or not any(_records(content, kind) for kind in KINDS):
         raise _NoProgressError("holds no exercises and no predictions of the workbook")
     return raw, content
