@@ -268,9 +268,10 @@ def test_a_dwell_may_be_marked_as_none(word: str) -> None:
     assert cm.machine_from_text(table.replace("yes", word)).still == {}
 
 
-def test_no_table_under_the_name_of_another_format(tmp_path: Path) -> None:
-    with pytest.raises(cm.InputError, match=r"'press.ods' would be CSV .* end in .csv or .xlsx"):
-        cm.write_machine(cm.machine_from_text(TABLE), tmp_path / "press.ods")
+@pytest.mark.parametrize("name", ["press.ods", "press.pdf", "press.DXF"])
+def test_no_table_under_the_name_of_another_format(tmp_path: Path, name: str) -> None:
+    with pytest.raises(cm.InputError, match=rf"'{name}' would be CSV .* end in .csv or .xlsx"):
+        cm.write_machine(cm.machine_from_text(TABLE), tmp_path / name)
     assert not [*tmp_path.iterdir()]
 
 

@@ -361,6 +361,15 @@ def test_a_folder_that_is_not_there_is_named(
 
 
 @pytest.mark.parametrize("write_table", [write, write_curves_of])
+def test_no_table_under_the_name_of_a_workbook(
+    tmp_path: Path, write_table: Callable[..., Path]
+) -> None:
+    with pytest.raises(cm.InputError, match=r"'m\.xlsx' would be CSV .* end in \.csv\.$"):
+        write_table(DIAGRAM, tmp_path / "m.xlsx")
+    assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize("write_table", [write, write_curves_of])
 @pytest.mark.parametrize("diagram", [None, 3, make_die()], ids=["None", "3", "a motion"])
 def test_only_a_diagram_is_written(
     tmp_path: Path, write_table: Callable[..., Path], diagram: Any

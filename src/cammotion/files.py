@@ -15,6 +15,11 @@ from cammotion.quantities import InputError, shorten
 _NO_NAME = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f\ud800-\udfff]')  # in no name of a file
 _DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 _LONGEST = 60  # characters of a file's name
+_NO_TABLE = {  # endings that stand for something else than a table of text
+    *(".ods", ".fods", ".xls", ".xlsx", ".xlsm", ".xlsb", ".numbers"),
+    *(".doc", ".docx", ".odt", ".pdf", ".html", ".htm", ".json", ".xml", ".py", ".ipynb", ".zip"),
+    *(".svg", ".png", ".jpg", ".jpeg", ".gif", ".dxf", ".dwg", ".stp", ".step"),
+}
 _FULL = (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC))  # Windows knows no quota
 
 
@@ -169,6 +174,23 @@ def ending(path: Any, of: str, among: Sequence[str]) -> str:
     raise InputError(
         f"The file of the {of} is called {_name(as_path(path))}: let its name end in {asked}."
     )
+
+
+def table_ending(path: Any, others: Sequence[str] = ()) -> str:
+    """Return the ending of the name of a table in CSV, or in one of the `others`, in small letters.
+
+    Raises InputError for one that is known to stand for something else.
+
+    >>> table_ending("mine.CSV"), table_ending("mine"), table_ending("mine.xlsx", [".xlsx"])
+    ('.csv', '', '.xlsx')
+    """
+    found = as_path(path).suffix.lower()
+    if found in _NO_TABLE.difference(others):
+        raise InputError(
+            f"The file {shorten(as_path(path).name)} would be CSV under the name of another "
+            f"format: let its name end in {' or '.join(['.csv', *others])}."
+        )
+    return found
 
 
 def is_folder(path: Path) -> bool:

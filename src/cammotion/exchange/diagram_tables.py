@@ -26,7 +26,7 @@ from cammotion.exchange.machine_lines import (
 from cammotion.exchange.machine_source import from_text, open_source
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.table_numbers import ANGLE_DECIMALS
-from cammotion.files import write_new
+from cammotion.files import table_ending, write_new
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.machine.diagram import TimingDiagram, as_diagram
@@ -54,7 +54,7 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
     `read_segments` reads the file back to the same machine; what cannot be read back so is not
     written, with an InputError. A name that a spreadsheet would take for a formula gets a quote
     before it. A file that is there already is left as it is, with an InputError, unless
-    `overwrite` is True.
+    `overwrite` is True; a name with the ending of another format gets one, too.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm
@@ -64,6 +64,7 @@ def write_segments(diagram: TimingDiagram, path: str | Path, *, overwrite: bool 
     machine.csv True
     """
     text = rows_as_text(segment_rows(as_diagram(diagram)))
+    table_ending(path)
     _check_comes_back(diagram, text)
     return write_new(path, text, overwrite=overwrite)
 
@@ -90,7 +91,8 @@ def write_curves(
 
     Columns are the cam angle in deg, the time in s, and for each motion position in mm, velocity
     in m/s, acceleration in m/s2 and jerk in m/s3. A file that is there already is left as it is,
-    with an InputError, unless `overwrite` is True; so is one for a step out of range.
+    with an InputError, unless `overwrite` is True; so is one for a step out of range, and
+    for a name with the ending of another format.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm
@@ -100,6 +102,7 @@ def write_curves(
     cam angle in deg,time in s,mill posi 74
     """
     as_diagram(diagram)
+    table_ending(path)
     step = STEP.number(step_deg)
     steps = math.ceil(DEG_PER_TURN / step - _ROUNDING)
     angles = np.append(step * np.arange(steps), DEG_PER_TURN).round(ANGLE_DECIMALS)

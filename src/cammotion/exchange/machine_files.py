@@ -12,13 +12,12 @@ from cammotion.exchange.machine_source import Source, from_book, from_text, open
 from cammotion.exchange.machine_table import read_table
 from cammotion.exchange.rule_text import arcs_as_text, rule_as_text
 from cammotion.exchange.xlsx_out import sheets_as_xlsx
-from cammotion.files import as_path, write_new
+from cammotion.files import table_ending, write_new
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.own import Machine
 from cammotion.quantities import InputError, shorten
 
 _BOOK = ".xlsx"
-_OTHER_BOOKS = (".ods", ".fods", ".xls", ".xlsm", ".xlsb", ".numbers")
 _PLAIN = (
     "give mechanisms and rules plain names, without words like 'beyond' or 'only while' and "
     "without colons"
@@ -85,9 +84,9 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
 
     Its name stands nowhere in the table: read back, it is called as the file is. Columns of your
     own in the table from which it was read are not written, since it does not keep them. A name
-    that ends in .xlsx makes a workbook, one of another spreadsheet's is refused, any other makes a
-    CSV file. Nothing is written over a file that is there, unless `overwrite` is True, and nothing
-    that cannot be read back; raises InputError.
+    that ends in .xlsx makes a workbook, one of another format like .ods or .pdf is refused, any
+    other makes a CSV file. Nothing is written over a file that is there, unless `overwrite` is
+    True, and nothing that cannot be read back; raises InputError.
 
     >>> from tempfile import TemporaryDirectory
     >>> import cammotion as cm
@@ -98,13 +97,8 @@ def write_machine(machine: Machine, path: str | Path, *, overwrite: bool = False
     ...     read_machine(path) == machine
     True
     """
-    rows, suffix = machine_rows(machine), as_path(path).suffix.casefold()
-    if suffix in _OTHER_BOOKS:
-        raise InputError(
-            f"The file {shorten(as_path(path).name)} would be CSV under the name of another "
-            "format: let its name end in .csv or .xlsx."
-        )
-    is_book = suffix == _BOOK
+    is_book = table_ending(path, [_BOOK]) == _BOOK
+    rows = machine_rows(machine)
     content = sheets_as_xlsx({"machine": rows}) if is_book else rows_as_text(rows)
     try:
         back = read_table(_source("the table", content))
