@@ -1,6 +1,7 @@
 """Ctrl-C while a command loads, reads or computes: a sentence, and the exit code of a shell."""
 
 import importlib
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -56,3 +57,41 @@ def test_an_interrupt_while_it_works_is_answered(
     assert main([str(PRESS)]) == 130
     assert capsys.readouterr().err == STOPPED
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize(
+    ("module", "loaded"),
+    [
+        ("cammotion.report", "scipy.optimize"),  # before the search
+        ("cammotion.teaching.classroom", "cammotion.teaching.classroom.collect"),
+    ],
+)
+def test_an_interrupt_does_not_reach_a_library_that_is_being_loaded(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    module: str,
+    loaded: str,
+) -> None:
+    """The solver HiGHS made "initialization failed" of it."""
+    reached = []
+
+    class Finder:
+        def find_spec(self, name: str, *_: object) -> None:
+            if name == loaded:
+                try:
+                    signal.raise_signal(signal.SIGINT)
+                except KeyboardInterrupt:
+                    reached.append(name)
+                raise ImportError("initialization failed")
+
+    main = importlib.import_module(f"{module}.__main__").main
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delitem(sys.modules, loaded, raising=False)
+    monkeypatch.setattr(sys, "meta_path", [Finder(), *sys.meta_path])
+    before = signal.getsignal(signal.SIGINT)
+    assert main([str(PRESS)]) == 130
+    assert capsys.readouterr().err == STOPPED
+    assert not reached
+    assert not [*tmp_path.iterdir()]
+    assert signal.getsignal(signal.SIGINT) == before

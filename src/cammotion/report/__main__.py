@@ -3,16 +3,18 @@
 It ends with 0 if all rules are kept, with 3 if the report was written and a rule is broken, with 2
 for a table that cannot be read, of which nothing is written, or for a command that cannot be, and
 with 1 for any other failure. After Ctrl-C with nothing written it ends with 130; what takes long to
-load is loaded within `_write`, so that this is answered from the first second on.
+load is loaded within `_write`, all of it before the search begins, so that this is answered from
+the first second on, as soon as it is loaded.
 """
 
 import argparse
+import importlib
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from cammotion.terminal import suit_any_terminal
+from cammotion.terminal import interrupt_held_back, suit_any_terminal
 
 if TYPE_CHECKING:
     from cammotion.own import Machine
@@ -47,15 +49,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _write(options: argparse.Namespace) -> "tuple[Machine, Report] | int":
     """Write a report, or say what stands in the way and return the exit code."""
-    from cammotion.exchange.machine_files import read_machine
-    from cammotion.quantities import InputError, WrongAnswerError
-    from cammotion.report.writing import write_report
+    with interrupt_held_back():
+        from cammotion.exchange.machine_files import read_machine
+        from cammotion.quantities import InputError, WrongAnswerError
+        from cammotion.report.writing import write_report
 
-    try:
-        machine = read_machine(options.machine)
-    except InputError as wrong:
-        print(wrong, file=sys.stderr)
-        return BAD_INPUT
+        try:
+            machine = read_machine(options.machine)
+        except InputError as wrong:
+            print(wrong, file=sys.stderr)
+            return BAD_INPUT
+        importlib.import_module("scipy.optimize")
     try:
         report = write_report(
             machine, options.folder, seconds=options.seconds, dxf=options.dxf, progress=show_bar

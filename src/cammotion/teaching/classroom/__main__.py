@@ -1,6 +1,6 @@
 """What ``workbook.py class FOLDER`` runs: read the files, write the page, say what is with both.
 
-What takes long to load is loaded within `_write`, so that Ctrl-C is answered then, too.
+What takes long to load is loaded within `main` and `_write`, which answer Ctrl-C then, too.
 """
 
 import argparse
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
 
-from cammotion.terminal import suit_any_terminal
+from cammotion.terminal import interrupt_held_back, suit_any_terminal
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -23,8 +23,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     suit_any_terminal()
     try:
-        from cammotion.quantities import InputError
-
+        with interrupt_held_back():
+            from cammotion.quantities import InputError
         try:
             lines = _write(options.folder, options.output, options.anonymous, options.overwrite)
         except InputError as wrong:
@@ -40,11 +40,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _write(folder: Path, output: Path, anonymous: bool, overwrite: bool) -> list[str]:
     """Write the page, and return what is to be said; raise InputError if it cannot be."""
-    from cammotion.files import write_new
-    from cammotion.quantities import InputError, plural
-    from cammotion.teaching.classroom import page
-    from cammotion.teaching.classroom.clean import clean
-    from cammotion.teaching.classroom.collect import read_class
+    with interrupt_held_back():
+        from cammotion.files import write_new
+        from cammotion.quantities import InputError, plural
+        from cammotion.teaching.classroom import page
+        from cammotion.teaching.classroom.clean import clean
+        from cammotion.teaching.classroom.collect import read_class
 
     written = Path(os.path.realpath(output))  # a link to itself is no error here
     if written.suffix.casefold() != ".html":  # a file that is read ends in .json
