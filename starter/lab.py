@@ -10,7 +10,7 @@ from http import HTTPStatus
 from http.client import HTTPConnection, HTTPException
 from pathlib import Path
 
-from starter import processes
+from starter import processes, reasons
 from starter.errors import WorkbookError
 from starter.paths import ON_WINDOWS, VENV_PYTHON
 
@@ -77,7 +77,8 @@ def start(port: int, token: str, served: Path, passed_on: list[str]) -> "subproc
         if status != HTTPStatus.OK:
             if process.poll() is not None:
                 reader.join(1)
-            raise WorkbookError(processes.tail(lines) + explain(process.poll(), status, port))
+            why = explain(process.poll(), status, port, "".join(lines))
+            raise WorkbookError(processes.tail(lines) + why)
     except BaseException:
         processes.stop(process)
         raise
@@ -99,10 +100,12 @@ def wait_for_answer(process: "subprocess.Popen[str]", port: int, token: str) -> 
     return NO_ANSWER if process.poll() is not None else status
 
 
-def explain(code: int | None, status: int, port: int) -> str:
-    """Say in words why JupyterLab is not ready, by its exit code or its last answer."""
+def explain(code: int | None, status: int, port: int, told: str) -> str:
+    """Say in words why JupyterLab is not ready, by its exit code and words or its last answer."""
     if code is not None:
-        return f"JupyterLab ended (code {code}) before it was ready."
+        reason = reasons.find(told)
+        ended = f"JupyterLab ended (code {code}) before it was ready."
+        return f"{ended} {reason}" if reason in reasons.OF_A_START else ended
     if status in REFUSED:
         return (
             f"JupyterLab refuses the token that was made for this start (status {status}): a "

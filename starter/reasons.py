@@ -5,6 +5,17 @@ import re
 from starter.paths import PYTHON_VERSION, START
 
 DISK_FULL = "The disk is full. Make room and start again."
+FORBIDDEN = (
+    "A rule of this computer (a group policy, or application control) forbids programs in this "
+    "folder. Ask whoever looks after the computer to allow those in .venv, or to set the "
+    "workbook up where programs may run: you can start it there with --work and the path of a "
+    "folder of your own."
+)
+TOO_LONG = (
+    "A path is too long for this system. Move the workbook into a folder with a short path, "
+    "such as C:\\cam, and start again."
+)
+OF_A_START = (DISK_FULL, FORBIDDEN, TOO_LONG)  # the others are of an installation
 ELSEWHERE = "or start in another network, such as at home: later starts need none."
 
 # The first pattern that is found explains a failure; Windows is known by its numbers, since its
@@ -32,22 +43,14 @@ REASONS = {
         f"through, and start again; {ELSEWHERE}"
     ),
     r"(winerror|os error) (1260|4551)\b|group policy|application control policy"
-    r"|disallowed by system policy": (
-        "A rule of this computer (a group policy, or application control) forbids programs in this "
-        "folder. Ask whoever looks after the computer to allow those in .venv, or to set the "
-        "workbook up where programs may run: you can start it there with --work and the path of a "
-        "folder of your own."
-    ),
+    r"|disallowed by system policy": FORBIDDEN,
     r"(winerror|os error) (362|396)\b|incompatible hardlinks": (
         "The folder is kept in step with a cloud, as by OneDrive, which refuses the links that uv "
         "makes. Move the workbook out of it, into a folder such as C:\\cam, and start again; or "
         "set the variable UV_LINK_MODE to copy."
     ),
     r"long path support|(winerror|os error) 206\b|file name too long|e(rrno|rror) (36|63)\b"
-    r"|[a-z]:\\[^'\"`:\n]{250}": (
-        "A path is too long for this system. Move the workbook into a folder with a short path, "
-        "such as C:\\cam, and start again."
-    ),
+    r"|[a-z]:\\[^'\"`:\n]{250}": TOO_LONG,
     # 5 and 32 are other errors where it is not Windows that says so.
     r"winerror (5|32)\b|errno 13\b|permission denied|access is denied"
     r"|(?<!output error )\(os error 5\)|(?<!pipe )\(os error 32\)": (

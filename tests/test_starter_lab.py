@@ -118,10 +118,20 @@ def let_lab_be(monkeypatch: pytest.MonkeyPatch, script: str) -> None:
     monkeypatch.setattr(lab, "command", lambda *_arguments: command)
 
 
-def test_a_lab_that_dies_shows_its_last_words(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A start that fails does not hang."""
-    let_lab_be(monkeypatch, "raise SystemExit('no such option')")
-    with pytest.raises(WorkbookError, match=r"no such option\n.*before it was ready"):
+@pytest.mark.parametrize(
+    ("told", "why"),
+    [
+        ("no such option", "$"),
+        ("No space left on device", r" The disk is full\. Make room and start again\.$"),
+        ("Connection refused", "$"),  # by no package index
+    ],
+)
+def test_a_lab_that_dies_shows_its_last_words(
+    monkeypatch: pytest.MonkeyPatch, told: str, why: str
+) -> None:
+    """A start that fails does not hang, and says why where that is known."""
+    let_lab_be(monkeypatch, f"raise SystemExit({told!r})")
+    with pytest.raises(WorkbookError, match=rf"{told}\n.*before it was ready\.{why}"):
         lab.start(8888, "token", Path(), [])
 
 
