@@ -1,5 +1,6 @@
 """The report of a machine: whole or not at all, true by its own tables, quick and small."""
 
+import errno
 import html
 import math
 import re
@@ -16,6 +17,7 @@ import pytest
 from bs4 import BeautifulSoup
 from cartons import all_dies, packaging_machine
 from report_checker import check
+from small_workbook import raiser
 
 import cammotion as cm
 from cammotion.advice.ranking import Improvements
@@ -457,6 +459,16 @@ def test_a_folder_that_is_none_is_a_sentence(
     path = cm.write_machine(replace(PRESS, still={}), tmp_path / "m.csv")
     assert main([str(path), "--folder", str(tmp_path / "none")]) == FAILED
     assert "The folder 'none' is not there" in capsys.readouterr().err
+
+
+def test_a_full_disk_is_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = cm.write_machine(replace(PRESS, still={}), tmp_path / "m.csv")
+    monkeypatch.setattr(writing, "write_report", raiser(OSError(errno.ENOSPC, "full")))
+    assert main([str(path)]) == FAILED
+    said = "\nThe report cannot be written (full): make room on the disk.\n"
+    assert capsys.readouterr().err == said
 
 
 def test_names_are_no_markup_and_no_paths(tmp_path: Path) -> None:

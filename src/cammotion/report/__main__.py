@@ -51,6 +51,7 @@ def _write(options: argparse.Namespace) -> "tuple[Machine, Report] | int":
     """Write a report, or say what stands in the way and return the exit code."""
     with interrupt_held_back():
         from cammotion.exchange.machine_files import read_machine
+        from cammotion.files import remedy
         from cammotion.quantities import InputError, WrongAnswerError
         from cammotion.report.writing import write_report
 
@@ -64,8 +65,12 @@ def _write(options: argparse.Namespace) -> "tuple[Machine, Report] | int":
         report = write_report(
             machine, options.folder, seconds=options.seconds, dxf=options.dxf, progress=show_bar
         )
-    except (InputError, WrongAnswerError, OSError) as wrong:
+    except (InputError, WrongAnswerError) as wrong:
         print(f"\n{wrong}", file=sys.stderr)
+        return FAILED
+    except OSError as wrong:
+        why, todo = wrong.strerror or wrong, remedy(wrong, "give another folder with --work")
+        print(f"\nThe report cannot be written ({why}): {todo}.", file=sys.stderr)
         return FAILED
     return machine, report
 
