@@ -270,7 +270,7 @@ def test_counts_that_nobody_can_have_reached_are_none(tmp_path: Path) -> None:
         *[("5 in", "depth in mm, at 0 deg", None), ("92 in each way", "degrees for each way", 92)],
         *[(f"3{unit}", "pieces per hour", None) for unit in ("/s", "k", " thousand", " rpm")],
         *[("3/h", "pieces per hour", 3), ("64 pieces per minute", "pieces per hour", None)],
-        *[("6.3 mm radius", "mm", 6.3), ("3 gears", "times", 3), ("30°", "percent", None)],
+        *[("6.3 mm radius", "mm", 6.3), ("3 gears", "times", None), ("30°", "percent", None)],
         *[("1e999", "", None), ("9" * 400, "", None), ("\u0665", "", 5), ("²", "", None)],
     ],
 )

@@ -1,5 +1,6 @@
 """Reveals: folded without a prediction, open with one, and a word on how far off it was."""
 
+import time
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,7 @@ from cammotion.teaching.store import Store
 HALF = PREDICTIONS["01.half"]
 ANSWER = ("It is 92.5 & no more.", "Not <b>110</b>.")
 SHOWN = [*ANSWER, HALF.why]
+RIGHT = "as good as right"
 FOLDED = "The answer is folded: you made no prediction yet."
 
 
@@ -192,6 +194,87 @@ def test_what_is_no_number_is_said_as_it_was_typed(typed: str) -> None:
 )
 def test_how_far_off_it_is(key: str, typed: str, far: str) -> None:
     assert PREDICTIONS[key].how_far(typed) == far
+
+
+@pytest.mark.parametrize(
+    ("key", "far", "typed"),
+    [
+        # another unit, or a part of the one that is asked for
+        ("12.bound", "", ("4 kg", "4 N", "4 m", "4 s", "4 m/s3", "4 (m/s)", "4, in g")),
+        ("02.peak", "", ("1.04 m/s", "1.04 deg", "a factor of 4", "a factor 4 smaller")),
+        ("07.lift", "", ("6.3 km", "6.3 thou", '0.248"', "1/4 in", "0.63 (cm)")),
+        ("04.start", "", ("31 deg", "3.09 centimetres", "10.9 mm below the rim")),
+        ("11.play", "", ("8.6 arcmin", "2.5 mrad", '515"', "0.07 each side")),
+        ("10.jump", "", ("0.15 centimetres", "1500 micrometres")),
+        ("08.plate", "", ("5.38 kg m²",)),
+        ("09.error", "", ("0.162 in", "0.162 in/s")),
+        ("12.rate", "", ("3857 a day", "92500 per day", "1200pi", "2000x5", "2", "1.93")),
+        # a direction, a bound, what is left
+        ("02.few", "", ("16 % higher", "below 1.6 %", "16 % or less", "to 84 %", "84 % of it")),
+        ("02.few", RIGHT, ("16 % lower", "down 16 %", "a drop of 16 %", "16, I guess")),
+        ("02.few", RIGHT, ("16 percent less than before", "reduced by 16 %")),
+        ("02.few", "right but for its sign", ("-16 %", "- 16 %", "minus 16 %")),
+        ("06.jerk", "", ("3.4 % lower", "above 3 %", "3 % or more")),
+        ("06.jerk", RIGHT, ("3.4 % above", "3.4 % more", "3.4 % more or less")),
+        ("08.backlash", "", ("5x smaller", "10 times slower")),
+        ("10.cure", "", ("10 times bigger", "1/10", "0.1 times", "down to 1/10", "1/5", "0")),
+        ("10.cure", "2 times too little", ("5 times less", "5x lower", "five times")),
+        ("10.cure", RIGHT, ("x10", "10 times weaker", "ten times", "10-fold")),
+        ("08.geneva", "", ("10 % gentler", "10 percent down", "10 % drop", "down 10 %", "+10 %")),
+        ("08.geneva", "", ("10 % weaker", "1.12 times smaller", "20 % larger", "Ca = 4.95")),
+        ("03.share", "", ("under 1 %", "not even 1 %", "up to 1 %", "max 1 %", "not 10 %")),
+        ("03.share", "", ("1 %, at most", "0.01 of the stroke")),
+        ("03.share", "7 % too little", ("0.6 of a percent", "0.6 %")),
+        ("03.share", "22 % too little", ("half a percent",)),
+        ("06.spring", "", ("at least 4.8", "least 6", "+2", "4x1.5", "a factor of 1.5")),
+        ("01.half", "", ("not 110", "+37.5", "185 in total", "ninety two", "a third more")),
+        # what is to be reckoned out, and what is
+        ("01.half", "", ("double 55", "185 halved", "1_000", "0x5c", "90..95", "10²", "2.27³")),
+        ("01.half", "", ("(55/60)²", "16, since (55/60)² = 0.84", "1 -1/2")),
+        ("01.half", RIGHT, ("= 92.5", "185/2 = 92.5", "92 1/2", "the answer = 92.5")),
+        ("02.peak", RIGHT, ("a = 1.04", "1.04 m / s^2", "1.04 m s⁻²", "at 110°: 1.04")),
+        ("09.error", RIGHT, ("0.16 in/sec^2", "+-0.16", "±0.16", "4×0.04 = 0.16")),
+        ("02.fraction", RIGHT, ("tm / 4", "tm/4", "tm/ 4", "x=0.25", "25 pct", "25 \uff05")),
+        ("02.fraction", RIGHT, ("¼", "a quarter", "1\u20444", "quarter of the time")),
+        ("02.fraction", "", ("25 hundredths", "T/4")),
+        ("10.stay", RIGHT, ("half", "½", "half of it", "±50 %", "50 to each side")),
+        ("08.plate", "2 % too much", ("1/7 of the inertia", "a seventh")),
+        # places, lines and pieces are counted
+        ("09.place", "", ("11th from the bottom", "3rd last", "8th from the end", "8th weakest")),
+        ("09.place", RIGHT, ("8th", "eighth", "the 8th strongest", "8 of 18", "no. 8")),
+        ("11.errors", "", ("16 are right", "8.5", "24/3")),
+        ("11.errors", RIGHT, ("8 of 24", "8 out of 24 lines", "eight", "8 are wrong")),
+        (
+            "12.rate",
+            RIGHT,
+            ("3.857", "3,857", "3 857", "3'857", "٣٨٥٧", "\uff13\uff18\uff15\uff17"),
+        ),
+        ("12.rate", RIGHT, ("3857 an hour", "3857 pcs/h", "3.857e3")),
+        ("12.rate", "2.6 times too much", ("10.000", "10000 in an hour")),
+        # words that say nothing more
+        ("01.half", RIGHT, ("I hope 92", "the answer is 92", "It'll be 92", "92-ish", "92?")),
+        ("01.half", RIGHT, ("pretty much 92", "close to 92", "92 more or less")),
+        ("01.half", RIGHT, ("maybe 92°, not sure", "92 or so", "I'd say 92, as it was")),
+        ("04.start", "35 % too little", ("20 mm at the rim", "at the rim: 20", "a depth of 20")),
+        (
+            "11.play",
+            "30 % too little",
+            ("a tenth of a degree", "1/10 of a degree", "0.1, as before"),
+        ),
+        ("11.play", RIGHT, ("0.14 in total", "0.14 degrees of cam angle in all")),
+    ],
+)
+def test_an_unknown_word_beside_a_number_makes_it_none(
+    key: str, far: str, typed: tuple[str, ...]
+) -> None:
+    assert {text: PREDICTIONS[key].how_far(text) for text in typed} == dict.fromkeys(typed, far)
+
+
+def test_a_long_text_is_read_at_once() -> None:
+    began = time.process_time()
+    for text in ("a" + 20_000 * " " + "b", 10_000 * "=1", 10_000 * "- ", 7_000 * "1, "):
+        assert PREDICTIONS["02.fraction"].how_far(text) == ""
+    assert time.process_time() - began < 1
 
 
 def test_what_may_be_two_numbers_is_asked_and_the_answer_stays_folded() -> None:

@@ -72,7 +72,20 @@ TYPED = [
     *("0.25 x tm", "1/4 X TM", "0.25 times tm", "1/4*tm", "4 x tms", "4 × tm²", "4 tm"),
     *("2 pi²", "2pi²", "²pi 2", "2 pier", "pi2", "1½", "1 ½", "6¼", "2¾ x", "1.5½", "8/18", "8th"),
     *("6.3 mm radius", "5 per minute", "MIN 4", "0.2 metres", "5 d", "4 ms", "°5", "3 deg/s"),
+    *("\uff13\uff18", "٩٢", "90 % débyé", "1.04 ofü", "5 İn", "- 16 %", "3.857", "10²", "x4"),
 ]
+PIECES = (
+    "||||about|i think|my answer is|=|≈|a =|at least|under|up to|not|ca.|±|+-|-|−|x|1/|(|'|“",
+    "8|92,5|0.25|.5|1½|¼|1 1/2|4,154|3.857|3 857|10'000|1e3|10²|٩٢|\uff11|half|a third|eight|tm/4",
+    "|||%|percent|\uff05|deg|°|mm|cm|m/s²|m s⁻²|in/sec^2|in|in total|x tm|times|-fold|less|above",
+    "|||of 24|of it|of the stroke|per hour|a day|pi|π|ü|k|\u017f|\u212a|, or so|or more|(cm)|)|”|.",
+)
+"""What a text is put together from: what stands before a number, a number, a unit, and the rest."""
+
+
+def mixed(dice: random.Random) -> str:
+    """Return a text as somebody might type it."""
+    return dice.choice((" ", "", "\u00a0")).join(dice.choice(row.split("|")) for row in PIECES)
 
 
 def exercise(number: str) -> NumberExercise:
@@ -175,9 +188,11 @@ def test_a_choice_has_a_reason_for_each_letter() -> None:
 
 def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
     made = [each for each in PREDICTIONS.values() if not isinstance(each.true, str)]
+    dice = random.Random(41)  # noqa: S311 - the same texts each time
     typed = [
         [
             *TYPED,
+            *(mixed(dice) for _ in range(40)),
             *(
                 f"{float(each.true) * times:.4g}"
                 for times in (-1, -1.4, 0.01, 0.2, 0.7, 0.985, 1.01, 1.4, 1.97, 3, 100, 1234)
@@ -199,8 +214,8 @@ def test_a_page_says_how_far_off_a_prediction_is_as_python_does() -> None:
 def test_a_page_asks_what_a_prediction_means_as_python_does(key: str) -> None:
     made = PREDICTIONS[key]
     typed = [*TYPED, "20,000", "3,857", "12.345", "about 10,500", "10,000 or 20,000"]
-    typed += ["1,001 %", "2,004 %"]
-    table = {"asked": made.asked, "true": [made.true], "low": made.low, "high": made.high}
+    typed += ["1,001 %", "2,004 %", "20,000 " + 10 * "I think ", "2,004 % " + 10 * "I think "]
+    (table,) = json.loads(unpack(packed_answers([], [made], NAMELESS))).values()
     said = run(
         "return given.typed.map((text) => unclear(given.made, text, { readings }));",
         {"made": table, "typed": typed},

@@ -1,65 +1,14 @@
 // What is said to an answer and to a prediction. Python has decided it when the page was built, or
-// decides it by the same steps: `verdicts.py` and `teaching/prediction.py`.
+// decides it by the same steps: `verdicts.py` and `teaching/prediction.py`. How a prediction is
+// read stands before this file, as PREDICTED: `teaching/prediction_words.py`.
 
-const LETTER = String.raw`[a-zµμ\u00c0-\u024f]`;
-const SHARE = /%|per ?cent|prozent/i;
-const NUMBER =
-  /(?<![\p{L}\p{N}_.,^/*])(?<value>[-+−]?(?:\d+(?:[.,]\d+)?|\.\d+)(?:e[-+]?\d+)?)(?:\s*\/\s*(?<over>\d+(?:[.,]\d+)?|\.\d+))?(?![.,]?\d|\s*\/\s*\d)/giu;
-const PART_WORDS = "half|halves|thirds?|quarters?|(?:four|fif|six|seven|eigh|nin|ten)ths?";
-const UNSURE = new RegExp(
-  [
-    String.raw`(?<!\/s)\^|(?<!\/s)(?<!\/s\*)\*`, // but for the square of a second
-    `[√×·=<>≤≥π]|(?<!${LETTER})pi(?!${LETTER})`, // what is to be reckoned out
-    String.raw`\b(?:at (?:least|most)|sqrt|root|less|more|below|above|least|most|than|minimum|times)\b`,
-    String.raw`\b(?:${PART_WORDS}|twice)\s+(?:(?:of|the|about)\s+)*(?=[\-+−]?\.?\d)`, // half of 4.154
-    String.raw`(?:\d\s*|\band\s+an?\s+)(?:${PART_WORDS})\b`, // 2 thirds, 2 and a half
-  ].join("|"),
-  "giu",
-);
-// What is written otherwise before a text is read.
-const PLAIN = [
-  [/^\s*['‘](.*)['’]\s*$/u, "$1"], // 'in quotes'
-  [/(?<![\d.,])(\d{1,3})[ \u00a0\u202f](\d{3})(?![.,]?\d)/g, "$1$2"], // 4 500
-  [/(?<=\d)\s*½/g, ".5"],
-  [/(?<=\d)\s*¼/g, ".25"],
-  [/(?<=\d)\s*¾/g, ".75"],
-  [new RegExp(String.raw`\s*(?:[x×*·]|times)\s*tm(?!${LETTER})`, "giu"), " tm"],
-  [/(?<=\d)\s*[x×](?![\p{L}\p{N}_])/giu, " times"], // 2x
-];
-const PART = /(?<count>(?<![\d.,/])\d+\s*of\b)|\d\s*of\b/gi; // 0.9 of it
-// 10 % lower: a share of what is to be told, and not what is left of it.
-const CHANGE =
-  /[-+−]\s*\.?\d|\b(?:lower|smaller|higher|larger|greater|bigger|better|worse)\b|\b(?:off|under|over|by|minus|plus)\b/i;
 const GROUPED =
   /^([-+−]?[1-9]\d{0,2}([.,'’ \u00a0\u202f])\d{3}(?:\2\d{3})*)(?:(?!\2)[.,](\d+))?$/; // 4,420.8
 const WITH_UNIT = /\d\s*[\p{L}%°]/u;
-const UNITS = {
-  m: /m|met(?:er|re)s?/,
-  cm: /cm/,
-  mm: /mm/,
-  um: /[µμu]m|microns?/,
-  inch: /inch(?:es)?|in(?!\s+[a-zµμ\u00c0-\u024f])/, // 92 in each direction
-  rad: /rad(?:ians?)?/,
-  deg: /deg(?:rees?)?|°/,
-  min: /min(?:utes?|s)?|rpm|['\u2032\u2019]/,
-  s: /s|sec(?:onds?|s)?/,
-  g: /g/,
-  k: /k|thousand/,
-};
-// A short one only at a number, at a stroke or after "per".
-const UNIT = new RegExp(
-  String.raw`(?:\d\s*|\/\s*|\bper\s+|(?<!${LETTER})(?=${LETTER}+\s*\/|(?!in\b)${LETTER}{2}))(?:` +
-    Object.entries(UNITS).map(([name, { source }]) => `(?<${name}>${source})`).join("|") +
-    `)(?!${LETTER})`,
-  "giu",
-);
-const TIMES_THE = "times the";
-const SHARES = ["percent", "fraction", TIMES_THE];
-const WHOLE = "out of";
-const WHOLES = [WHOLE, "place,"]; // here a stroke parts what is asked for from all there are
 const LARGEST = 1e12,
   CLOSE = 0.02,
-  IN_TIMES = 1.95;
+  IN_TIMES = 1.95,
+  SHOWN = 60;
 
 /** What is said to a typed answer, "" to none. No number is named but the typed one: any may be
  * the right one of some exercise. */
@@ -87,54 +36,79 @@ export function verdict({ off, edges, places, said }, given, format) {
   return text.replace("off by …", () => `off by ${format(100 * Math.abs(given / off - 1), ".2g")}`);
 }
 
+const patterns = {};
+
 /** The numbers that a typed prediction may be: one, none, or two that make sense. */
 export function numbersIn({ asked, low, high }, typed, readings) {
-  const text = PLAIN.reduce((read, [written, plain]) => read.replace(written, plain), typed);
-  const found = [...text.matchAll(NUMBER)].map(({ groups }) => groups);
-  const isShare = saysShare(text);
-  const isOne =
-    !(text.includes("/") && WHOLES.some((whole) => asked.includes(whole))) &&
-    !isPart(text, asked) &&
-    !isUnsure(text, asked) &&
-    !(asked && unitsOf(text).some((unit) => !unitsOf(asked).includes(unit)));
-  if (found.length !== 1 || !isOne) return [];
-  const [{ value, over }] = found;
-  const inPercent = asked.includes("percent");
-  const parts = isShare ? (inPercent ? 1 : 100) : over && inPercent ? 0.01 : 1;
+  const question = plainly(asked);
+  const where = PREDICTED.whereAsked.filter(([asks]) => has(question, asks));
+  const said = written(plainly(typed), where.map(([, ...row]) => row));
+  const found = [...said.matchAll(pattern(PREDICTED.number))];
+  if (found.length !== 1 || !isKnown(said, found[0], question)) return [];
+  const [[, whole, value, over]] = found;
+  const isChange = said.includes("%") && !question.includes("%") && value.startsWith("-");
+  if (isChange || (over && has(question, PREDICTED.counted))) return [];
+  const parts = partsOf(question, said, Boolean(over && !whole));
   const numbers = readings(value)
-    .flatMap((a) => readings(over ?? "1").map((b) => (b === 0 ? NaN : a / b / parts)))
-    .filter((number) => number === 0 || isBelieved(Math.abs(number)));
-  const sensible = numbers.filter((number) => low <= Math.abs(number) && Math.abs(number) <= high);
+    .flatMap((a) => readings(over ?? "1").map((b) => (b ? (Number(whole ?? 0) + a / b) / parts : NaN)))
+    .filter((one) => isBelieved(one, question) && low <= Math.abs(one));
+  const sensible = numbers.filter((one) => Math.abs(one) <= high);
   return sensible.length ? sensible : numbers;
 }
 
-/** Whether a text is a part of something that is not typed, but for a part that is asked. Of what is
- * so many times something, a share is one, unless it is by how much that changes. So many of them
- * are no part where it is asked how many. */
-function isPart(text, asked) {
-  if (SHARES.some((share) => asked.includes(share)))
-    return asked.includes(TIMES_THE) && saysShare(text) && CHANGE.test(text);
-  const parts = [...text.matchAll(PART)];
-  return saysShare(text) || parts.some(({ groups }) => !(groups.count && asked.includes(WHOLE)));
+/** By what a number is divided, so that a share is in the unit that is asked for. */
+function partsOf(question, said, isFraction) {
+  if (!question.includes("%")) return said.includes("%") ? 100 : 1;
+  return isFraction && !said.includes("%") ? 0.01 : 1;
 }
 
-/** Whether a text has a sign or a word that makes its number none, but for those asked. */
-function isUnsure(text, asked) {
-  const may = asked || "times"; // where nothing says what is asked
-  return [...text.matchAll(UNSURE)].some(([found]) => !may.includes(found.toLowerCase()));
+function isBelieved(number, question) {
+  if (has(question, PREDICTED.counted) && number % 1) return false;
+  return number === 0 || (1 / LARGEST <= Math.abs(number) && Math.abs(number) <= LARGEST);
 }
 
-function unitsOf(text) {
-  const found = [...text.matchAll(UNIT)].map(({ groups }) => Object.entries(groups));
-  return found.map((named) => named.find(([, words]) => words)[0]);
+/** A text in small letters, with what may be written in many ways in one of them. */
+function plainly(text) {
+  return written(written(text, PREDICTED.signs).toLowerCase().normalize("NFKC"), PREDICTED.plainly);
 }
 
-function isBelieved(size) {
-  return 1 / LARGEST <= size && size <= LARGEST;
+function written(text, rows) {
+  return rows.reduce((now, [source, plain]) => now.replace(pattern(source), plain), text);
 }
 
-function saysShare(text) {
-  return SHARE.test(text);
+/** Whether what stands beside a number says nothing else than what is asked. */
+function isKnown(said, { 0: number, index }, question) {
+  const rest = said.slice(index + number.length),
+    [remark = ""] = all(rest, PREDICTED.remark),
+    telling = all(remark, PREDICTED.part).filter((part) => listed(PREDICTED.telling).includes(part)),
+    behind = all(rest.slice(0, rest.length - remark.length), PREDICTED.part);
+  const own = all(question, PREDICTED.word).filter((word) => !listed(PREDICTED.notOwn).includes(word)),
+    known = [...own, ...listed(PREDICTED.plain), ...knownWhere(PREDICTED.beside, question)],
+    knownBehind = new Set([...known, ...knownWhere(PREDICTED.behind, question)]);
+  return (
+    all(said.slice(0, index), PREDICTED.part).every((part) => known.includes(part)) &&
+    [...behind, ...telling].every((part) => knownBehind.has(part))
+  );
+}
+
+function knownWhere(rows, question) {
+  return rows.filter(([asks]) => has(question, asks)).flatMap(([, known]) => listed(known));
+}
+
+function pattern(source) {
+  return (patterns[source] ??= new RegExp(source, "gu"));
+}
+
+function has(text, source) {
+  return text.search(pattern(source)) >= 0;
+}
+
+function all(text, source) {
+  return text.match(pattern(source)) ?? [];
+}
+
+function listed(words) {
+  return words.trim().split(/\s+/);
 }
 
 /** What a typed prediction may be, "" unless that is more than one number. */
@@ -142,7 +116,12 @@ export function unclear(made, text, { readings }) {
   const numbers = numbersIn(made, text, readings);
   if (numbers.length < 2) return "";
   const said = numbers.map((number) => Number(number.toPrecision(12))).join(" or ");
-  return `“${text}” may be ${said}: write it with a point, or with no mark.`;
+  return `“${shortened(text)}” may be ${said}: write it with a point, or with no mark.`;
+}
+
+function shortened(text) {
+  const letters = [...text];
+  return letters.length > SHOWN ? `${letters.slice(0, SHOWN - 3).join("")}...` : text;
 }
 
 /** How far off a typed prediction is, "" where that is not one number beside another. */
@@ -163,7 +142,7 @@ export function howFar(made, text, { format, readings }) {
     too = ratio > 1 ? "too much" : "too little",
     times = Math.max(ratio, 1 / ratio);
   if (times < IN_TIMES) return `${format(100 * Math.abs(ratio - 1), ".0f")} % ${too}`;
-  const mayBeShare = made.asked.includes("percent") && !saysShare(text);
+  const mayBeShare = made.asked.includes("percent") && !plainly(text).includes("%");
   if (mayBeShare && Math.abs(100 * ratio - 1) <= CLOSE)
     return "right, if it is a share (in percent it is a hundred times that)";
   return `${Number(format(times, ".2g"))} times ${too}`;

@@ -1,9 +1,11 @@
 """The files that all pages share: one style sheet, and one script with every module in it."""
 
+import json
 import re
 from importlib.resources import files
 
 from cammotion.site import formulas
+from cammotion.teaching.prediction_words import as_table
 from cammotion.views import paper
 from cammotion.views.animation import player
 from cammotion.views.light import KNOWS, with_light
@@ -65,7 +67,8 @@ def _script() -> str:
 
 def host_module() -> str:
     """Return the module that gives the others their models, and answers what is filled in."""
-    return live.model() + _read("judging.js") + _read("host.js")
+    words = f"const PREDICTED = {json.dumps(as_table())};\n"
+    return live.model() + words + _read("judging.js") + _read("host.js")
 
 
 def _bare(source: str) -> str:

@@ -761,7 +761,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "06.jerk",
-        "percent",
+        "percent above",
         3.4,
         "Ten or twenty percent would be no wonder: the law was found with pencil and paper.",
     ),

@@ -946,11 +946,12 @@ PREDICTIONS = (
     ),
     Prediction(
         "10.cure",
-        "times",
+        "times smaller",
         10.06,
         "One expects 5 times, as for the peak, which falls with the square of the time. But what "
         "stays comes from the ends of the move, where the jerk jumps, and falls with the third "
         "power: the move is 2.27 times as long.",
+        low=1,
     ),
     Prediction(
         "10.jump",
