@@ -262,6 +262,9 @@ def test_how_far_off_it_is(key: str, typed: str, far: str) -> None:
             ("a tenth of a degree", "1/10 of a degree", "0.1, as before"),
         ),
         ("11.play", RIGHT, ("0.14 in total", "0.14 degrees of cam angle in all")),
+        # the question prints it, and 2 % of it are all that can be gained
+        ("06.machine", "2 % too much", ("0.5195",)),
+        ("06.machine", RIGHT, ("0.51", "0.511")),
     ],
 )
 def test_an_unknown_word_beside_a_number_makes_it_none(

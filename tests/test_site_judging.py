@@ -228,7 +228,7 @@ def test_predictions_in_percent_are_read_as_such() -> None:
     made = Prediction("00.test", "percent", 30)
     said = run(
         "return howFar(given, '25 %', { format, readings });",
-        {"asked": "percent", "true": [30], "low": 0, "high": 999},
+        {"asked": "percent", "true": [30], "low": 0, "high": 999, "near": 0.02},
     )
     assert said == made.how_far("25 %") == "17 % too little"
 

@@ -57,7 +57,7 @@ def _in_page(text: str, hint: str) -> str:
 def _of_prediction(made: Prediction) -> dict[str, Any]:
     if isinstance(made.true, str):
         return {}
-    ends = {"low": made.low, "high": made.high}
+    ends = {"low": made.low, "high": made.high, "near": made.near}
     place = {"isPlace": True} if made.is_place else {}
     return {"asked": made.asked, "true": [made.true, *made.also], **ends, **place}
 

@@ -135,7 +135,7 @@ export function howFar(made, text, { format, readings }) {
     return off ? `${format(off, "g")} place${off === 1 ? "" : "s"} off` : "as good as right";
   }
   if (number === 0) return "too little";
-  const isClose = right.some((value) => Math.abs(Math.abs(number) / value - 1) <= CLOSE);
+  const isClose = right.some((value) => Math.abs(Math.abs(number) / value - 1) <= made.near);
   if (number < 0) return isClose ? "right but for its sign" : "of the wrong sign";
   if (isClose) return "as good as right";
   const ratio = number / right[0],

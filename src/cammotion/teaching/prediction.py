@@ -30,8 +30,9 @@ class Prediction:
     reveal: it stands here and not in the notebook's cell, where it would be read too soon. All of
     them are about the machine of the lessons, with the same numbers for everybody. Sensible
     predictions lie from `low` to `high`: this tells what a comma before three digits means, and
-    what is below `low` is not meant so, and not read. Of a place in an order, `is_place`, it is
-    said how many places it is off, and not how many times.
+    what is below `low` is not meant so, and not read. As good as right is what is off by no more
+    than the share `near`. Of a place in an order, `is_place`, it is said how many places it is
+    off, and not how many times.
     """
 
     key: str
@@ -41,6 +42,7 @@ class Prediction:
     also: tuple[float, ...] = ()
     low: float = 0.0
     high: float = _SENSIBLE
+    near: float = _CLOSE
     is_place: bool = False
 
     def numbers(self, text: str) -> tuple[float, ...]:
@@ -85,7 +87,7 @@ class Prediction:
         if number == 0:
             return "too little"
         rights = (self.true, *self.also)
-        is_close = any(abs(abs(number) / right - 1) <= _CLOSE for right in rights)
+        is_close = any(abs(abs(number) / right - 1) <= self.near for right in rights)
         if number < 0:
             return "right but for its sign" if is_close else "of the wrong sign"
         if is_close:
