@@ -50,7 +50,8 @@ export function numbersIn({ asked, low, high }, typed, readings) {
   if (isChange || (over && has(question, PREDICTED.counted))) return [];
   const parts = partsOf(question, said, Boolean(over && !whole));
   const numbers = readings(value)
-    .flatMap((a) => readings(over ?? "1").map((b) => (b ? (Number(whole ?? 0) + a / b) / parts : NaN)))
+    .flatMap((a) => readings(over ?? "1").filter((b) => b !== 0).map((b) => a / b))
+    .map((one) => (Number(whole ?? 0) + one) / parts)
     .filter((one) => isBelieved(one, question) && low <= Math.abs(one));
   const sensible = numbers.filter((one) => Math.abs(one) <= high);
   return sensible.length ? sensible : numbers;
@@ -80,14 +81,15 @@ function written(text, rows) {
 function isKnown(said, { 0: number, index }, question) {
   const rest = said.slice(index + number.length),
     [remark = ""] = all(rest, PREDICTED.remark),
-    telling = all(remark, PREDICTED.part).filter((part) => listed(PREDICTED.telling).includes(part)),
     behind = all(rest.slice(0, rest.length - remark.length), PREDICTED.part);
-  const own = all(question, PREDICTED.word).filter((word) => !listed(PREDICTED.notOwn).includes(word)),
-    known = [...own, ...listed(PREDICTED.plain), ...knownWhere(PREDICTED.beside, question)],
-    knownBehind = new Set([...known, ...knownWhere(PREDICTED.behind, question)]);
+  const [telling, notOwn] = [PREDICTED.telling, PREDICTED.notOwn].map(listed),
+    told = all(remark, PREDICTED.part).filter((part) => telling.includes(part)),
+    own = all(question, PREDICTED.word).filter((word) => !notOwn.includes(word));
+  const known = [...own, ...listed(PREDICTED.plain), ...knownWhere(PREDICTED.beside, question)],
+    knownBehind = [...known, ...knownWhere(PREDICTED.behind, question)];
   return (
     all(said.slice(0, index), PREDICTED.part).every((part) => known.includes(part)) &&
-    [...behind, ...telling].every((part) => knownBehind.has(part))
+    [...behind, ...told].every((part) => knownBehind.includes(part))
   );
 }
 
