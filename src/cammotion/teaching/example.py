@@ -6,11 +6,12 @@ from typing import Any
 
 from cammotion.limits.widest import widest_move
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, peak_acceleration
 from cammotion.machine.motions import Motion
 from cammotion.machine.parts import dwell, indexing_motion, motion, return_, rise
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import beyond, within
+from cammotion.teaching.cam_numbers import CamNumbers, cam_numbers
 from cammotion.teaching.fit_numbers import FitNumbers
 from cammotion.teaching.follower_numbers import FollowerNumbers
 from cammotion.teaching.law_numbers import LawNumbers
@@ -118,6 +119,12 @@ class MillAndDie:
     def widest_deg(self) -> float:
         """The widest indexing angle of the die that keeps the rule."""
         return _widest_deg(*(getattr(self, name) for name in _GEOMETRY))
+
+    @cached_property
+    def cam(self) -> CamNumbers:
+        """The cam of the die, without overlap, that notebook 07 asks about."""
+        peak = float(peak_acceleration(self.stroke_mm, self.die_angle_deg, self.rate_per_hour))
+        return cam_numbers(self.stroke_mm, self.die_angle_deg, self.die_mass_kg * peak)
 
     @cached_property
     def mill(self) -> Motion:

@@ -14,6 +14,7 @@ from cammotion.machine.kinematics import (
     indexing_time,
     peak_acceleration,
 )
+from cammotion.teaching.cam_numbers import HARDEST, LESSONS_CAM, bend_mm
 from cammotion.teaching.copied import with_one_of_the_lesson
 from cammotion.teaching.example import EXAMPLE, MillAndDie
 from cammotion.teaching.exercise import ChoiceExercise, Slip
@@ -24,9 +25,6 @@ from cammotion.teaching.shown.cams import face_under_contact, push_at_mid_stroke
 
 STEEPEST_DEG = 30
 ROLLER_MM = 10  # that of the lesson
-_PRIME_MM, _BASE_MM, _STIFFNESS = 60, 296, 0.5  # of the lesson, in mm and N/mm
-_UNSEEN = (0.5, 1.0, 2.0)  # N/mm, for which forgotten or one too many is right, or another reason
-HARDEST = 3 / 4  # x at which the cycloid brakes hardest
 
 PER_DEG = (
     "The slope was taken per degree. It is a length if the cam angle counts in radians: divide the "
@@ -70,11 +68,6 @@ def _slope(m: MillAndDie) -> float:
     return 2 * m.stroke_mm / _angle(m)
 
 
-def prime_mm(m: MillAndDie) -> float:
-    """Return the prime circle that is asked about, in mm."""
-    return 10 * round(m.stroke_mm / 5)
-
-
 def _hardest_mm(m: MillAndDie) -> float:
     """Return where the die is when it brakes hardest, in mm."""
     return m.stroke_mm * float(_LAW(HARDEST))
@@ -82,16 +75,7 @@ def _hardest_mm(m: MillAndDie) -> float:
 
 def _bend(m: MillAndDie) -> float:
     """Return the largest second derivative in mm/rad²."""
-    return _bend_over(m.stroke_mm, m.die_angle_deg)
-
-
-def _bend_over(stroke_mm: float, angle_deg: float) -> float:
-    return 2 * math.pi * stroke_mm / math.radians(angle_deg) ** 2
-
-
-def base_mm(m: MillAndDie) -> float:
-    """Return the base circle that is asked about, in mm: a little larger than needed there."""
-    return 10 * math.ceil((_bend(m) - _hardest_mm(m) + 25) / 10)
+    return bend_mm(m.stroke_mm, m.die_angle_deg)
 
 
 def _pressure(slope: float, height: float) -> float:
@@ -105,7 +89,7 @@ def _sine_taken(ratio: float) -> float:
 
 def _height(m: MillAndDie) -> float:
     """Return how far the roller's centre is over the axis at mid-stroke, in mm."""
-    return prime_mm(m) + m.stroke_mm / 2
+    return m.cam.prime_mm + m.stroke_mm / 2
 
 
 def _needed(m: MillAndDie, ratio: float = math.tan(math.radians(STEEPEST_DEG))) -> float:
@@ -126,7 +110,7 @@ def _steepest_all_over(m: MillAndDie) -> float:
     """Return the largest pressure angle all over the rise in deg, of many places."""
     x = np.linspace(0, 1, 20_001)
     slopes, places = m.stroke_mm * _LAW(x, 1) / _angle(m), m.stroke_mm * _LAW(x)
-    return float(np.degrees(np.arctan2(slopes, prime_mm(m) + places)).max())
+    return float(np.degrees(np.arctan2(slopes, m.cam.prime_mm + places)).max())
 
 
 def _push(m: MillAndDie, angle_deg: float | None = None) -> float:
@@ -135,23 +119,14 @@ def _push(m: MillAndDie, angle_deg: float | None = None) -> float:
     return m.die_mass_kg * float(peak)
 
 
-def stiffness(m: MillAndDie) -> float:
-    """Return the stiffness of the spring in N/mm that is asked about, to one digit.
-
-    It is a tenth less where that would hide that it was forgotten, or make it a factor 2.
-    """
-    rounded = float(f"{0.4 * _push(m) / _hardest_mm(m):.1g}")
-    return 0.9 * rounded if rounded in _UNSEEN else rounded
-
-
 def _preload(m: MillAndDie, stretched_mm: float | None = None) -> float:
     way = _hardest_mm(m) if stretched_mm is None else stretched_mm
-    return _push(m) - stiffness(m) * way
+    return _push(m) - m.cam.spring_N_per_mm * way
 
 
 def _with_push(m: MillAndDie, times: float) -> float:
     """Return the preload in N with so many times the push."""
-    return times * _push(m) - stiffness(m) * _hardest_mm(m)
+    return times * _push(m) - m.cam.spring_N_per_mm * _hardest_mm(m)
 
 
 def _weighed(m: MillAndDie, g: float) -> float:
@@ -163,7 +138,7 @@ def _preload_all_over(m: MillAndDie) -> float:
 
     The place that needs most is where the derivative of the brake less the spring's force is 0.
     """
-    gain = stiffness(m) * m.stroke_mm
+    gain = m.cam.spring_N_per_mm * m.stroke_mm
     angle = 2 * math.pi - math.acos(gain / (gain - 2 * math.pi * _push(m)))
     return -_push(m) * math.sin(angle) - gain * float(_LAW(angle / (2 * math.pi)))
 
@@ -179,7 +154,7 @@ def _in_degrees(m: MillAndDie) -> float:
 
 
 def _radius(m: MillAndDie) -> float:
-    return _radius_of(m.stroke_mm, m.die_angle_deg, base_mm(m))
+    return _radius_of(m.stroke_mm, m.die_angle_deg, m.cam.base_mm)
 
 
 def _pressure_of(stroke_mm: float, angle_deg: float, prime: float) -> float:
@@ -189,7 +164,7 @@ def _pressure_of(stroke_mm: float, angle_deg: float, prime: float) -> float:
 
 def _radius_of(stroke_mm: float, angle_deg: float, base: float) -> float:
     """Return the radius of 07.4 by what stands in its question."""
-    return base + stroke_mm * float(_LAW(HARDEST)) - _bend_over(stroke_mm, angle_deg)
+    return base + stroke_mm * float(_LAW(HARDEST)) - bend_mm(stroke_mm, angle_deg)
 
 
 def _preload_of(
@@ -206,7 +181,7 @@ def _sharpest_all_over(m: MillAndDie) -> float:
     It is where the derivative of displacement and second derivative is 0.
     """
     x = 1 - math.acos(1 / (1 - (2 * math.pi / _angle(m)) ** 2)) / (2 * math.pi)
-    return base_mm(m) + m.stroke_mm * float(_LAW(x) + _LAW(x, 2) / _angle(m) ** 2)
+    return m.cam.base_mm + m.stroke_mm * float(_LAW(x) + _LAW(x, 2) / _angle(m) ** 2)
 
 
 EXERCISES = (
@@ -215,15 +190,15 @@ EXERCISES = (
         question=lambda m: (
             f"The die's stroke is {m.stroke_mm:g} mm, over {m.die_angle_deg:g} degrees, by the "
             f"cycloidal law. Its follower is a roller on a slide over the cam's axis, and the "
-            f"prime circle has a radius of {prime_mm(m):g} mm. How large is the pressure angle at "
-            "mid-stroke?"
+            f"prime circle has a radius of {m.cam.prime_mm:g} mm. How large is the pressure angle "
+            "at mid-stroke?"
         ),
         unit="deg",
         answer=lambda m: _pressure(_slope(m), _height(m)),
         mixed=lambda m: with_one_of_the_lesson(
             _pressure_of,
-            (m.stroke_mm, m.die_angle_deg, prime_mm(m)),
-            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, _PRIME_MM),
+            (m.stroke_mm, m.die_angle_deg, m.cam.prime_mm),
+            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, LESSONS_CAM.prime_mm),
         ),
         right="Only slope and distance from the axis count: the roller's radius is not in it.",
         slips=(
@@ -239,7 +214,7 @@ EXERCISES = (
                 "cycloid goes twice as fast.",
             ),
             Slip(
-                lambda m: _pressure(_slope(m), prime_mm(m)),
+                lambda m: _pressure(_slope(m), m.cam.prime_mm),
                 "The roller's centre is on the prime circle only before the rise. At mid-stroke "
                 "it is half the stroke further out.",
             ),
@@ -251,16 +226,16 @@ EXERCISES = (
             Slip(lambda m: _pressure(_slope(m), _height(m) + ROLLER_MM), _ROLLER),
             Slip(lambda m: _pressure(_slope(m), _height(m) - ROLLER_MM), _ROLLER),
             Slip(
-                lambda m: _pressure(_slope(m), (prime_mm(m) + m.stroke_mm) / 2),
+                lambda m: _pressure(_slope(m), (m.cam.prime_mm + m.stroke_mm) / 2),
                 "Half of the prime circle's radius was taken, as if that were its diameter.",
             ),
             Slip(
-                lambda m: _pressure(_slope(m), 2 * prime_mm(m) + m.stroke_mm / 2),
+                lambda m: _pressure(_slope(m), 2 * m.cam.prime_mm + m.stroke_mm / 2),
                 "The prime circle's diameter was taken. The distance from the axis is its radius, "
                 "and half the stroke.",
             ),
             Slip(
-                lambda m: _pressure(_slope(m), prime_mm(m) - m.stroke_mm / 2),
+                lambda m: _pressure(_slope(m), m.cam.prime_mm - m.stroke_mm / 2),
                 "Half the stroke was taken away. At mid-stroke the roller has gone out by it: add "
                 "it.",
             ),
@@ -270,7 +245,7 @@ EXERCISES = (
                 "has this tangent?",
             ),
             Slip(
-                lambda m: _pressure(_slope(m), prime_mm(m) + m.stroke_mm),
+                lambda m: _pressure(_slope(m), m.cam.prime_mm + m.stroke_mm),
                 "The whole stroke was added. At mid-stroke the die has done half of it.",
             ),
             Slip(
@@ -440,30 +415,30 @@ EXERCISES = (
         number="07.4",
         question=lambda m: (
             f"The same die with its flat face: {m.stroke_mm:g} mm over {m.die_angle_deg:g} "
-            f"degrees, cycloidal. The base circle has a radius of {base_mm(m):g} mm. How large is "
-            "the profile's radius of curvature where the rise brakes hardest, at x = 3/4?"
+            f"degrees, cycloidal. The base circle has a radius of {m.cam.base_mm:g} mm. How large "
+            "is the profile's radius of curvature where the rise brakes hardest, at x = 3/4?"
         ),
         unit="mm",
         answer=_radius,
         mixed=lambda m: with_one_of_the_lesson(
             _radius_of,
-            (m.stroke_mm, m.die_angle_deg, base_mm(m)),
-            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, _BASE_MM),
+            (m.stroke_mm, m.die_angle_deg, m.cam.base_mm),
+            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, LESSONS_CAM.base_mm),
         ),
         right="The acceleration is in the steel: what brakes hard makes the cam sharp.",
         slips=(
             Slip(
-                lambda m: base_mm(m) + _hardest_mm(m),
+                lambda m: m.cam.base_mm + _hardest_mm(m),
                 "This is how far the face is from the axis. The second derivative by the rad is "
                 "missing: it makes the profile sharper.",
             ),
             Slip(
-                lambda m: base_mm(m) + _hardest_mm(m) + _bend(m),
+                lambda m: m.cam.base_mm + _hardest_mm(m) + _bend(m),
                 "The second derivative was added with its magnitude. At x = 3/4 the die brakes, "
                 "and it is below 0.",
             ),
             Slip(
-                lambda m: base_mm(m) - _bend(m),
+                lambda m: m.cam.base_mm - _bend(m),
                 "The displacement is missing: the face has gone out already.",
             ),
             Slip(
@@ -472,35 +447,35 @@ EXERCISES = (
                 "nearer to the axis. Asked for is x = 3/4.",
             ),
             Slip(
-                lambda m: base_mm(m) + 0.75 * m.stroke_mm - _bend(m),
+                lambda m: m.cam.base_mm + 0.75 * m.stroke_mm - _bend(m),
                 _THREE_QUARTERS,
             ),
-            Slip(lambda m: base_mm(m) + sine_added(m.stroke_mm) - _bend(m), SINE_LOST),
-            Slip(lambda m: base_mm(m) + _in_degrees(m) - _bend(m), IN_DEGREES),
+            Slip(lambda m: m.cam.base_mm + sine_added(m.stroke_mm) - _bend(m), SINE_LOST),
+            Slip(lambda m: m.cam.base_mm + _in_degrees(m) - _bend(m), IN_DEGREES),
             Slip(
-                lambda m: base_mm(m) + m.stroke_mm - _bend(m),
+                lambda m: m.cam.base_mm + m.stroke_mm - _bend(m),
                 "The whole stroke was added. At x = 3/4 the die has not quite done it.",
             ),
             Slip(
-                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / math.degrees(1) ** 2,
+                lambda m: m.cam.base_mm + _hardest_mm(m) - _bend(m) / math.degrees(1) ** 2,
                 "The second derivative was taken per degree. It has to be by the radian, squared.",
             ),
             Slip(
-                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / math.pi,
+                lambda m: m.cam.base_mm + _hardest_mm(m) - _bend(m) / math.pi,
                 "This second derivative has a factor of 2 in place of 2 pi. Differentiate the law "
                 "twice.",
             ),
             Slip(
-                lambda m: base_mm(m) + m.stroke_mm - _hardest_mm(m) - _bend(m),
+                lambda m: m.cam.base_mm + m.stroke_mm - _hardest_mm(m) - _bend(m),
                 "This displacement is the one at x = 1/4, where the die is still pushed.",
             ),
             Slip(
-                lambda m: base_mm(m) + m.stroke_mm - _hardest_mm(m) + _bend(m),
+                lambda m: m.cam.base_mm + m.stroke_mm - _hardest_mm(m) + _bend(m),
                 "This is the radius at x = 1/4, where the die is pushed hardest, displacement and "
                 "second derivative. Put in x = 3/4.",
             ),
             Slip(
-                lambda m: base_mm(m) + m.stroke_mm / 2 - _bend(m),
+                lambda m: m.cam.base_mm + m.stroke_mm / 2 - _bend(m),
                 "This displacement is that of mid-stroke. At x = 3/4 the die has gone further.",
             ),
             Slip(
@@ -513,15 +488,15 @@ EXERCISES = (
                 "profile itself.",
             ),
             Slip(
-                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / (2 * math.pi),
+                lambda m: m.cam.base_mm + _hardest_mm(m) - _bend(m) / (2 * math.pi),
                 "The factor 2 pi of the second derivative is missing. Differentiate the law twice.",
             ),
             Slip(
-                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) * _angle(m),
+                lambda m: m.cam.base_mm + _hardest_mm(m) - _bend(m) * _angle(m),
                 "The angle has to be squared: in the second derivative it counts twice.",
             ),
             Slip(
-                lambda m: base_mm(m) + _hardest_mm(m) - _bend(m) / math.degrees(1),
+                lambda m: m.cam.base_mm + _hardest_mm(m) - _bend(m) / math.degrees(1),
                 "The second derivative was made one by the radian once, and it has to be twice: "
                 "square the angle in radians.",
             ),
@@ -538,17 +513,17 @@ EXERCISES = (
         question=lambda m: (
             f"The die, {m.die_mass_kg:g} kg, moves level, {m.stroke_mm:g} mm over "
             f"{m.die_angle_deg:g} degrees, cycloidal, at {m.rate_per_hour:g} pieces per hour. A "
-            f"spring of {stiffness(m):g} N/mm presses it on its open cam. Which preload at the "
-            "start of the rise keeps it there at x = 3/4, where it brakes hardest?"
+            f"spring of {m.cam.spring_N_per_mm:g} N/mm presses it on its open cam. Which preload "
+            "at the start of the rise keeps it there at x = 3/4, where it brakes hardest?"
         ),
         unit="N",
         answer=_preload,
         mixed=lambda m: with_one_of_the_lesson(
             _preload_of,
-            (m.die_mass_kg, m.stroke_mm, m.die_angle_deg, m.rate_per_hour, stiffness(m)),
+            (m.die_mass_kg, m.stroke_mm, m.die_angle_deg, m.rate_per_hour, m.cam.spring_N_per_mm),
             (
                 *(EXAMPLE.die_mass_kg, EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg),
-                *(EXAMPLE.rate_per_hour, _STIFFNESS),
+                *(EXAMPLE.rate_per_hour, LESSONS_CAM.spring_N_per_mm),
             ),
         ),
         right="The spring brakes an open follower: four times as hard at twice the rate. A little "
@@ -603,11 +578,11 @@ EXERCISES = (
                 "in cm where metres belong.",
             ),
             Slip(
-                lambda m: _push(m) - stiffness(m) * _hardest_mm(m) / 1000,
+                lambda m: _push(m) - m.cam.spring_N_per_mm * _hardest_mm(m) / 1000,
                 "The spring's way was taken in metres, and its stiffness is per millimetre.",
             ),
             Slip(
-                lambda m: stiffness(m) * _hardest_mm(m),
+                lambda m: m.cam.spring_N_per_mm * _hardest_mm(m),
                 "This is what the spring gains by being pressed together. What is still missing?",
             ),
             *(Slip(partial(_weighed, g=sign * g), _WEIGHT) for g in _G for sign in (1, -1)),
@@ -617,14 +592,14 @@ EXERCISES = (
                 "mm. Multiply it by the stiffness, then take it away.",
             ),
             Slip(
-                lambda m: _preload(m) / stiffness(m),
+                lambda m: _preload(m) / m.cam.spring_N_per_mm,
                 "This is by how many mm the spring has to be pressed together at the start. Which "
                 "force has it then?",
             ),
             Slip(partial(_with_push, times=1 / (2 * math.pi)), _NO_2_PI),
             Slip(lambda m: _with_push(m, _time(m)), _ONCE),
             Slip(
-                lambda m: _push(m, DEG_PER_TURN) - stiffness(m) * _hardest_mm(m),
+                lambda m: _push(m, DEG_PER_TURN) - m.cam.spring_N_per_mm * _hardest_mm(m),
                 "The time of a whole turn was taken for that of the rise.",
             ),
             Slip(
