@@ -114,6 +114,11 @@ def widest(m: MillAndDie) -> float:
     return later(m) / (1 - x_deep(m))
 
 
+def told(m: MillAndDie) -> float:
+    """Return the widest angle as a question prints it."""
+    return round(widest(m), 2)
+
+
 def gain(m: MillAndDie) -> float:
     """Return how many times smaller the peak becomes."""
     return (widest(m) / die(m)) ** 2
@@ -136,7 +141,7 @@ def slower(m: MillAndDie) -> float:
 
 def rest(m: MillAndDie) -> float:
     """Return the degrees in which the overlapped die rests at the top."""
-    return 360 - m.work_deg - 2 * widest(m)
+    return 360 - m.work_deg - 2 * told(m)
 
 
 t, h_m, t_m, x = sympy.symbols("t h_m t_m x")
@@ -678,7 +683,7 @@ SLIPS = [
         for name, answer in {
             "angle": lambda m: 1000 * time(m, 110.32 - m.work_deg),
             "exact angle": lambda m: 1000 * time(m, 110.18 - m.work_deg),
-            "work": lambda m: 1000 * time(m, 260 - 2 * widest(m)),
+            "work": lambda m: 1000 * time(m, 260 - 2 * told(m)),
         }.items()
     ),
     KnownSlip("04.1", "x", depth_x, "x itself"),
@@ -699,16 +704,16 @@ SLIPS = [
     KnownSlip("04.2", "third power", lambda m: slower(m) ** 3, "jerk"),
     KnownSlip("04.2", "per minute", lambda m: (60 * slower(m)) ** 2, "per minute"),
     KnownSlip("04.3", "in s", lambda m: time(m, rest(m)), r"in seconds"),
-    KnownSlip("04.3", "one move", lambda m: 1000 * time(m, widest(m)), "one move"),
+    KnownSlip("04.3", "one move", lambda m: 1000 * time(m, told(m)), "one move"),
     KnownSlip("04.3", "no overlap", lambda m: 1000 * time(m, m.mill_angle_deg), "without overlap"),
-    KnownSlip("04.3", "both moves", lambda m: 1000 * time(m, 2 * widest(m)), "both moves"),
+    KnownSlip("04.3", "both moves", lambda m: 1000 * time(m, 2 * told(m)), "both moves"),
     KnownSlip("04.3", "in degrees", rest, "in degrees"),
     KnownSlip(
         "04.3",
         "one way",
-        lambda m: 1000 * time(m, 360 - m.work_deg - widest(m)),
+        lambda m: 1000 * time(m, 360 - m.work_deg - told(m)),
         "twice in a turn",
     ),
     KnownSlip("04.3", "the work", lambda m: 1000 * time(m, m.work_deg), "works"),
-    KnownSlip("04.3", "no work", lambda m: 1000 * time(m, 360 - 2 * widest(m)), "work"),
+    KnownSlip("04.3", "no work", lambda m: 1000 * time(m, 360 - 2 * told(m)), "work"),
 ]

@@ -19,6 +19,7 @@ from known_slips import (
     place,
     stroke,
     time,
+    told,
     widest,
     with_lessons,
 )
@@ -286,9 +287,15 @@ def braked_twice(m: MillAndDie) -> float:
     return up(m) / 1000 / way if at > push else math.nan
 
 
+def braked_too_early(m: MillAndDie) -> float:
+    """Take the way of the brake away before it begins; NaN where it has begun."""
+    push, at = time(m, half_turn(m)) / 2, time(m, later(m))
+    return up(m) / 1000 / (at**2 / 2 - (at - push) ** 2) if at < push else math.nan
+
+
 def times_least(m: MillAndDie) -> float:
     """Return how many times the least possible peak the cycloid's is."""
-    return peak(m, widest(m)) / least(m)
+    return peak(m, told(m)) / least(m)
 
 
 def servo(m: MillAndDie, motor_kg: float, die_kg: float | None = None, a: float = 0.6) -> float:
@@ -701,6 +708,7 @@ SLIPS = [
     KnownSlip("06.3", "not braked", not_braked, "brak"),
     KnownSlip("06.3", "speed forgotten", stopped_between, "speed|velocity|fast"),
     KnownSlip("06.3", "braked twice", braked_twice, "without its half|finite"),
+    KnownSlip("06.3", "braked too early", braked_too_early, "before it begins|finite"),
     KnownSlip("06.3", "no margin", lambda m: least(m, stroke(m) - m.wait_mm), "margin"),
     KnownSlip("06.3", "the stroke", lambda m: least(m, stroke(m)), "stroke"),
     KnownSlip("06.3", "the depth", lambda m: least(m, m.wait_mm - m.margin_mm), "deep|down|from"),
@@ -733,17 +741,17 @@ SLIPS = [
     KnownSlip("06.4", "how much more", lambda m: times_least(m) - 1, "how much more|times"),
     KnownSlip("06.4", "percent more", lambda m: 100 * (times_least(m) - 1), "percent"),
     KnownSlip("06.4", "percent", lambda m: 100 * times_least(m), "percent|hundred"),
-    KnownSlip("06.4", "the peak", lambda m: peak(m, widest(m)), "peak, in m"),
-    KnownSlip("06.4", "difference", lambda m: peak(m, widest(m)) - least(m), "difference"),
+    KnownSlip("06.4", "the peak", lambda m: peak(m, told(m)), "peak, in m"),
+    KnownSlip("06.4", "difference", lambda m: peak(m, told(m)) - least(m), "difference"),
     KnownSlip(
         "06.4", "no overlap", lambda m: peak(m, die(m)) / least(m), "without overlap|no overlap"
     ),
     KnownSlip("06.4", "quiet ends alone", lambda m: peak(m, later(m)) / least(m), "quiet|widest"),
-    KnownSlip("06.4", "gain by the overlap", lambda m: (widest(m) / die(m)) ** 2, "overlap"),
+    KnownSlip("06.4", "gain by the overlap", lambda m: (told(m) / die(m)) ** 2, "overlap"),
     KnownSlip(
         "06.4",
         "by the law of constant acceleration",
-        lambda m: peak(m, widest(m)) / hard(m, widest(m), 4),
+        lambda m: peak(m, told(m)) / hard(m, told(m), 4),
         "same|factor|constant|angle|right",
     ),
     KnownSlip("06.4", "squared", lambda m: times_least(m) ** 2, "square"),
@@ -751,7 +759,7 @@ SLIPS = [
     KnownSlip(
         "06.4",
         "constant over the turn",
-        lambda m: peak(m, widest(m)) / hard(m, half_turn(m), 4),
+        lambda m: peak(m, told(m)) / hard(m, half_turn(m), 4),
         "stroke",
     ),
     KnownSlip(

@@ -1,10 +1,13 @@
 """How far an answer may be rounded, over all numbers that are asked for."""
 
+import re
 from dataclasses import replace
 
 import pytest
 import rounding
 from judging import MACHINES, each_number, is_right, say
+from known_slips import peak
+from known_slips_laws import least
 
 import cammotion as cm
 from cammotion.teaching.example import EXAMPLE
@@ -64,6 +67,26 @@ def test_no_known_wrong_way_is_right_for_anybody(exercise: NumberExercise) -> No
 )
 def test_what_the_source_may_be_rounded_to(number: str, answer: float, is_enough: bool) -> None:
     assert is_right(EXERCISES[number], answer) is is_enough
+
+
+@pytest.mark.parametrize(
+    ("number", "who", "digits"),
+    [
+        ("04.3", "x 312", 2),
+        *(("06.4", f"x {who}", digits) for who, digits in ((154, 3), (28, 4), (53, 5), (90, 16))),
+    ],
+)
+def test_who_reckons_with_the_angle_that_the_question_prints_is_right(
+    number: str, who: str, digits: int
+) -> None:
+    m = machine_for(who)
+    (printed,) = re.findall(r"\d+\.\d\d(?= degrees)", EXERCISES[number].question(m))
+    rest = 360 - m.work_deg - 2 * float(printed)
+    answer = {
+        "04.3": rest / 360 * 3_600_000 / m.rate_per_hour,
+        "06.4": peak(m, float(printed)) / least(m),
+    }[number]
+    assert is_right(EXERCISES[number], float(f"{answer:.{digits}g}"), m)
 
 
 def test_the_effective_angle_of_the_mill_is_a_slip_and_not_the_rounded_angle_of_the_die() -> None:
@@ -189,9 +212,9 @@ def test_a_right_answer_that_is_nearly_round_is_right_with_all_its_digits() -> N
 
 
 def test_a_right_answer_beside_another_way_may_have_five_digits() -> None:
-    """For this name a number of the lesson's machine leads to 140.72, the right way to 140.754."""
+    """For this name a number of the lesson's machine leads to 140.72, the right way to 140.74."""
     machine = machine_for("torn1 201")
     exercise = EXERCISES["04.3"]
     assert isinstance(exercise, NumberExercise)
-    assert f"{exercise.solution(machine):.2f}" == "140.75"
+    assert f"{exercise.solution(machine):.2f}" == "140.74"
     rounding.assert_rounded_as_asked_is_right(exercise, machine)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from known_slips import die, later, stroke, time, widest
+from known_slips import die, later, stroke, time, told, widest
 from machines import Array
 from shown import curve, texts, wrong
 
@@ -81,7 +81,7 @@ PUSHES: dict[str, Callable[[MillAndDie, float], tuple[float, float, str]]] = {
     ),
     "05.1": lambda m, a: (a, time(m, die(m)), "constant"),
     "05.5": lambda m, a: (a, time(m, widest_by(m, "modified sine")), "modified sine"),
-    "06.4": lambda m, a: (a * least(m), time(m, widest(m)), "cycloidal"),
+    "06.4": lambda m, a: (a * least(m), time(m, told(m)), "cycloidal"),
 }
 """Of an answer the peak that it leads to, the time of the move, and its law, by hand."""
 

@@ -120,6 +120,11 @@ class MillAndDie:
         """The widest indexing angle of the die that keeps the rule."""
         return _widest_deg(*(getattr(self, name) for name in _GEOMETRY))
 
+    @property
+    def told_deg(self) -> float:
+        """The widest indexing angle of the die as questions tell it, to two decimals."""
+        return round(self.widest_deg, 2)
+
     @cached_property
     def cam(self) -> CamNumbers:
         """The cam of the die, without overlap, that notebook 07 asks about."""

@@ -55,7 +55,7 @@ def _from_the_quiet_end(m: MillAndDie) -> float:
 
 
 def _rest_deg(m: MillAndDie) -> float:
-    return DEG_PER_TURN - m.work_deg - 2 * m.widest_deg
+    return DEG_PER_TURN - m.work_deg - 2 * m.told_deg
 
 
 def _rest_ms(widest_deg: float, work_deg: float, rate_per_hour: float) -> float:
@@ -180,16 +180,16 @@ EXERCISES = (
     NumberExercise(
         number="04.3",
         question=lambda m: (
-            f"With overlap the die moves over {m.widest_deg:.2f} degrees each way and works for "
+            f"With overlap the die moves over {m.told_deg:.2f} degrees each way and works for "
             f"{m.work_deg:g}. How long does it rest at the top, in milliseconds, at "
             f"{m.rate_per_hour:g} pieces per hour?"
         ),
         unit="ms",
         is_sum=True,
-        answer=lambda m: _rest_ms(m.widest_deg, m.work_deg, m.rate_per_hour),
+        answer=lambda m: _rest_ms(m.told_deg, m.work_deg, m.rate_per_hour),
         mixed=lambda m: _with_lessons_numbers(
             _rest_ms,
-            (m.widest_deg, m.work_deg, m.rate_per_hour),
+            (m.told_deg, m.work_deg, m.rate_per_hour),
             (EXAMPLE.work_deg, EXAMPLE.rate_per_hour),
         ),
         tolerance=0.01,
@@ -204,16 +204,16 @@ EXERCISES = (
             ),
             Slip(
                 lambda m: (
-                    1000 * indexing_time(DEG_PER_TURN - m.work_deg - m.widest_deg, m.rate_per_hour)
+                    1000 * indexing_time(DEG_PER_TURN - m.work_deg - m.told_deg, m.rate_per_hour)
                 ),
                 "The die moves twice in a turn, down and up.",
             ),
             Slip(
-                lambda m: 1000 * indexing_time(2 * m.widest_deg, m.rate_per_hour),
+                lambda m: 1000 * indexing_time(2 * m.told_deg, m.rate_per_hour),
                 "This is the time of both moves. How long does it rest?",
             ),
             Slip(
-                lambda m: 1000 * indexing_time(m.widest_deg, m.rate_per_hour),
+                lambda m: 1000 * indexing_time(m.told_deg, m.rate_per_hour),
                 "This is the time of one move. What do both moves and the work leave?",
             ),
             Slip(
@@ -226,7 +226,7 @@ EXERCISES = (
                 "This is how long it works at the bottom. How long does it rest at the top?",
             ),
             Slip(
-                lambda m: 1000 * indexing_time(DEG_PER_TURN - 2 * m.widest_deg, m.rate_per_hour),
+                lambda m: 1000 * indexing_time(DEG_PER_TURN - 2 * m.told_deg, m.rate_per_hour),
                 "The degrees of the work have to be taken away as well. What is left is at the "
                 "top.",
             ),

@@ -68,7 +68,7 @@ def _least(m: MillAndDie) -> float:
 
 
 def _cycloidal(m: MillAndDie, angle_deg: float | None = None) -> float:
-    angle = angle_deg or m.widest_deg
+    angle = angle_deg or m.told_deg
     return float(peak_acceleration(m.stroke_mm, angle, m.rate_per_hour))
 
 
@@ -78,7 +78,7 @@ def _times_least(m: MillAndDie, stroke_mm: float, widest_deg: float) -> float:
 
 def _widest(m: MillAndDie) -> tuple[float, float]:
     """Return the stroke in mm and the widest angle in deg that 06.4 asks about."""
-    return m.stroke_mm, m.widest_deg
+    return m.stroke_mm, m.told_deg
 
 
 def _steady(m: MillAndDie, way_mm: float, angle_deg: float) -> float:
@@ -460,6 +460,10 @@ EXERCISES = (
                 "it is still being pushed.",
             ),
             Slip(
+                lambda m: _by_way(m, m.overlapped_deg**2 / 2 - _still_pushed_deg(m) ** 2),
+                "The brake was counted before it begins: at that angle it is still being pushed.",
+            ),
+            Slip(
                 lambda m: _by_way(
                     m,
                     (_turn_deg(m) / 2) ** 2 / 2 - _braked_deg(m) ** 2 / 2,
@@ -522,7 +526,7 @@ EXERCISES = (
     NumberExercise(
         number="06.4",
         question=lambda m: (
-            f"With the cycloid, {m.stroke_mm:g} mm over its widest angle of {m.widest_deg:.2f} "
+            f"With the cycloid, {m.stroke_mm:g} mm over its widest angle of {m.told_deg:.2f} "
             "degrees, the die of exercise 06.3 overlaps as far as it can. How many times the least "
             "possible peak is its peak?"
         ),
@@ -536,7 +540,7 @@ EXERCISES = (
         shows=peak_of_die(
             "With this ratio",
             peak=lambda m, ratio: ratio * _least(m),
-            angle_deg=lambda m: m.widest_deg,
+            angle_deg=lambda m: m.told_deg,
         ),
         right="This factor is all that is left to gain, and you now know that it is all.",
         slips=(

@@ -102,7 +102,7 @@ def widened_way(machine: MillAndDie, angle_deg: float) -> Shown:
 def rest_in_turn(machine: MillAndDie, time_ms: float) -> Shown | None:
     """Show an answer in ms as the time for which the overlapped die rests at the top."""
     turn_ms = _MS * float(cycle_time(machine.rate_per_hour))
-    rest, way, work = time_ms / turn_ms * DEG_PER_TURN, machine.widest_deg, machine.work_deg
+    rest, way, work = time_ms / turn_ms * DEG_PER_TURN, machine.told_deg, machine.work_deg
     if rest > DEG_PER_TURN:
         return None
     over = 2 * way + work + rest - DEG_PER_TURN
