@@ -225,6 +225,12 @@ SLIPS = [
         lambda m: m.measured.left[1] * m.measured.left[0] / m.measured.left[2],
         "proportion",
     ),
+    KnownSlip(
+        "09.4",
+        "proportion upside down",
+        lambda m: m.measured.left[1] * m.measured.left[2] / m.measured.left[0],
+        "^This is by simple proportion, upside down[^O]*$",
+    ),
     KnownSlip("09.4", "the share scaled", scaled, "share itself"),
     KnownSlip("09.4", "taken away", lambda m: 100 - left(m), "taken away"),
     KnownSlip(

@@ -5,9 +5,19 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from known_slips import KnownSlip, die, law, law_in_degrees, peak, stroke, time, with_lessons
+from known_slips import (
+    KnownSlip,
+    die,
+    law,
+    law_in_degrees,
+    lessons,
+    peak,
+    stroke,
+    time,
+    with_lessons,
+)
 
-from cammotion.teaching.example import MillAndDie
+from cammotion.teaching.example import EXAMPLE, MillAndDie
 
 TAN_30 = 1 / math.sqrt(3)
 
@@ -164,6 +174,14 @@ SLIPS = [
         "the lesson's circle",
         lambda m: degrees(2 * mean(m), 60 + stroke(m) / 2),
         "a number of the lesson",
+    ),
+    *(
+        KnownSlip(number, "all the lesson's", lessons(answer), "machine of the lesson")
+        for number, answer in {
+            "07.1": degrees(100 / math.radians(55), 85),
+            "07.4": 296 + 50 * law(0.75) - 100 * math.pi / math.radians(55) ** 2,
+            "07.5": preload(EXAMPLE, k=0.5),
+        }.items()
     ),
     KnownSlip(
         "07.2", "2 pi", lambda m: 2 * math.pi * mean(m) / TAN_30 - stroke(m) / 2, "acceleration"

@@ -288,9 +288,9 @@ def braked_twice(m: MillAndDie) -> float:
 
 
 def braked_too_early(m: MillAndDie) -> float:
-    """Take the way of the brake away before it begins; NaN where it has begun."""
+    """Take away the way of the brake, whether it has begun or not: where it has, this is right."""
     push, at = time(m, half_turn(m)) / 2, time(m, later(m))
-    return up(m) / 1000 / (at**2 / 2 - (at - push) ** 2) if at < push else math.nan
+    return up(m) / 1000 / (at**2 / 2 - (at - push) ** 2)
 
 
 def times_least(m: MillAndDie) -> float:
@@ -708,7 +708,7 @@ SLIPS = [
     KnownSlip("06.3", "not braked", not_braked, "brak"),
     KnownSlip("06.3", "speed forgotten", stopped_between, "speed|velocity|fast"),
     KnownSlip("06.3", "braked twice", braked_twice, "without its half|finite"),
-    KnownSlip("06.3", "braked too early", braked_too_early, "before it begins|finite"),
+    KnownSlip("06.3", "braked too early", braked_too_early, "before it begins"),
     KnownSlip("06.3", "no margin", lambda m: least(m, stroke(m) - m.wait_mm), "margin"),
     KnownSlip("06.3", "the stroke", lambda m: least(m, stroke(m)), "stroke"),
     KnownSlip("06.3", "the depth", lambda m: least(m, m.wait_mm - m.margin_mm), "deep|down|from"),

@@ -22,7 +22,7 @@ from cammotion.teaching.lessons import EXERCISES
 from cammotion.teaching.number_exercise import MIXED, OF_THE_LESSON, NumberExercise
 from cammotion.teaching.reasons import COMMON_RATIOS, UNIT_RATIOS, those_in
 from cammotion.teaching.rounding import is_as_typed
-from cammotion.teaching.variants import machine_for
+from cammotion.teaching.variants import NAMELESS, machine_for
 
 
 @each_exercise
@@ -231,12 +231,22 @@ def test_no_reason_speaks_of_lengths_where_none_is_asked_for() -> None:
         ("Dmitri", "10.5", 37.842, "rounded"),
         ("Yusuf", "10.2", 0.62297, "by their sizes"),
         ("", "11.4", 0.56291, "too many"),
+        ("", "06.1", 2, "machine of the lesson"),  # it has no hammer
+        ("", "07.1", 39.8, "machine of the lesson"),  # nor these prime circle, base circle, spring
+        ("", "07.4", 34.52, "machine of the lesson"),
+        ("", "07.5", 31.67, "machine of the lesson"),
     ],
 )
 def test_what_cannot_be_is_not_told(who: str, number: str, answer: float, untrue: str) -> None:
     said = say(EXERCISES[number], answer, machine_for(who))
     assert said
     assert not re.search(untrue, said)
+
+
+@pytest.mark.parametrize(("number", "answer"), [("07.2", 155.4349), ("07.3", 208.3480)])
+def test_the_lessons_answer_is_known_in_three_digits_or_more(number: str, answer: float) -> None:
+    for digits in (3, 4, 5, 7):
+        assert say(EXERCISES[number], float(f"{answer:.{digits}g}"), NAMELESS) == OF_THE_LESSON
 
 
 def test_each_slip_is_told_that_a_number_may_come_of() -> None:

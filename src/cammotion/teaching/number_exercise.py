@@ -79,13 +79,15 @@ class NumberExercise(Exercise):
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`. `mixed` is
     what it is with numbers of the lesson that are no number of its machine: what follows from
     several of them and is printed, or belongs to another part.
+    `lessons` is the lesson's answer where that is not the one of its machine, NaN if it has none.
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
-    see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`,
-    has neither a factor pi nor squares in it that could be lost; one that `is_product` has a
-    length for a factor, with which all of it grows; of a whole number, `is_count`, nothing is
-    rounded on the way; in one that `is_quotient`, of two like numbers, what they share cancels, so
-    that a factor pi is met by chance: a ratio is told only where it agrees to the digits given.
+    see `link` and `after`. `shows` draws what a number would do in the machine. A sum, `is_sum`, or
+    what is as plain has neither a factor pi nor squares in it that could be lost; one that
+    `is_product` has a length for a factor, with which all of it grows; of a whole number,
+    `is_count`, nothing is rounded on the way; in one that `is_quotient`, of two like numbers, what
+    they share cancels, so that a factor pi is met by chance: a ratio is told only where it agrees
+    to the digits given.
     """
 
     unit: str
@@ -96,6 +98,7 @@ class NumberExercise(Exercise):
     carried: tuple[Carried, ...] = ()
     brought: tuple[Carried, ...] = ()
     mixed: Callable[[MillAndDie], Iterable[float]] = lambda _: ()
+    lessons: Callable[[], float] | None = None
     shows: Shows | None = None
     is_sum: bool = False
     is_product: bool = False
@@ -231,10 +234,10 @@ class NumberExercise(Exercise):
     def _mixed_up(self, given: float, machine: MillAndDie, digits: int = MOST) -> list[str]:
         """Return what is said if numbers of the lesson's machine lead to a number, at most one.
 
-        The lesson's own answer is one that is typed with so many digits.
+        The lesson's own answer is one that is typed with so many digits, or nearly all of them.
         """
         lessons, *others = self.of_the_lesson(machine)
-        if is_as_typed(given, lessons, digits):
+        if _is_typed_in(given, lessons, digits):
             return [OF_THE_LESSON]
         return [MIXED] if any(is_as_typed(given, other) for other in others) else []
 
@@ -257,7 +260,7 @@ class NumberExercise(Exercise):
         return [
             slip
             for slip in self.carried
-            if is_as_typed(given, slip.leads_to(machine), digits)
+            if _is_typed_in(given, slip.leads_to(machine), digits)
             and not is_as_typed(slip.leads_to(machine), right)
         ]
 
@@ -321,6 +324,11 @@ def _agrees(given: float, value: float) -> bool:
     return any(is_as_typed(given, value, digits) for digits in range(FEWEST, MOST + 1))
 
 
+def _is_typed_in(given: float, value: float, digits: int) -> bool:
+    """Tell whether a number is a value as one types it, in so many digits or in the most."""
+    return any(is_as_typed(given, value, each) for each in (digits, MOST))
+
+
 class _Known(NamedTuple):
     """What an answer is held against: the right number, and the slips by what they lead to.
 
@@ -361,4 +369,5 @@ def _of_the_lesson(exercise: NumberExercise, machine: MillAndDie) -> tuple[float
 
     mixed = (*map(solved, with_lessons_numbers(machine)), *exercise.mixed(machine))
     others = dict.fromkeys(map(wrong, mixed))
-    return (wrong(solved(EXAMPLE)), *filter(math.isfinite, others))
+    lessons = exercise.lessons() if exercise.lessons else solved(EXAMPLE)
+    return (wrong(lessons), *filter(math.isfinite, others))

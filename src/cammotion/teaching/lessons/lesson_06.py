@@ -177,6 +177,7 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: 2 * _left(m),
+        lessons=lambda: math.nan,  # it has no hammer
         right=(
             "It is pushed evenly all the way. To have to stop as well would cost at least as much "
             "again."

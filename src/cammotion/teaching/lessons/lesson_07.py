@@ -51,6 +51,10 @@ _BEND = (
     "far the contact goes aside is the first one, twice the stroke over the angle."
 )
 _LAW = LAWS["cycloidal"]
+_MOVE = EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg
+_LESSONS_ROLLER = *_MOVE, LESSONS_CAM.prime_mm
+_LESSONS_FACE = *_MOVE, LESSONS_CAM.base_mm
+_LESSONS_SPRING = EXAMPLE.die_mass_kg, *_MOVE, EXAMPLE.rate_per_hour, LESSONS_CAM.spring_N_per_mm
 
 
 def _angle(m: MillAndDie) -> float:
@@ -196,10 +200,9 @@ EXERCISES = (
         unit="deg",
         answer=lambda m: _pressure(_slope(m), _height(m)),
         mixed=lambda m: with_one_of_the_lesson(
-            _pressure_of,
-            (m.stroke_mm, m.die_angle_deg, m.cam.prime_mm),
-            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, LESSONS_CAM.prime_mm),
+            _pressure_of, (m.stroke_mm, m.die_angle_deg, m.cam.prime_mm), _LESSONS_ROLLER
         ),
+        lessons=lambda: _pressure_of(*_LESSONS_ROLLER),
         right="Only slope and distance from the axis count: the roller's radius is not in it.",
         slips=(
             Slip(
@@ -421,10 +424,9 @@ EXERCISES = (
         unit="mm",
         answer=_radius,
         mixed=lambda m: with_one_of_the_lesson(
-            _radius_of,
-            (m.stroke_mm, m.die_angle_deg, m.cam.base_mm),
-            (EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg, LESSONS_CAM.base_mm),
+            _radius_of, (m.stroke_mm, m.die_angle_deg, m.cam.base_mm), _LESSONS_FACE
         ),
+        lessons=lambda: _radius_of(*_LESSONS_FACE),
         right="The acceleration is in the steel: what brakes hard makes the cam sharp.",
         slips=(
             Slip(
@@ -521,11 +523,9 @@ EXERCISES = (
         mixed=lambda m: with_one_of_the_lesson(
             _preload_of,
             (m.die_mass_kg, m.stroke_mm, m.die_angle_deg, m.rate_per_hour, m.cam.spring_N_per_mm),
-            (
-                *(EXAMPLE.die_mass_kg, EXAMPLE.stroke_mm, EXAMPLE.die_angle_deg),
-                *(EXAMPLE.rate_per_hour, LESSONS_CAM.spring_N_per_mm),
-            ),
+            _LESSONS_SPRING,
         ),
+        lessons=lambda: _preload_of(*_LESSONS_SPRING),
         right="The spring brakes an open follower: four times as hard at twice the rate. A little "
         "before x = 3/4 it is pressed less, so all over the rise it needs a little more.",
         slips=(

@@ -352,6 +352,7 @@ EXERCISES = (
         ),
         unit="percent",
         answer=_left,
+        is_sum=True,
         right="A spline has no edge: it takes from each harmonic, from the faster ones more.",
         slips=(
             Slip(
@@ -379,6 +380,11 @@ EXERCISES = (
             Slip(
                 lambda m: m.measured.left[1] / _ratio(m),
                 "This is by simple proportion. What divides the harmonic is 1 + λk⁴.",
+            ),
+            Slip(
+                lambda m: m.measured.left[1] * _ratio(m),
+                "This is by simple proportion, upside down: of a slower wave more is left. What "
+                "divides the harmonic is 1 + λk⁴.",
             ),
             Slip(
                 lambda m: 100 / (1 + (100 / (100 - m.measured.left[1]) - 1) * _ratio(m) ** 4),
