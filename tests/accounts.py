@@ -86,7 +86,8 @@ def _axes(ax: Axes) -> Iterator[str]:
         yield f" title {ax.get_title()!r}"
     if legend := ax.get_legend():
         names = [text.get_text() for text in legend.get_texts()]
-        place = f"{legend._loc} {legend.get_zorder():g}"  # type: ignore[attr-defined]
+        loc = legend._loc  # type: ignore[attr-defined]
+        place = f"{'moved' if isinstance(loc, tuple) else loc} {legend.get_zorder():g}"
         yield f" legend {names} {place} framed {legend.get_frame_on()}"
     for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts, *ax.images):
         yield f" {_artist(ax, artist)}"

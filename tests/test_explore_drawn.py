@@ -246,3 +246,23 @@ def test_steps_that_are_too_small_are_thinned() -> None:
     (ax,) = figure_of(cm.explore(panel, SPAN)).axes
     for axis in (ax.xaxis, ax.yaxis):
         assert 2 <= len(axis.get_majorticklocs()) <= 20
+
+
+def test_a_legend_hides_no_curve_where_there_is_room_for_it() -> None:
+    """Over the second curve, and left of a panel without axes."""
+    up = [100 * sp.Min(1, 2.4 * t), 50 * sp.Max(0, sp.Min(1, 8 * t - 3.2, 8 - 8 * t))]
+    crossed = cm.Panel(lines=[cm.Line(y=y, name=4 * name) for y in up for name in "ab"], height=300)
+    turn = 2 * sp.pi * t
+    rings = [cm.Line(x=r * sp.cos(turn), y=r * sp.sin(turn), name=f"{r}") for r in (1, 3, 5)]
+    bare = cm.Panel(lines=rings, is_equal=True, is_bare=True, height=300)
+    for panel, columns in ((crossed, 1), (bare, 2)):
+        drawn = figure_of(cm.explore([[panel]] * columns, SPAN))
+        ax = drawn.axes[0]
+        drawn.draw_without_rendering()
+        legend = ax.get_legend()
+        assert legend is not None
+        hides = legend.get_window_extent()
+        for line in ax.lines:
+            path = line.get_path().transformed(line.get_transform())
+            assert not path.intersects_bbox(hides, filled=False)
+        assert 0 <= hides.x0 < hides.x1 <= drawn.bbox.x1

@@ -15,6 +15,7 @@ from matplotlib.gridspec import GridSpec
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator, MultipleLocator
+from matplotlib.transforms import BboxBase
 
 from cammotion.quantities import Floats
 from cammotion.views.broken import BROKEN
@@ -41,6 +42,7 @@ _STYLES = {
     "frame": {"color": "#000000", "linewidth": 1.2},
 }
 _HALO = withStroke(linewidth=3, foreground="white")  # words over lines stay readable
+_CLEAR_PX, _TRIED = 5, 15  # a legend is so far from a curve; places tried across and up
 _SPIKE = 20  # so many times as wide as nine tenths of the values is what belongs to a pole
 
 
@@ -71,6 +73,8 @@ def draw(description: dict[str, Any], now: Functions, then: Functions, clock: fl
     if any(is_wrapped):
         needed = _EDGE_IN + max(map(_below, figure.axes))
         figure.subplots_adjust(bottom=max(needed, _NUMBERS_IN) / height)
+    for ax in figure.axes:
+        _free_curves(ax)
     picture = io.BytesIO()
     quick = {"compress_level": 3}  # a cell that runs waits for it
     canvas.print_png(picture, pil_kwargs=quick)  # type: ignore[no-untyped-call]
@@ -119,6 +123,41 @@ def _add_legends(axes: Sequence[Axes]) -> None:
         if len(names) > 1 and names not in said:
             add_legend(ax)
         said.append(names)
+
+
+def _free_curves(ax: Axes) -> None:
+    """Move a legend that hides a curve to the nearest place where it hides none, if there is one.
+
+    Left of a bare panel the room of numbers and label is free, too.
+    """
+    if (legend := ax.get_legend()) is None:
+        return
+    ax.apply_aspect()
+    curves = [one for one in ax.lines if one.get_transform() == ax.transData]  # not the cursor
+    shapes = [
+        *((one.get_path().transformed(one.get_transform()), False) for one in curves),
+        *((one.get_path().transformed(one.get_transform()), True) for one in ax.patches),
+    ]
+
+    def is_free(box: BboxBase) -> bool:
+        around = box.padded(_CLEAR_PX)
+        return not any(path.intersects_bbox(around, filled) for path, filled in shapes)
+
+    hides = legend.get_window_extent()
+    if is_free(hides):
+        return
+    panel, room = ax.bbox, ax.get_position(original=True).transformed(ax.figure.transFigure)
+    left = room.x0 if ax.axison else room.x0 - _LABEL_IN * ax.figure.dpi
+    moves = [
+        (x - hides.x0, y - hides.y0)
+        for x in np.linspace(left + _CLEAR_PX, room.x1 - hides.width - _CLEAR_PX, _TRIED)
+        for y in np.linspace(room.y0, room.y1 - hides.height - _CLEAR_PX, _TRIED)
+    ]
+    free = [move for move in moves if is_free(hides.translated(*move))]
+    if free:
+        x, y = min(free, key=lambda move: math.hypot(*move))
+        place = hides.x0 + x - panel.x0, hides.y0 + y - panel.y0
+        legend.set_loc((place[0] / panel.width, place[1] / panel.height))
 
 
 class _Drawn:
