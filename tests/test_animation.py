@@ -185,14 +185,24 @@ def test_the_acceleration_is_that_of_the_diagram() -> None:
     assert np.abs(drawn - wanted).max() < 2e-3 * AFTER.peak_acceleration("die")
 
 
-def test_a_jump_of_the_acceleration_is_drawn_as_one() -> None:
+def test_the_acceleration_has_its_peak_on_a_short_ramp() -> None:
+    law = cm.fifth_degree_linear(0.99)
+    parts = cm.rise(50, over_deg=90, law=law), cm.dwell(180), cm.return_(50, over_deg=90, law=law)
+    fast = cm.TimingDiagram([cm.motion("fast", *parts, start_deg=300)], 2000)
+    trace = trace_acceleration(fast["fast"], 2000)
+    assert np.abs(trace.values).max() == pytest.approx(fast.peak_acceleration("fast"))
+
+
+@pytest.mark.parametrize("rate_per_hour", [2000, 1])
+def test_a_jump_of_the_acceleration_is_drawn_as_one(rate_per_hour: float) -> None:
+    """Also of one that is smaller than what counts of a length in mm."""
     hard = cm.MotionLaw("parabola", cm.x**2 * (3 - 2 * cm.x))
     press = cm.motion(
         "press", cm.rise(10, over_deg=90, law=hard), cm.dwell(90), cm.return_(10, over_deg=180)
     )
-    trace = trace_acceleration(press, 2000)
+    trace = trace_acceleration(press, rate_per_hour)
     at_90 = trace.values[np.isclose(trace.angles_deg, 90)]
-    assert at_90[0] < -0.1
+    assert at_90[0] < -0.1 * (rate_per_hour / 2000) ** 2
     assert at_90[-1] == 0
 
 

@@ -31,6 +31,13 @@ def test_each_line_is_its_law_and_rests_before_and_after(curve: str) -> None:
         assert values[x > 1] == pytest.approx(float(curve == "S"))
 
 
+@pytest.mark.parametrize("curve", ["V", "A", "J"])
+def test_a_ramp_shorter_than_a_thousandth_of_the_time_has_its_peak(curve: str) -> None:
+    law = cm.LAWS["cycloidal"].with_constant_velocity(0.999)
+    values = np.asarray(cm.plot_laws(law, curve=curve).lines[0].get_ydata())
+    assert np.abs(values).max() == pytest.approx({"V": law.Cv, "A": law.Ca, "J": law.Cj}[curve])
+
+
 def test_a_jump_of_the_acceleration_is_drawn() -> None:
     line = cm.plot_laws("constant acceleration").lines[0]
     x, values = np.asarray(line.get_xdata()), np.asarray(line.get_ydata())

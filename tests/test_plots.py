@@ -1,6 +1,7 @@
 """The pictures show the numbers they claim to show, and touch nothing else."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import matplotlib as mpl
@@ -27,15 +28,17 @@ def _no_trace() -> Iterator[None]:
     assert mpl.rcParams == settings
 
 
+@pytest.mark.parametrize("move", [MOVES[1], replace(MOVES[1], law=cm.fifth_degree_linear(0.99))])
 @pytest.mark.parametrize("curve", CURVES)
-def test_a_curve_reaches_the_peak_of_its_move(curve: str) -> None:
-    ax = cm.plot_curves(MOVES[1], curve=curve)
+def test_a_curve_reaches_the_peak_of_its_move(curve: str, move: cm.Move) -> None:
+    """Also where it is over before a 241st of the time has gone."""
+    ax = cm.plot_curves(move, curve=curve)
     drawn = ax.lines[0].get_ydata()
     peak = {
         "displacement": 50,
-        "velocity": MOVES[1].peak_velocity,
-        "acceleration": MOVES[1].peak_acceleration,
-        "jerk": MOVES[1].peak_jerk,
+        "velocity": move.peak_velocity,
+        "acceleration": move.peak_acceleration,
+        "jerk": move.peak_jerk,
     }[curve]
     assert np.max(np.abs(drawn)) == pytest.approx(peak)
     assert ax.get_xlabel() == "time t in s"

@@ -1,6 +1,7 @@
 """Pictures of an indexer's torque and power are its own, and begin and end at rest."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import matplotlib as mpl
@@ -34,6 +35,15 @@ def test_each_curve_is_that_of_its_table(quantity: str) -> None:
         assert values[moving] == pytest.approx(known(x[moving]))
         assert not values[(x < 0) | (x > 1)].any()
         assert line.get_label() == name
+
+
+@pytest.mark.parametrize("quantity", ["torque", "power"])
+def test_a_ramp_shorter_than_a_thousandth_of_the_time_has_its_peak(quantity: str) -> None:
+    law = cm.LAWS["cycloidal"].with_constant_velocity(0.999)
+    table = replace(TABLES["sine"], law=law)
+    values = np.asarray(cm.plot_torque({"table": table}, quantity=quantity).lines[0].get_ydata())
+    peak = table.peak_torque_N_m if quantity == "torque" else table.peak_power_W
+    assert np.abs(values).max() == pytest.approx(peak, rel=2e-3)
 
 
 def test_a_torque_that_is_there_at_once_is_a_jump() -> None:

@@ -15,6 +15,7 @@ from matplotlib.transforms import Affine2D
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
 from cammotion.quantities import Floats
+from cammotion.views.corners import corners
 from cammotion.views.displacement import curve_angles
 from cammotion.views.ends import POINTS_PER_INCH, inches
 from cammotion.views.names import as_label, labels, plain, printable, short_names, text_px
@@ -73,9 +74,9 @@ def _angles(motion: Motion, order: int) -> Floats:
     if not order:
         return curve_angles(motion)
     curve = motion.curve.derived(order)
-    turns = [branch.low for branch in curve.branches]
-    before = [piece.high - BEFORE_DEG for piece in curve.pieces]
-    return np.union1d(curve_angles(motion), np.mod([*turns, *before], DEG_PER_TURN))
+    before_closing = curve.high - BEFORE_DEG
+    own = [*corners(curve), before_closing]
+    return np.union1d(curve_angles(motion), np.mod(own, DEG_PER_TURN))
 
 
 def draw_lanes(ax: Axes, curves: Sequence[Curve], peaks: Sequence[float] | None) -> None:

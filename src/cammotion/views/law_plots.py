@@ -11,13 +11,14 @@ from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import Floats, InputError, as_text, one_of, shorten
+from cammotion.views.corners import corners
 from cammotion.views.names import add_legend_below, labels, name_line
 from cammotion.views.pictures import on_paper
 from cammotion.views.plots import COLOURS, style_line, styled
 
 CURVES = {"S": "displacement S", "V": "velocity V", "A": "acceleration A", "J": "jerk J"}
 _LONGEST = 60  # columns of a law with its other names
-PLACES = np.linspace(0, 1, 1001)  # of the time of a move
+EVEN = np.linspace(0, 1, 1001)  # of the time of a move
 _REST = 0.06  # of the time, drawn before the move and after it
 
 
@@ -40,8 +41,9 @@ def plot_laws(
     ax = styled(ax, "x = t/tm", CURVES[curve], (7.5, 4.6), layout="constrained")
     names = [full_name(law) for law in drawn]
     for number, (law, label) in enumerate(zip(drawn, labels(names, _LONGEST), strict=True)):
-        values = law(PLACES, derivative)
-        line = ax.plot(*from_rest_to_rest(values, int(curve == "S")))[0]
+        places = np.union1d(EVEN, corners(law.curve.derived(derivative)))
+        values = law(places, derivative)
+        line = ax.plot(*from_rest_to_rest(places, values, int(curve == "S")))[0]
         name_line(style_line(line, number), label, names[number])
     ax.axhline(0, color="#000000", linewidth=0.8)
     ax.margins(x=0)
@@ -89,12 +91,12 @@ def plot_ranking(
     return ax
 
 
-def from_rest_to_rest(values: Floats, end: float = 0.0) -> tuple[Floats, Floats]:
-    """Return x from before a move to after it, and a curve over it that has `values` at PLACES.
+def from_rest_to_rest(places: Floats, values: Floats, end: float = 0.0) -> tuple[Floats, Floats]:
+    """Return x from before a move to after it, and a curve over it that has `values` at `places`.
 
     Before the move it is 0, after it the `end`: what is there at once is a jump.
     """
-    x = np.concatenate([[-_REST, 0], PLACES, [1, 1 + _REST]])
+    x = np.concatenate([[-_REST, 0], places, [1, 1 + _REST]])
     return x, np.concatenate([[0, 0], values, [end, end]])
 
 

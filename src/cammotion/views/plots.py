@@ -18,8 +18,10 @@ from matplotlib.text import Annotation
 from matplotlib.ticker import LogLocator, NullLocator
 
 from cammotion.arguments import checked
+from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, as_text, one_of
+from cammotion.views.corners import corners
 from cammotion.views.ends import LINE_INCHES, inches, label_ends, overfull, would_meet
 from cammotion.views.names import labels as short_labels
 from cammotion.views.names import name_line, plain
@@ -36,7 +38,7 @@ CURVES = {
     "acceleration": "acceleration a in m/s²",
     "jerk": "jerk j in m/s³",
 }
-_SAMPLES = 241
+_EVEN = np.linspace(0.0, 1.0, 241)  # of the time of a move
 _WIDTH_INCHES, _HEIGHT_INCHES, _BAR_INCHES = 7.5, 4.2, 0.24
 _WRITTEN = 11  # the size of a name at a curve, in points
 _WIDE = 3000  # where a scale ends so many times above its beginning, 20 and 50 have no room
@@ -46,6 +48,7 @@ _HIGHER = 1.25  # so many times as high as all others is the bar of an infinite 
 def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
     """Return times in s and the values of a `curve` of the move at them, both of one length.
 
+    The times are even ones, and those at which the curve turns or may jump: no peak lies between.
     `curve` is one of "displacement" (mm), "velocity" (m/s), "acceleration" (m/s2), "jerk" (m/s3).
     Raises InputError for another.
 
@@ -53,14 +56,11 @@ def sample_curve(move: Move, curve: str) -> tuple[Floats, Floats]:
     >>> float(time[-1]), float(h[-1])
     (0.275, 50.0)
     """
-    time = np.linspace(0.0, move.time_s, _SAMPLES)
-    functions = {
-        "displacement": move.displacement_mm,
-        "velocity": move.velocity,
-        "acceleration": move.acceleration,
-        "jerk": move.jerk,
-    }
-    return time, np.asarray(functions[one_of("curve", curve, CURVES)](time))
+    derivative = [*CURVES].index(one_of("curve", curve, CURVES))
+    own = corners(as_law(move.law).curve.derived(derivative))
+    time = move.time_s * np.union1d(_EVEN, own)
+    functions = move.displacement_mm, move.velocity, move.acceleration, move.jerk
+    return time, np.asarray(functions[derivative](time))
 
 
 @checked

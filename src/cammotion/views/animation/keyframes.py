@@ -16,12 +16,15 @@ from cammotion.machine.kinematics import DEG_PER_TURN, cycle_time, over_time
 from cammotion.machine.motions import Motion
 from cammotion.machine.segments import Segment
 from cammotion.quantities import Floats
+from cammotion.views.corners import corners
 from cammotion.views.displacement import displacement
 
 TOLERANCE_MM = 0.06
 TOLERANCE_SHARE = 1.2e-3  # of a move: small strokes are drawn large
 MOST_CHORDS = 200  # within the tolerance up to a move of 3 m; beyond, the drawing stays small
-ACCELERATION_CHORDS = 64  # of one move; the law may jump, which a chord makes steep
+ACCELERATION_CHORDS = 64  # of one move, beside the corners of its acceleration
+_SAME_DEG = 7e-5
+_SAME_SHARE = 1e-6  # of the largest acceleration: a smaller jump is not seen
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,8 @@ def trace_position(motion: Motion, finer: float = 1.0) -> Trace:
     """
     angles = np.concatenate([_position_angles(segment, finer) for segment in motion.segments])
     in_turn = np.union1d(np.mod(angles, DEG_PER_TURN), [0.0, DEG_PER_TURN])
-    return _thinned(in_turn, displacement(motion, in_turn), finer)
+    least = TOLERANCE_SHARE * TOLERANCE_MM / finer
+    return _thinned(in_turn, displacement(motion, in_turn), least)
 
 
 def trace_acceleration(motion: Motion, rate_per_hour: float) -> Trace:
@@ -74,15 +78,14 @@ def trace_acceleration(motion: Motion, rate_per_hour: float) -> Trace:
             parts.append((angles - start, over_time(2, values, cycle_time(rate_per_hour))))
     parts.sort(key=lambda part: float(part[0][0]))
     angles, values = (np.concatenate(of_all) for of_all in zip(*parts, strict=True))
-    return _thinned(angles, values)
+    return _thinned(angles, values, _SAME_SHARE * float(np.abs(values).max()))
 
 
-def _thinned(angles: Floats, values: Floats, finer: float = 1.0) -> Trace:
-    """Return the frames without those that say the same as the one before them."""
-    frames = np.column_stack([angles, values])
-    least = TOLERANCE_SHARE * TOLERANCE_MM / finer
-    is_new = np.any(np.abs(np.diff(frames, axis=0)) > least, axis=1)
-    return Trace(*frames[np.append(True, is_new)].T)
+def _thinned(angles: Floats, values: Floats, least: float) -> Trace:
+    """Return the frames without those that are where the one before is, less than `least` off."""
+    is_new = (np.diff(angles) > _SAME_DEG) | (np.abs(np.diff(values)) > least)
+    kept = np.append(True, is_new)
+    return Trace(angles[kept], values[kept])
 
 
 def _position_angles(segment: Segment, finer: float) -> Floats:
@@ -97,5 +100,7 @@ def _position_angles(segment: Segment, finer: float) -> Floats:
 
 
 def _acceleration_angles(segment: Segment) -> Floats:
-    chords = 0 if segment.law is None else ACCELERATION_CHORDS
-    return np.linspace(segment.from_deg, segment.to_deg, chords + 1)
+    if segment.law is None:
+        return np.array([segment.from_deg, segment.to_deg])
+    even = np.linspace(segment.from_deg, segment.to_deg, ACCELERATION_CHORDS + 1)
+    return np.union1d(even, corners(segment.curve.derived(2)))

@@ -1,0 +1,29 @@
+"""Where a curve has to be drawn beside even places, so that its peaks are met."""
+
+from contextlib import suppress
+from itertools import pairwise
+
+import numpy as np
+
+from cammotion.laws.curve import Curve
+from cammotion.quantities import Floats, InputError
+
+_NEAR = 1e-9  # of a curve: so far from a joint is at its side
+
+
+def corners(curve: Curve) -> Floats:
+    """Return where a curve ends and turns, and both sides of each joint, where it may jump.
+
+    Where it turns so often that its turns are not proved, these are left out.
+
+    >>> from cammotion.laws.catalogue import as_law
+    >>> corners(as_law("cycloidal").curve.derived(2))
+    array([0.  , 0.25, 0.75, 1.  ])
+    """
+    near = _NEAR * (curve.high - curve.low)
+    joints = [before.high for before, _ in pairwise(curve.pieces)]
+    ends = [curve.low, curve.high, *joints, *(at + side for at in joints for side in (-near, near))]
+    turns: list[float] = []
+    with suppress(InputError):
+        turns = [branch.low for branch in curve.branches]
+    return np.union1d(ends, turns)
