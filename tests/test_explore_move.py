@@ -132,6 +132,20 @@ def test_a_machine_beyond_the_usual_ranges_has_others(
     check_drawn(figure, move)
 
 
+@pytest.mark.parametrize("share", [0.9, 0.97, 0.999])
+def test_a_short_ramp_is_drawn_up_to_its_peak(share: float) -> None:
+    """In the page, too, which takes 201 even places and the joints of a line."""
+    law = cm.LAWS["modified sine"].with_constant_velocity(share)
+    move = cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000, law=law)
+    figure = cm.explore_move(move, laws=["cubic"])
+    (line,) = lines_of(figure, "acceleration")
+    joints = [figure._now[joint]() for joint in line["joints"]]
+    places = [*np.linspace(0, 55, 201), *(at for at in joints if 0 < at < 55)]
+    highest = np.max(drawn(figure, line["y"], np.array(places)))
+    assert highest == pytest.approx(move.peak_acceleration)
+    assert limits_of(figure, "acceleration") == pytest.approx([-1.1 * highest, 1.1 * highest])
+
+
 @pytest.mark.parametrize(
     "law",
     [

@@ -58,13 +58,14 @@ FIGURES: dict[str, Callable[[], LiveFigure]] = {
     "explore_move": lambda: cm.explore_move(
         cm.Move(stroke_mm=50, angle_deg=55, rate_per_hour=2000), laws=cm.LAWS
     ),
-    "explore_move, a law that jumps": lambda: cm.explore_move(
+    "explore_move, laws that jump and hardly do not": lambda: cm.explore_move(
         cm.Move(
             stroke_mm=50,
             angle_deg=55,
             rate_per_hour=2000,
             law=cm.MotionLaw("line", cm.x),
-        )
+        ),
+        laws=[cm.fifth_degree_linear(0.99)],
     ),
     "explore_shares": lambda: cm.explore_shares(cm.EXAMPLE.diagram),
     "explore_scca": cm.explore_scca,

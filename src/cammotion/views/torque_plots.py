@@ -10,7 +10,7 @@ from cammotion.hardware.indexer import Indexer
 from cammotion.laws.catalogue import as_law
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.quantities import Floats, InputError, one_of
-from cammotion.views.corners import corners
+from cammotion.views.corners import corners, within_short_pieces
 from cammotion.views.law_plots import EVEN, from_rest_to_rest
 from cammotion.views.names import TITLE, add_legend_below, by_name, columns_below, name_line
 from cammotion.views.pictures import on_paper
@@ -18,7 +18,7 @@ from cammotion.views.plots import style_line, styled
 
 QUANTITIES = {"torque": "torque on the table in N m", "power": "power in W"}
 _COLUMNS, _FEW_ROWS, _ROW_INCHES = 2, 3, 0.2  # of the legend
-_SHORT, _LEAST = 0.05, 33  # of the time a piece that has so many places of its own
+_CLOSE = 33  # places of a short ramp
 
 
 @checked
@@ -59,6 +59,5 @@ def plot_torque(
 
 def _places(law: MotionLaw) -> Floats:
     """Return x with each peak of the torque among them, and close enough for the power's."""
-    ends = [(piece.low, piece.high) for piece in law.curve.pieces]
-    short = [np.linspace(low, high, _LEAST) for low, high in ends if high - low < _SHORT]
-    return np.union1d(EVEN, np.concatenate([corners(law.curve.derived(2)), *short]))
+    close = within_short_pieces(law.curve, _CLOSE)
+    return np.union1d(EVEN, np.concatenate([corners(law.curve.derived(2)), close]))
