@@ -172,11 +172,11 @@ MACHINES = {
               cm.dwell(6), start_deg=100, limit=4, within=0.65),
         4.5,
     ),
-    "two ways, another height, starts past 360": (
+    "two laws, another height, starts past 360": (
         *make(
             turret("mill {0} <b>", 30, 120, start_deg=-700, start_mm=26.3),
-            cm.rise(70, over_deg=60, law=SAMPLED), cm.dwell(70),
-            cm.return_(70, over_deg=90, law=LATE), cm.dwell(140),
+            cm.rise(70, over_deg=75, law=SAMPLED), cm.dwell(70),
+            cm.return_(70, over_deg=75, law=LATE), cm.dwell(140),
             start_deg=1300, start_mm=-40, limit=-10, within=2,
         ),
         -8,
@@ -186,9 +186,9 @@ MACHINES = {
               DOWN, cm.dwell(80), UP, cm.dwell(170), start_deg=60, limit=30, within=0),
         30,
     ),
-    "a way longer than half of the rest": (
-        *make(turret("mill", 10, 50), cm.rise(5, over_deg=200), cm.return_(5, over_deg=60),
-              cm.dwell(100), start_deg=120, limit=2.5, within=1),
+    "two ways that take nearly all": (
+        *make(turret("mill", 10, 50), cm.rise(5, over_deg=178), cm.return_(5, over_deg=178),
+              cm.dwell(4), start_deg=120, limit=2.5, within=1),
         3,
     ),
     "a limit at the start, contact at the end": (
@@ -308,6 +308,13 @@ def rule_of(first: Condition, second: Condition) -> cm.ClearanceRule:
 def test_the_overlap_needs_a_rule_of_its_kind(rule: cm.ClearanceRule, said: str) -> None:
     with pytest.raises(cm.InputError, match=said):
         cm.explore_overlap(DIAGRAM, rule, contact_mm=20)
+
+
+def test_two_angles_are_refused() -> None:
+    """With one for both it said of a machine that breaks its rule that the rule is kept."""
+    die = cm.motion("die", DOWN, cm.dwell(90), cm.return_(50, over_deg=150), cm.dwell(65))
+    with pytest.raises(cm.InputError, match=r"over 55 deg and returns over 150 deg.*explore_ways"):
+        cm.explore_overlap(make_diagram(make_mill(), die), RULE, contact_mm=20)
 
 
 def test_a_law_that_turns_back_is_refused() -> None:

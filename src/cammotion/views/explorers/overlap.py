@@ -4,9 +4,12 @@ import sympy as sp
 
 from cammotion.arguments import checked
 from cammotion.laws.catalogue import as_law
+from cammotion.machine.arcs import ROUNDING_DEG
 from cammotion.machine.diagram import TimingDiagram
 from cammotion.machine.kinematics import DEG_PER_TURN
 from cammotion.machine.motions import Motion
+from cammotion.machine.segments import told
+from cammotion.quantities import InputError
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.views.explorers.clearance import (
     IN,
@@ -38,11 +41,12 @@ def explore_overlap(
 ) -> LiveFigure:
     """Return a live figure of the two motions of a clearance rule: angle, start, and margin.
 
-    `rule.when` is about a motion with one rise and one return, which is the one to be `beyond`;
-    `rule.only_while` about an indexing motion with one move, `within`. `contact_mm` is where the
-    first would touch, in mm; the margin is what the rule stays short of it. The button gives the
-    first the widest move about its dwell where it now is. Raises InputError for a rule of another
-    kind, and for a `contact_mm` that the rule lets the motion pass.
+    `rule.when` is about a motion with one rise and one return over one angle, which is the one to
+    be `beyond` (of two angles, see `explore_ways`); `rule.only_while` about an indexing motion with
+    one move, `within`. `contact_mm` is where the first would touch, in mm; the margin is what the
+    rule stays short of it. The button gives the first the widest move about its dwell where it now
+    is. Raises InputError for a rule of another kind, for a rise and a return over two angles, and
+    for a `contact_mm` that the rule lets the motion pass.
 
     >>> import cammotion as cm
     >>> figure = explore_overlap(cm.EXAMPLE.diagram, cm.EXAMPLE.rule, contact_mm=20)
@@ -53,6 +57,11 @@ def explore_overlap(
     both = linked(diagram, rule, contact_mm)
     diagram, rule, die, mill, contact, in_full = both
     (down, up), (index,) = die.moves, mill.moves
+    if abs(down.angle_deg - up.angle_deg) > ROUNDING_DEG:
+        raise InputError(
+            f"The {die.name} rises over {told(down.angle_deg)} deg and returns over "
+            f"{told(up.angle_deg)} deg, and this explorer has one angle for both: use explore_ways."
+        )
     work = work_deg(die)
     most = (DEG_PER_TURN - work) / 2
     least = min(_LEAST_DEG, most / 2)
@@ -64,11 +73,9 @@ def explore_overlap(
         _WIDEST: _widest(die, work, most),
     }
     before = mill_over(mill, index.angle_deg), die_over(die, (down.angle_deg, up.angle_deg), work)
-    angle = min(down.angle_deg, most)
-    start = (down.to_deg - angle) % DEG_PER_TURN
     controls = {
-        B_m: control(f"{die.name}: angle Bm", (least, most, 0.5), angle),
-        START: control(f"{die.name}: start", (0, DEG_PER_TURN, 0.5), start),
+        B_m: control(f"{die.name}: angle Bm", (least, most, 0.5), down.angle_deg),
+        START: control(f"{die.name}: start", (0, DEG_PER_TURN, 0.5), down.from_deg % DEG_PER_TURN),
         B_MILL: control(f"{mill.name}: angle", (40, 240, 1), index.angle_deg),
     }
     widest = sp.Piecewise((_WIDEST, least <= _WIDEST), (sp.nan, True))
