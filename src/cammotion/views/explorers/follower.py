@@ -1,12 +1,15 @@
 """The explorers of the follower: a mass on a spring, driven through one rise and left alone."""
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+import numpy as np
 import sympy as sp
 
 from cammotion.arguments import checked
 from cammotion.dynamics.one_mass import OneMass, zeta
+from cammotion.dynamics.residual import dynamic_factor, residual_vibration
 from cammotion.laws.motion_law import MotionLaw
 from cammotion.laws.symbols import x
 from cammotion.views.law_plots import as_laws
@@ -22,9 +25,13 @@ _SPRING, _COILS, _HALF_MASS = sp.Rational(7, 10), 7, sp.Rational(3, 20)  # lengt
 _END = 2.5  # of the time that is shown, in indexing times
 _STIFF = 60  # a deflection of 1 is drawn as this much acceleration, unless the spring is softer
 _MASS, _CAM = 0, 1  # colours: the mass, which swings, has the unbroken line
-_MOST = 20  # acceleration on the axis
+_MOST, _TICK = 20, 5  # acceleration on the axis, unless a law or its mass has more
 _RARE, _OFTEN = sp.Rational(1, 2), 10  # swings during the move, between which what stays is drawn
-_SOFT = 24  # the most that stays at so few swings
+_OFTENEST = 15  # that can be set
+_SOFT, _SOFT_TICK = 24, 8  # what stays at few swings
+_LIGHTEST = 0.005  # damping ratio
+_OVER = 1.02  # of an axis: so little beyond its end is in the line's width
+_SWINGS = 60  # numbers at which it is seen how far a mass comes
 
 
 @checked
@@ -45,15 +52,19 @@ def explore_follower(
     """
     known = as_laws(laws)
     masses = [OneMass(law, n, damping_ratio) for law in known]
-    curves = {law.name: _curves(law, mass) for law, mass in zip(known, masses, strict=True)}
-    s, a, z, of_mass, c_a = choice("motion law", curves)
+    tops = [_tops(law, _OFTENEST, damping_ratio)[0] for law in known]
+    curves = {
+        law.name: (*_curves(law, mass), top)
+        for law, mass, top in zip(known, masses, tops, strict=True)
+    }
+    s, a, z, of_mass, c_a, top = choice("motion law", curves)
     return explore(
         [
             _picture(*(each.xreplace({x: NOW}) for each in (s, z))),
-            _over_time(a, of_mass, height=190),
+            _over_time(a, of_mass, _axis(top, tops, _MOST, _TICK), height=190),
         ],
         (x, 0, _END),
-        {n: Control(low=0.5, high=15, step=0.1, start=start, name="swings during the move")},
+        {n: Control(low=0.5, high=_OFTENEST, step=0.1, start=start, name="swings during the move")},
         values={_SHOWN: sp.Max(1, (2 * sp.pi * n) ** 2 / _STIFF)},
         says=list(_sentences(_chosen(c_a, known), c_a, of_mass)),
         clock=x,
@@ -83,6 +94,8 @@ def explore_residual(
     known = as_laws(laws)
     masses = [OneMass(law, n, zeta) for law in known]
     swings = _RARE + (_OFTEN - _RARE) * x / _END
+    tops = [_tops(law, _OFTEN, _LIGHTEST) for law in known]
+    of_all, of_what_stays = zip(*tops, strict=True)
     curves = {
         law.name: (
             _acceleration(law),
@@ -90,21 +103,23 @@ def explore_residual(
             *_left_behind(mass.a, n, swings),
             *_left_behind(mass.z, n),
             law.Ca,
+            *highest,
         )
-        for law, mass in zip(known, masses, strict=True)
+        for law, mass, highest in zip(known, masses, tops, strict=True)
     }
-    a, of_mass, left, left_by_swings, share, c_a = choice("motion law", curves)
+    a, of_mass, left, left_by_swings, share, c_a, top, soft = choice("motion law", curves)
+    most_left, tick = _axis(soft, of_what_stays, _SOFT, _SOFT_TICK)
     return explore(
         [
-            _over_time(a, of_mass, height=180),
+            _over_time(a, of_mass, _axis(top, of_all, _MOST, _TICK), height=180),
             Panel(
                 lines=[Line(x=swings, y=left_by_swings, colour=_MASS)],
                 points=[Point(x=n, y=left, name="now", colour=_CAM)],
                 x="swings during the move, n = tm/Tn",
                 y="|A| after the move",
                 x_limits=(0, _OFTEN),
-                y_limits=(0, _SOFT),
-                y_ticks=8,
+                y_limits=(0, most_left),
+                y_ticks=tick,
                 x_ticks=1,
                 height=140,
             ),
@@ -113,7 +128,7 @@ def explore_residual(
         {
             n: Control(low=0.5, high=_OFTEN, step=0.1, start=start, name="swings during the move"),
             zeta: Control(
-                low=0.005, high=0.3, step=0.005, start=damping_ratio, name="damping ratio"
+                low=_LIGHTEST, high=0.3, step=0.005, start=damping_ratio, name="damping ratio"
             ),
         },
         says=[
@@ -205,8 +220,28 @@ def _picture(s: sp.Expr, z: sp.Expr) -> Panel:
     )
 
 
-def _over_time(a: sp.Expr, of_mass: sp.Expr, height: float) -> Panel:
-    """Return the accelerations of cam and mass over the time."""
+def _tops(law: MotionLaw, often: float, damping_ratio: float) -> tuple[float, float]:
+    """Return where axes end that hold |A| of cam and mass at up to so many swings, all and left."""
+    swings = np.linspace(float(_RARE), often, _SWINGS)
+    left = residual_vibration(law, swings, damping_ratio) * (2 * np.pi * swings) ** 2
+    during = law.Ca * dynamic_factor(law, swings, damping_ratio)
+    after = float(np.max(left))
+    return _end(max(law.Ca, float(np.max(during)), after), _MOST, _TICK), _end(after, _SOFT, _SOFT_TICK)
+
+
+def _end(largest: float, usual: float, tick: float) -> float:
+    return max(usual, tick * math.ceil(largest / _OVER / tick))
+
+
+def _axis(chosen: Any, ends: Sequence[float], usual: float, tick: float) -> tuple[Any, Any]:
+    """Return where an axis ends, as is usual unless a law needs more, and the step of its ticks."""
+    most = max(ends)
+    return (chosen if most > usual else usual), (tick if most <= usual + tick else None)
+
+
+def _over_time(a: sp.Expr, of_mass: sp.Expr, axis: tuple[Any, Any], height: float) -> Panel:
+    """Return the accelerations of cam and mass over the time, on an axis to an end with ticks."""
+    top, tick = axis
     return Panel(
         lines=[
             Line(y=a, name="cam", colour=_CAM),
@@ -216,8 +251,8 @@ def _over_time(a: sp.Expr, of_mass: sp.Expr, height: float) -> Panel:
         y="acceleration A",
         x="time x = t/tm",
         x_ticks=0.25,
-        y_limits=(-_MOST, _MOST),
-        y_ticks=5,
+        y_limits=(-top, top),
+        y_ticks=tick,
         height=height,
     )
 
