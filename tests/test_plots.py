@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import matplotlib as mpl
 import numpy as np
@@ -76,6 +76,14 @@ def test_each_number_of_a_logarithmic_scale_is_that_of_its_place(angles: Sequenc
         )
         boxes = [tick.label1.get_window_extent(renderer) for tick in seen]
         assert not any(one.overlaps(other) for one, other in pairwise(boxes))
+
+
+def test_the_names_of_near_angles_stay_apart() -> None:
+    near = [replace(MOVES[0], stroke_mm=5000, angle_deg=angle) for angle in (58, 55, 57, 56)]
+    ax = cm.plot_inverse_square(near)
+    ax.figure.canvas.draw()
+    boxes = [text.get_window_extent() for text in ax.texts if "°" in text.get_text()]
+    assert not any(one.overlaps(other) for one, other in combinations(boxes, 2))
 
 
 def test_the_inverse_square_line_goes_through_every_point() -> None:

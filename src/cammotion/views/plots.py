@@ -22,7 +22,15 @@ from cammotion.laws.catalogue import as_law
 from cammotion.machine.kinematics import Move
 from cammotion.quantities import Floats, InputError, as_text, one_of
 from cammotion.views.corners import corners
-from cammotion.views.ends import LINE_INCHES, inches, label_ends, overfull, would_meet
+from cammotion.views.ends import (
+    LINE_INCHES,
+    POINTS_PER_INCH,
+    apart,
+    inches,
+    label_ends,
+    overfull,
+    would_meet,
+)
 from cammotion.views.names import labels as short_labels
 from cammotion.views.names import name_line, plain
 from cammotion.views.pictures import blank_axes, on_paper
@@ -185,13 +193,17 @@ def plot_inverse_square(moves: Iterable[Move], *, ax: Axes | None = None) -> Axe
     ax.loglog(line, law, color=COLOURS[1], linestyle="--", linewidth=2)
     peaks = [move.peak_acceleration for move in moves]
     ax.loglog(angles, peaks, "o", color=COLOURS[0], markersize=9)
-    for angle, peak in zip(angles, peaks, strict=True):
-        write(ax, f"{angle:g}°: {as_text(peak, '#.3g')}", (angle, peak), offset=(8, 4))
+    ax.set_xlim(line[0], line[1] * 1.25)
+    _plain_ticks(ax)
+    heights = ax.transData.transform([*zip(angles, peaks, strict=True)])[:, 1]
+    heights *= POINTS_PER_INCH / ax.figure.dpi
+    raised = apart(heights, LINE_INCHES * POINTS_PER_INCH, -math.inf, math.inf) - heights
+    raised -= min(raised.min(), 0.0)  # no name comes down upon a point
+    for angle, peak, up in zip(angles, peaks, raised, strict=True):
+        write(ax, f"{angle:g}°: {as_text(peak, '#.3g')}", (angle, peak), offset=(8, 4 + up))
     middle = np.sqrt(line.prod())
     on_line = (middle, law[0] * (line[0] / middle) ** 2)
     write(ax, "slope −2:\ntwice the angle,\na quarter", on_line, COLOURS[1], offset=(-8, -54))
-    ax.set_xlim(line[0], line[1] * 1.25)
-    _plain_ticks(ax)
     return ax
 
 

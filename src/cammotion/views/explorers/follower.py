@@ -226,7 +226,8 @@ def _tops(law: MotionLaw, often: float, damping_ratio: float) -> tuple[float, fl
     left = residual_vibration(law, swings, damping_ratio) * (2 * np.pi * swings) ** 2
     during = law.Ca * dynamic_factor(law, swings, damping_ratio)
     after = float(np.max(left))
-    return _end(max(law.Ca, float(np.max(during)), after), _MOST, _TICK), _end(after, _SOFT, _SOFT_TICK)
+    of_all = max(law.Ca, float(np.max(during)), after)
+    return _end(of_all, _MOST, _TICK), _end(after, _SOFT, _SOFT_TICK)
 
 
 def _end(largest: float, usual: float, tick: float) -> float:
