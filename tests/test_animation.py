@@ -206,6 +206,12 @@ def test_a_jump_of_the_acceleration_is_drawn_as_one(rate_per_hour: float) -> Non
     assert at_90[-1] == 0
 
 
+def test_the_ticks_of_a_machine_that_hardly_turns_are_no_zeros() -> None:
+    ticks = re.findall(r">(−?[\d.]+e−\d+)</text>", animate(BEFORE.at_rate(1e-3)).svg)
+    assert len(ticks) == 4
+    assert len({*ticks}) == 4
+
+
 def test_both_designs_share_their_scales() -> None:
     svg = animate({"no overlap": BEFORE, "overlap": AFTER}, rules=RULE).svg
     scales = [part_of(column_of(svg, n), "body", 1).attrib["data-px-per-mm"] for n in (0, 1)]

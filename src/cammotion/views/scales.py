@@ -8,6 +8,7 @@ from cammotion.quantities import as_text
 
 _THOUSAND = 1000
 _ROUNDING = 1e-9  # of the ends of a range: it is none where it is no wider
+_NOTHING = 5e-11  # of the largest number on a scale
 _ONE_TWO_FIVE = LogLocator(subs=(1, 2, 5))
 
 
@@ -30,13 +31,17 @@ def trimmed(value: float, digits: int) -> str:
     return f"{value:.{digits}f}".rstrip("0").rstrip(".")
 
 
-def short_number(value: float, more: int = 0) -> str:
+def short_number(value: float, more: int = 0, size: float = 1.0) -> str:
     """Return a number for a scale, with so many `more` digits than the three that are usual.
+
+    `size` is the largest on the scale: beside it what is left of rounding is 0.
 
     >>> short_number(0.1111), short_number(-1000.4), short_number(94_923), short_number(-1e-12)
     ('0.111', '−1000', '94920', '0')
+    >>> short_number(-1e-12, size=2e-12)
+    '−1e−12'
     """
-    value = round(value, 10) or 0.0
+    value = 0.0 if abs(value) <= _NOTHING * size else value
     digits = more + (3 if abs(value) < _THOUSAND else 4)
     return as_text(value, f".{digits}g").replace("-", "−")
 
@@ -58,10 +63,11 @@ def from_to(low: float, high: float, more: int = 0) -> str:
 
     >>> from_to(-50, 50), from_to(12345, 12350)
     ('−50 to 50', '12345 to 12350')
-    >>> from_to(5.26, 5.26)
-    '5.26'
+    >>> from_to(5.26, 5.26), from_to(-1.83e-12, 1.83e-12)
+    ('5.26', '−1.83e−12 to 1.83e−12')
     """
+    size = max(abs(low), abs(high))
     if low == high:
-        return short_number(low, more)
+        return short_number(low, more, size)
     more = max(more, more_digits(low, high))
-    return f"{short_number(low, more)} to {short_number(high, more)}"
+    return f"{short_number(low, more, size)} to {short_number(high, more, size)}"

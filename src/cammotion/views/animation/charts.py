@@ -128,7 +128,7 @@ class Chart:
             plot.append(zero.M(0, svg.px(lane.y(0))).h(svg.px(self.width)))
         more = more_digits(lane.low, lane.high)
         for tick in lane.ticks:
-            text = short_number(tick, more)
+            text = short_number(tick, more, lane.high - lane.low)
             low = lane.top + lane.height
             y = min(max(lane.y(tick) + 4, lane.top + 10), low)  # within its own lane
             plot.append(svg.label(text, -6, y, size=svg.SMALL, text_anchor="end"))
