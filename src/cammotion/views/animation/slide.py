@@ -12,7 +12,7 @@ from cammotion.machine.motions import Motion
 from cammotion.rules.rule import Rule
 from cammotion.views.animation import svg
 from cammotion.views.animation.keyframes import trace_position
-from cammotion.views.names import wrap
+from cammotion.views.names import names_that_fit, wrap
 from cammotion.views.plots import colour
 from cammotion.views.scales import more_digits, short_number
 
@@ -25,11 +25,10 @@ _LINE, _LINES = 13, 3  # of a name
 class Slide:
     """A block on a rail beside a scale in mm."""
 
-    def __init__(self, number: int, motion: Motion, width: float) -> None:
+    def __init__(self, number: int, motion: Motion, width: float, name: str) -> None:
         self.number, self.motion, self.width = number, motion, width
         self.names: Sequence[str] = [motion.name]
-        room = self.width - 6
-        self._name_lines = wrap(motion.name, room, svg.SMALL, bold=True, most=_LINES)
+        self._name_lines = _lines(name, width, most=_LINES)
         self.height: float = SLIDE_PX + _LINE * max(len(self._name_lines) - 2, 0)
 
     @classmethod
@@ -42,8 +41,15 @@ class Slide:
     ) -> "list[Slide]":
         """Return a slide for each motion that is left, in rows of equal length."""
         rows = math.ceil(len(left) / IN_ROW)
-        in_row = math.ceil(len(left) / rows) if rows else 1
-        return [cls(diagram.names.index(name), diagram[name], width / in_row) for name in left]
+        each = width / math.ceil(len(left) / rows) if rows else width
+
+        def fit(names: Sequence[str]) -> bool:
+            return all(len(_lines(name, each)) <= _LINES for name in names)
+
+        called = zip(left, names_that_fit(left, fit), strict=True)
+        return [
+            cls(diagram.names.index(name), diagram[name], each, short) for name, short in called
+        ]
 
     def draw(self, turn_s: float, broken_arcs: dict[str, list[Arc]]) -> Any:
         """Draw it from (0, 0) to the right and down; `broken_arcs` are arcs by motion."""
@@ -81,3 +87,8 @@ class Slide:
         for value, y in ((high, _TOP), (low, _TOP + _TRACK))[: 2 if high > low else 1]:
             text, at = short_number(value, more), (right - 11, y + 4)
             yield svg.label(text, *at, text_anchor="end", size=svg.SMALL)
+
+
+def _lines(name: str, width: float, most: int | None = None) -> list[str]:
+    """Return the lines of a name below a slide so wide, at most so many."""
+    return wrap(name, width - 6, svg.SMALL, bold=True, most=most)
