@@ -45,19 +45,17 @@ def plot_fit(fits: Fit | Iterable[Fit], *, ax: Axes | None = None) -> Axes:
     lowest, highest = _span(fits)
     clear = _clear(ax) * (highest - lowest)
     ax.set_ylim(lowest - clear, highest + clear)
-    ax.set_xlim(-0.75, _APART * (len(fits) - 1) + 3.1)
-    starts = _APART * np.arange(len(fits))
-    names = [f"{fit.designation}\n{fill(fit.summary, _LINE)}" for fit in fits]
-    ax.set_xticks(starts + 1.2, names, fontsize=_SIZE)
-    ax.tick_params(axis="x", length=0)
-    if layout := ax.figure.get_layout_engine():
-        layout.execute(ax.figure)  # type: ignore[arg-type]  # so high are the zones below
     for number, fit in enumerate(fits):
         left = _APART * number
         _draw_zone(ax, left, fit.hole, HOLE, "")
         _draw_zone(ax, left + 1, fit.shaft, SHAFT, "//")
         _draw_arrow(ax, left + 1.9, fit.shaft.lower_um, fit.hole.upper_um)
         _draw_arrow(ax, left + 2.6, fit.shaft.upper_um, fit.hole.lower_um)
+    ax.set_xlim(-0.75, _APART * (len(fits) - 1) + 3.1)
+    starts = _APART * np.arange(len(fits))
+    names = [f"{fit.designation}\n{fill(fit.summary, _LINE)}" for fit in fits]
+    ax.set_xticks(starts + 1.2, names, fontsize=_SIZE)
+    ax.tick_params(axis="x", length=0)
     return ax
 
 
