@@ -15,6 +15,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.transforms import Bbox
 
 import cammotion as cm
+from cammotion.rules.conditions import Condition
 from cammotion.views.displacement import displacement
 from cammotion.views.pictures import PictureFigure, describe
 
@@ -241,6 +242,19 @@ def test_the_movement_of_an_indexing_motion_counts_from_the_nearest_stop() -> No
     assert displacement(last, np.array([0, 15, 360])) == pytest.approx(
         [-0.6451, 0, 99.3549], abs=1e-4
     )
+
+
+@pytest.mark.parametrize(
+    "only_while", [cm.beyond("mill", 0.5), cm.within("mill", 49)], ids=["at the left", "at the end"]
+)
+def test_a_narrow_region_has_its_name_beside_it(only_while: Condition) -> None:
+    """It lay over the axis and the names of angles."""
+    ax = cm.plot_clearance(BEFORE, cm.ClearanceRule(cm.within("die", 5), only_while=only_while))
+    (name,) = (text for text in ax.texts if text.get_text() == "forbidden")
+    ax.figure.canvas.draw()
+    word, region = name.get_window_extent(), ax.patches[0].get_window_extent()
+    assert not word.overlaps(region)
+    assert ax.bbox.x0 < word.x0 < word.x1 < ax.bbox.x1
 
 
 def test_the_clearance_map_draws_each_path_and_the_forbidden_region() -> None:

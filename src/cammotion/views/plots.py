@@ -48,7 +48,7 @@ CURVES = {
 }
 _EVEN = np.linspace(0.0, 1.0, 241)  # of the time of a move
 _WIDTH_INCHES, _HEIGHT_INCHES, _BAR_INCHES = 7.5, 4.2, 0.24
-_WRITTEN = 11  # the size of a name at a curve, in points
+WRITTEN = 11  # the size of a name at a curve, in points
 _WIDE = 3000  # where a scale ends so many times above its beginning, 20 and 50 have no room
 _HIGHER = 1.25  # so many times as high as all others is the bar of an infinite peak
 
@@ -108,7 +108,7 @@ def plot_curves(
         places.append((time[at], values[at]))
         offsets.append(offset)
     ax.axhline(0, color="#000000", linewidth=0.8)
-    if would_meet(ax, said, places, offsets, _WRITTEN):
+    if would_meet(ax, said, places, offsets, WRITTEN):
         label_ends(ax, lines, [height for _, height in places], said)
         return ax
     for number, name in enumerate(said):
@@ -278,7 +278,7 @@ def write(
         offset,
         textcoords="offset points",
         color=color,
-        fontsize=_WRITTEN,
+        fontsize=WRITTEN,
         ha="left" if offset[0] > 0 else "right" if offset[0] else "center",
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
     )

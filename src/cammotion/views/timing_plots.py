@@ -22,7 +22,7 @@ from cammotion.rules.rule import Rule
 from cammotion.views.bars import HATCHES, draw_bars
 from cammotion.views.broken import BROKEN, draw_broken
 from cammotion.views.displacement import curve_angles, displacement
-from cammotion.views.ends import POINTS_PER_INCH
+from cammotion.views.ends import POINTS_PER_INCH, inches
 from cammotion.views.lanes import (
     LANE_INCHES,
     SHARED_AXIS,
@@ -35,9 +35,9 @@ from cammotion.views.lanes import (
     show_turn,
 )
 from cammotion.views.named import labels_of, readable
-from cammotion.views.names import TITLE, add_legend, by_name, labels, name_line
+from cammotion.views.names import TITLE, add_legend, by_name, labels, name_line, text_px
 from cammotion.views.pictures import blank_axes, on_paper
-from cammotion.views.plots import CURVES, colour, style_axes, style_line, styled, write
+from cammotion.views.plots import CURVES, WRITTEN, colour, style_axes, style_line, styled, write
 
 BAR_INCHES, CURVES_INCHES, ROW_INCHES = 0.33, 2.6, 1.4
 WIDTH_INCHES, LEFT_INCHES, RIGHT_INCHES = 9.0, 1.125, 0.9  # of a notebook's page, and its margins
@@ -52,6 +52,7 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 }
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
 _LOWER_LEFT = (-3.0, -17.0)  # of a dot, in points, where the name of its angle stands
+_FORBIDDEN, _BESIDE = "forbidden", 4.0  # written in a region, or so many points beside it
 _SPAN = Quantity("span of the axis", "mm", example=5)
 
 
@@ -158,13 +159,24 @@ def plot_clearance(
     if any(named):
         add_legend(ax, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     if min(region.get_width(), region.get_height()) > 0:  # or it lies where nobody comes
-        middle_x, middle_y = region.get_center()
-        write(ax, "forbidden", (middle_x, middle_y), BROKEN["edgecolor"], offset=(0, 0))
+        _name_region(ax, region)
         when, only = rule.motions
         region.set_label(
             f"forbidden where the {when} is {rule.when} and the {only} not {rule.only_while}"
         )
     return ax
+
+
+def _name_region(ax: Axes, region: Rectangle) -> None:
+    """Write what a region is in its middle; beside one that is too narrow, where there is room."""
+    middle_x, middle_y = region.get_center()
+    left, right = region.get_x(), region.get_x() + region.get_width()
+    start, end = ax.get_xlim()
+    wide = region.get_width() / (end - start) * inches(ax)[0] * POINTS_PER_INCH
+    place, offset = middle_x, 0.0
+    if wide < text_px(_FORBIDDEN, WRITTEN):
+        place, offset = (right, _BESIDE) if end - right > left - start else (left, -_BESIDE)
+    write(ax, _FORBIDDEN, (place, middle_y), BROKEN["edgecolor"], offset=(offset, 0))
 
 
 def _keep_inside(ax: Axes, written: Annotation) -> None:
