@@ -185,6 +185,7 @@ POWERS: dict[str, dict[tuple[float, ...], tuple[int, str]]] = {
         (-0.015, 0, 0.015): (-2, "way in 10⁻² mm"),
         (0, 200_000): (5, "way in 10⁵ mm"),
         (0, 2000, 8000): (0, "way in mm"),
+        (-4000, -2000, 0): (3, "way in 10³ mm"),
         (-0.05, 0, 0.05): (0, "way in mm"),
         (0, 1.5e-12): (-12, "way in 10⁻¹² mm"),
         (0, 1e-06, 2e-06): (-6, "way in 10⁻⁶ mm"),

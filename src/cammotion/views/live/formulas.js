@@ -111,10 +111,11 @@ function toEven(rounded, exact, digits) {
 }
 export const plain = (value) => format(Number(value.toPrecision(12)), ".12g");
 
-/** The power of ten that is taken out of the numbers of an axis, which have room for five letters;
- * 0 where they have room, and where the label has no unit to take it. */
+/** The power of ten that is taken out of the numbers of an axis, which have room for four digits,
+ * three after a minus, and a point; 0 where they have room, and where the label has no unit to take
+ * it. */
 export function powerOf(numbers, label) {
-  const isLong = numbers.some((value) => /e|.{6}/.test(plain(value)));
+  const isLong = numbers.some((value) => /e|.{6}|\d{5}|−\d{4}/.test(plain(value)));
   if (!isLong || !/\bin [^\s\d]/.test(label)) return 0;
   return Math.floor(Math.log10(Math.max(...numbers.map(Math.abs))) + NEAR);
 }
