@@ -24,9 +24,9 @@ _ORDERS = 6  # a slope with a zero of higher order is met by halving
 _BUDGET = 2_500_000  # terms to bound, which takes one to three seconds
 _SAMPLES, _TAME = 8, 1e-6  # more rounding than that, as a share of some values, hides the curve
 _REFUSAL = (
-    "The curve turns so often, or its terms cancel each other so nearly, that its turning points "
-    "cannot be proved in a reasonable time: give a simpler expression, or a table of its points to "
-    "law_from_points."
+    "The curve turns so often, its terms cancel each other so nearly, or it is a quotient with so "
+    "wide bounds, that its turning points cannot be proved in a reasonable time: give a simpler "
+    "expression, or a table of its points to law_from_points."
 )
 _Run = tuple[int, float, float]  # 1 for rising or -1 for falling, and from where to where
 
@@ -53,7 +53,7 @@ class Proved(Piece):
         """Where between its ends it turns, in order.
 
         Raises InputError where that would take more than some seconds: for a curve that turns many
-        thousand times, is nested deep, or whose terms cancel each other so that rounding hides it.
+        thousand times, is nested deep or a quotient, or whose terms cancel so that rounding rules.
         """
         if isinstance(self._turns, str):
             raise InputError(self._turns)
