@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from small_workbook import raiser
 
+from cammotion.terminal import interrupt_held_back
+
 PRESS = Path(__file__).parent.parent / "notebooks" / "data" / "pad_press.csv"
 STOPPED = "\nStopped. Nothing was written.\n"
 # Runs a module of the package, and interrupts it as soon as it loads what is named.
@@ -95,3 +97,12 @@ def test_an_interrupt_does_not_reach_a_library_that_is_being_loaded(
     assert not reached
     assert not [*tmp_path.iterdir()]
     assert signal.getsignal(signal.SIGINT) == before
+
+
+def test_what_is_ignored_in_the_background_of_a_script_stays_so() -> None:
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        with interrupt_held_back():
+            assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -399,6 +399,16 @@ def test_a_folder_that_cannot_be_renamed_says_why(
     assert not [*tmp_path.iterdir()]
 
 
+def test_an_interrupt_at_the_last_word_leaves_nothing(tmp_path: Path) -> None:
+    def stop(share: float, _: str) -> None:
+        if share == 1:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        cm.write_report(replace(PRESS, still={}), tmp_path, progress=stop)
+    assert not [*tmp_path.iterdir()]
+
+
 @pytest.mark.parametrize("stopped", ["optimise", "least_peak"])
 def test_an_interrupt_takes_the_best_so_far(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stopped: str

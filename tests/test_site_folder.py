@@ -1,5 +1,6 @@
 """What is written where: nothing that this command has not made is touched."""
 
+import errno
 import io
 import json
 import re
@@ -8,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from small_workbook import raiser
 
 from cammotion.quantities import InputError
 from cammotion.site import __main__ as command
@@ -50,6 +52,18 @@ def test_what_somebody_has_laid_into_the_folder_stays(tmp_path: Path) -> None:
         folder.write(target, FILES | {"CNAME": b"ours"})
     assert (target / "CNAME").read_bytes() == mine["CNAME"]
     assert (target / "index.html").read_bytes() == b"newer"
+
+
+def test_where_there_is_no_room_for_what_was_laid_into_it_room_is_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "site"
+    folder.write(target, FILES)
+    (target / "CNAME").write_bytes(b"mine")
+    monkeypatch.setattr("shutil.copy2", raiser(OSError(errno.ENOSPC, "No space left on device")))
+    with pytest.raises(InputError, match=r"site cannot be written \(No space.*: make room on the"):
+        folder.write(target, FILES)
+    assert (target / "CNAME").read_bytes() == b"mine"
 
 
 def test_a_folder_of_an_earlier_version_keeps_what_has_another_name(tmp_path: Path) -> None:

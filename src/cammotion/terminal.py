@@ -20,7 +20,11 @@ def interrupt_held_back() -> Iterator[None]:
     """Answer an interrupt of the keyboard at the end; a second one is answered at once.
 
     Libraries in C make another error of one that comes while they are loaded, or are broken by it.
+    Where it is not answered by Python itself, as in the background of a script, that stays so.
     """
+    if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield
+        return
     came = False
 
     def remember(*given: Any) -> None:

@@ -54,12 +54,12 @@ def _write(options: argparse.Namespace) -> "tuple[Machine, Report] | int":
         from cammotion.files import remedy
         from cammotion.quantities import InputError, WrongAnswerError
         from cammotion.report.writing import write_report
-
-        try:
-            machine = read_machine(options.machine)
-        except InputError as wrong:
-            print(wrong, file=sys.stderr)
-            return BAD_INPUT
+    try:
+        machine = read_machine(options.machine)
+    except InputError as wrong:
+        print(wrong, file=sys.stderr)
+        return BAD_INPUT
+    with interrupt_held_back():
         importlib.import_module("scipy.optimize")
     try:
         report = write_report(

@@ -94,8 +94,8 @@ def write_report(
         files += _write_cams(found, part) if dxf else []
         write_new(part / BOOK, sheets_as_xlsx(sheets_of(found)))
         write_new(part / PAGE, write_page(found, date.today(), files))
+        tell(1.0, "done")  # before it is there: an interrupt here means that nothing is
         target = _move(part, place, f"report-{next(stems([machine.name]))}")
-    tell(1.0, "done")
     return Report(target, target / PAGE, not machine.violations)
 
 

@@ -72,10 +72,16 @@ def _keep_others(folder: Path, made: Path, files: Collection[str]) -> None:
                 "this command, which would put a file of that name there: take it out, or give "
                 "another folder with --folder."
             )
+
+    def copy(source: str, target: str) -> str:
+        with _told(folder):  # else all errors are collected, as text without their numbers
+            return str(shutil.copy2(source, target))
+
     shutil.copytree(
         folder,
         made,
         symlinks=True,
+        copy_function=copy,
         ignore=lambda here, names: [name for name in names if Path(here, name) in own],
     )
 
