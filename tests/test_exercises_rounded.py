@@ -73,20 +73,23 @@ def test_what_the_source_may_be_rounded_to(number: str, answer: float, is_enough
     ("number", "who", "digits"),
     [
         ("04.3", "x 312", 2),
+        ("04.3", "x 533", 2),
         *(("06.4", f"x {who}", digits) for who, digits in ((154, 3), (28, 4), (53, 5), (90, 16))),
+        *(("06.4", f"x {who}", digits) for who, digits in ((57, 5), (76, 4), (431, 4), (53, 16))),
     ],
 )
-def test_who_reckons_with_the_angle_that_the_question_prints_is_right(
+def test_who_reckons_with_the_angle_that_the_question_prints_is_right_and_so_is_who_has_more(
     number: str, who: str, digits: int
 ) -> None:
     m = machine_for(who)
     (printed,) = re.findall(r"\d+\.\d\d(?= degrees)", EXERCISES[number].question(m))
-    rest = 360 - m.work_deg - 2 * float(printed)
-    answer = {
-        "04.3": rest / 360 * 3_600_000 / m.rate_per_hour,
-        "06.4": peak(m, float(printed)) / least(m),
-    }[number]
-    assert is_right(EXERCISES[number], float(f"{answer:.{digits}g}"), m)
+    for angle in (float(printed), m.widest_deg):
+        rest = 360 - m.work_deg - 2 * angle
+        answer = {
+            "04.3": rest / 360 * 3_600_000 / m.rate_per_hour,
+            "06.4": peak(m, angle) / least(m),
+        }[number]
+        assert is_right(EXERCISES[number], float(f"{answer:.{digits}g}"), m)
 
 
 def test_the_effective_angle_of_the_mill_is_a_slip_and_not_the_rounded_angle_of_the_die() -> None:

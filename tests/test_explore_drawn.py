@@ -249,13 +249,15 @@ def test_steps_that_are_too_small_are_thinned() -> None:
 
 
 def test_a_legend_hides_no_curve_where_there_is_room_for_it() -> None:
-    """Over the second curve, and left of a panel without axes."""
+    """Over the second curve, left of a panel without axes, and beside no numbers of others."""
     up = [100 * sp.Min(1, 2.4 * t), 50 * sp.Max(0, sp.Min(1, 8 * t - 3.2, 8 - 8 * t))]
     crossed = cm.Panel(lines=[cm.Line(y=y, name=4 * name) for y in up for name in "ab"], height=300)
     turn = 2 * sp.pi * t
     rings = [cm.Line(x=r * sp.cos(turn), y=r * sp.sin(turn), name=f"{r}") for r in (1, 3, 5)]
     bare = cm.Panel(lines=rings, is_equal=True, is_bare=True, height=300)
-    for panel, columns in ((crossed, 1), (bare, 2)):
+    flat = [cm.Line(x=r * sp.cos(turn), y=r * sp.sin(turn) / 3, name=9 * "r") for r in (1, 3, 5)]
+    low = cm.Panel(lines=flat, is_equal=True, height=400, x="x in mm", y="y in mm")
+    for panel, columns in ((crossed, 1), (bare, 2), (low, 2)):
         drawn = figure_of(cm.explore([[panel]] * columns, SPAN))
         ax = drawn.axes[0]
         drawn.draw_without_rendering()

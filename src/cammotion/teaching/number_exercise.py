@@ -78,7 +78,8 @@ class NumberExercise(Exercise):
     It is not right by the tolerance alone if the lesson's numbers, or an earlier slip, lead to it.
     It may be rounded to as few digits as tell it from the slips, see `digits_needed`. `mixed` is
     what it is with numbers of the lesson that are no number of its machine: what follows from
-    several of them and is printed, or belongs to another part.
+    several of them and is printed, or belongs to another part. `also` is the answer from a number
+    with more digits than the question prints, which is as right as it is given.
     `lessons` is the lesson's answer where that is not the one of its machine, NaN if it has none.
     `goes_on_from` says how it comes out of earlier answers, by their numbers. `carried` is what it
     then is with their slips, and `brought` what it is with wrong answers that this learner gave;
@@ -98,6 +99,7 @@ class NumberExercise(Exercise):
     carried: tuple[Carried, ...] = ()
     brought: tuple[Carried, ...] = ()
     mixed: Callable[[MillAndDie], Iterable[float]] = lambda _: ()
+    also: Callable[[MillAndDie], float] | None = None
     lessons: Callable[[], float] | None = None
     shows: Shows | None = None
     is_sum: bool = False
@@ -137,7 +139,10 @@ class NumberExercise(Exercise):
         """Return why a number is wrong; "" if it is right."""
         given = to_number(answer, self.wanted)
         right, wrong, digits = _known(self, machine)
-        if any(is_rounded(given, right, more) for more in range(digits, EXACT + 1)):
+        also = right if self.also is None else led_to(self.also, machine)
+        as_asked = range(digits, EXACT + 1)
+        is_right = any(is_rounded(given, one, n) for one in (right, also) for n in as_asked)
+        if is_right or is_same(given, also):
             return ""
         off = abs(given - right)
         slip = min(wrong, key=lambda value: abs(given - value), default=math.inf)

@@ -187,6 +187,7 @@ EXERCISES = (
         unit="ms",
         is_sum=True,
         answer=lambda m: _rest_ms(m.told_deg, m.work_deg, m.rate_per_hour),
+        also=lambda m: _rest_ms(m.widest_deg, m.work_deg, m.rate_per_hour),
         mixed=lambda m: _with_lessons_numbers(
             _rest_ms,
             (m.told_deg, m.work_deg, m.rate_per_hour),

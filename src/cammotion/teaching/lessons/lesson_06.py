@@ -533,6 +533,7 @@ EXERCISES = (
         ),
         unit="",
         answer=lambda m: _times_least(m, *_widest(m)),
+        also=lambda m: _times_least(m, m.stroke_mm, m.widest_deg),
         mixed=lambda m: with_one_of_the_lesson(
             partial(_times_least, m), _widest(m), _widest(EXAMPLE)
         ),

@@ -126,7 +126,7 @@ def _add_legends(axes: Sequence[Axes]) -> None:
 
 
 def _free_curves(ax: Axes) -> None:
-    """Move a legend that hides a curve to the nearest place where it hides none, if there is one.
+    """Move a legend that hides a curve to the nearest place where it hides nothing, if any.
 
     Left of a bare panel the room of numbers and label is free, too.
     """
@@ -139,12 +139,15 @@ def _free_curves(ax: Axes) -> None:
         *((one.get_path().transformed(one.get_transform()), True) for one in ax.patches),
     ]
 
-    def is_free(box: BboxBase) -> bool:
+    numbers = [axis.get_tightbbox() for axis in (ax.xaxis, ax.yaxis) if ax.axison]
+    words = [*filter(None, numbers), *(text.get_window_extent() for text in ax.texts)]
+
+    def hides_curve(box: BboxBase) -> bool:
         around = box.padded(_CLEAR_PX)
-        return not any(path.intersects_bbox(around, filled) for path, filled in shapes)
+        return any(path.intersects_bbox(around, filled) for path, filled in shapes)
 
     hides = legend.get_window_extent()
-    if is_free(hides):
+    if not hides_curve(hides):
         return
     panel, room = ax.bbox, ax.get_position(original=True).transformed(ax.figure.transFigure)
     left = room.x0 if ax.axison else room.x0 - _LABEL_IN * ax.figure.dpi
@@ -153,7 +156,8 @@ def _free_curves(ax: Axes) -> None:
         for x in np.linspace(left + _CLEAR_PX, room.x1 - hides.width - _CLEAR_PX, _TRIED)
         for y in np.linspace(room.y0, room.y1 - hides.height - _CLEAR_PX, _TRIED)
     ]
-    free = [move for move in moves if is_free(hides.translated(*move))]
+    boxes = [(move, hides.translated(*move)) for move in moves]
+    free = [m for m, box in boxes if not (box.count_overlaps(words) or hides_curve(box))]
     if free:
         x, y = min(free, key=lambda move: math.hypot(*move))
         place = hides.x0 + x - panel.x0, hides.y0 + y - panel.y0
