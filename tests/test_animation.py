@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import drawsvg as draw
 import numpy as np
 import pytest
 from bs4 import BeautifulSoup
@@ -24,6 +25,7 @@ from cammotion.views.animation.columns import Design
 from cammotion.views.animation.keyframes import trace_acceleration
 from cammotion.views.animation.picture import Animation, animate
 from cammotion.views.animation.player import speeds_for
+from cammotion.views.animation.slide import Slide
 from cammotion.views.animation.svg import dark
 from cammotion.views.ends import apart
 from cammotion.views.names import text_px, wrap
@@ -570,3 +572,14 @@ def test_mechanisms_with_long_names_are_called_apart_wherever_they_are_named(
             own = re.findall(rf'<text[^>]*fill="{dark(number)}"[^>]*>([^<]*)', svg)
             ends = [text for text in own if text.endswith(motion.name[-1])]
             assert len(ends) == 3, own  # at the machine, and at its curve in both charts
+
+
+def test_a_slide_moves_between_the_ends_of_its_scale_wherever_these_are() -> None:
+    """Its body does the same from 0 to 50 mm and from 30 to 80: only the numbers are others."""
+    drawn = []
+    for low in (0, 30):
+        parts = cm.rise(50, over_deg=55), cm.return_(50, over_deg=305)
+        page = draw.Drawing(200, 200)
+        page.append(Slide(0, cm.motion("die", *parts, start_mm=low), 120, "die").draw(2, {}))
+        drawn.append(re.sub(r">[0-9]+</text>", "", str(page.as_svg())))
+    assert drawn[0] == drawn[1]

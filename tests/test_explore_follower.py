@@ -89,6 +89,10 @@ def test_own_laws_and_one_alone() -> None:
     peak = cm.OneMass("MCV50", 3.2, 0.01).peak
     assert figure.text.startswith(f"MCV50: largest |A| of the cam 8.01, of the mass {peak:.3g}")
     assert 20 < peak < limits_of(figure, "acceleration")[1]
+    sharp = cm.LAWS["cycloidal"].with_constant_velocity(0.95)  # crests one swing apart
+    figure = cm.explore_follower([sharp], start=14.9, damping_ratio=0.005)
+    peak = cm.OneMass(sharp, 14.9, 0.005).peak
+    assert 130 < peak < 1.02 * limits_of(figure, "acceleration")[1]  # within the line's width
     with pytest.raises(cm.InputError, match="no motion law"):
         cm.explore_follower(["cycloid"])
     with pytest.raises(cm.InputError, match="the laws are"):

@@ -45,6 +45,12 @@ def test_a_curve_reaches_the_peak_of_its_move(curve: str, move: cm.Move) -> None
     assert ax.get_ylabel() == CURVES[curve]
 
 
+def test_a_name_stands_where_its_move_brakes_whatever_ramps_it_has() -> None:
+    law = cm.LAWS["cubic"].with_constant_velocity(0.97)  # its first ramp has more of the places
+    ax = cm.plot_curves([replace(MOVES[1], law=law), MOVES[2]], curve="jerk")
+    assert getattr(ax.texts[0], "xy", (0,))[0] > 0.9 * MOVES[1].time_s
+
+
 def test_curves_differ_in_colour_and_in_line_style() -> None:
     ax = cm.plot_curves(MOVES)
     curves = ax.lines[: len(MOVES)]

@@ -240,6 +240,12 @@ def test_a_telephone_shows_letters_where_words_are_asked_for() -> None:
     assert {"text", "decimal"} == {*fields.values()}
 
 
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_a_page_lists_its_sections(lesson: str) -> None:
+    listed = [link["href"] for link in page(lesson).select("nav.sections li a")]
+    assert listed == [f"#{heading['id']}" for heading in page(lesson).select("main h2[id]")] != []
+
+
 def test_pages_follow_one_another() -> None:
     for before, after in pairwise(LESSONS):
         assert page(before).select_one(f"footer a[rel=next][href='{after}.html']")

@@ -283,6 +283,13 @@ def test_a_drawing_that_cannot_be_read_is_named(tmp_path: Path, content: bytes) 
         Pictures("01", tmp_path).drawing("own.svg", "words")
 
 
+def test_only_the_first_picture_of_a_page_is_fetched_at_once(tmp_path: Path) -> None:
+    (tmp_path / "own.svg").write_text('<svg viewBox="0 0 64 48"/>')
+    pictures = Pictures("01", tmp_path)
+    assert 'loading="lazy"' in pictures.drawing("own.svg", "words")
+    assert 'fetchpriority="high"' in pictures.drawing("own.svg", "words", is_first=True)
+
+
 def test_a_size_may_have_commas_between_its_numbers() -> None:
     assert size_of('<svg viewBox="0,0, 640 480"/>') == (640, 480)
 

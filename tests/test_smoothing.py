@@ -61,6 +61,12 @@ def test_a_cubic_between_given_slopes_stays_as_it_is(amount: float) -> None:
     assert smoother.smoothed(cubic(places), amount) == pytest.approx(cubic(places), rel=1e-9)
 
 
+def test_what_is_smoothed_alike_is_equal() -> None:
+    table = next(iter(TABLES.values()))
+    one, again, more = (cm.smoothed(table, amount) for amount in (1e-4, 1e-4, 1e-3))
+    assert one == again != more
+
+
 @pytest.mark.parametrize("table", TABLES.values(), ids=TABLES)
 @pytest.mark.parametrize("amount", [1e-6, 1e-4, 1e-1])
 def test_no_neighbour_costs_less(table: cm.CamTable, amount: float) -> None:

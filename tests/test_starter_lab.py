@@ -261,3 +261,28 @@ def test_how_to_stop_is_said_as_the_lab_asks(
     browser.welcome("http://127.0.0.1:8888/lab", 8888, True, tmp_path)
     said = "Ctrl-C, then y" if is_terminal and not on_windows else "Ctrl-C"
     assert f"lab (stop it with {said})\n" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("is_far", [True, False])
+def test_how_to_open_it_from_afar_is_said_in_a_session_of_ssh(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    is_far: bool,
+) -> None:
+    monkeypatch.delenv("SSH_CONNECTION", raising=False)
+    if is_far:
+        monkeypatch.setenv("SSH_CONNECTION", "192.0.2.1 50000 192.0.2.2 22")
+    browser.welcome("http://127.0.0.1:8888/lab", 8888, True, tmp_path)
+    assert ("ssh -L 8888:127.0.0.1:8888" in capsys.readouterr().out) == is_far
+
+
+@pytest.mark.parametrize(
+    ("names", "page"),
+    [(["01_one.ipynb", "02_two.ipynb"], "/lab/tree/w/01_one.ipynb"), ([], "/lab")],
+)
+def test_where_notebook_00_is_not_the_next_one_is_the_first_page(
+    monkeypatch: pytest.MonkeyPatch, names: list[str], page: str
+) -> None:
+    monkeypatch.setattr("starter.notebooks.originals", lambda: [*map(Path, names)])
+    assert browser.first_page("w") == page

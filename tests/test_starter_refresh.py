@@ -25,6 +25,12 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return root
 
 
+def test_when_a_cell_ran_is_not_kept() -> None:
+    cell = {"cell_type": "code", "metadata": {"execution": {"iopub.status.idle": "2026"}, "a": 1}}
+    refresh.remove_traces(cell)
+    assert cell["metadata"] == {"a": 1}
+
+
 def test_refresh_is_repeatable(tmp_path: Path) -> None:
     """Twice the same bytes: no trace of when and where, of former outputs or a widget's id."""
     raw = notebook("print(1, flush=True)\nprint(2, flush=True)", "1 + 2", SLIDER)

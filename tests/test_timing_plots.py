@@ -170,6 +170,16 @@ def test_a_collision_is_marked_where_it_is() -> None:
         assert np.abs(distances).max(axis=1).min() < 1e-9
 
 
+def test_what_rounding_leaves_of_a_belts_acceleration_is_none() -> None:
+    x = np.linspace(0, 1, 37)
+    even = cm.law_from_points(x, x, end_slopes=(1, 1))
+    belt = cm.indexing_motion("belt", cm.rise(100, over_deg=360, law=even), stops=24)
+    crowd = cm.TimingDiagram([belt, *TWELVE.motions[1:]], 2000)
+    lower = cm.plot_timing(crowd, rows=["acceleration"]).figure.axes[2]
+    assert not np.any(np.asarray(lower.lines[0].get_ydata()))
+    assert texts(lower)[0] == "0"
+
+
 def test_a_broken_rule_is_marked_on_its_two_lanes_and_named() -> None:
     rule = cm.ClearanceRule(cm.beyond("tool 2", 5), cm.within("mill", 1), name="clear of mill")
     found = cm.find_violations(TWELVE, rule)
@@ -198,6 +208,11 @@ def test_a_broken_rule_is_marked_on_its_two_lanes_and_named() -> None:
         if "broken" in text
     ]
     assert said == ["broken: rule 2 (and 2 more)", "broken: rule 1", "broken: rule 0"]
+    (named,) = [t for t in ax.texts if t.get_text() == "broken: clear of mill"]
+    assert (getattr(named, "xy", None), named.get_horizontalalignment()) == (
+        (1, 1),
+        "right",
+    )  # over the frame's end
 
 
 def test_a_broken_rule_is_marked_on_both_curves() -> None:

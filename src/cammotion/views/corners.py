@@ -9,7 +9,7 @@ from cammotion.laws.curve import Curve
 from cammotion.quantities import Floats, InputError
 
 _NEAR = 1e-9  # of a curve: so far from a joint is at its side
-_SHORT = 0.1  # of the time
+_SHORT, _MANY = 0.1, 20  # of the time; so many are met by even places together
 
 
 def corners(curve: Curve) -> Floats:
@@ -33,10 +33,12 @@ def corners(curve: Curve) -> Floats:
 def within_short_pieces(curve: Curve, count: int) -> Floats:
     """Return so many places of each piece of a law in which even places are few, as of a ramp.
 
+    None of a law of many pieces, which is from points, and bent little in each.
+
     >>> from cammotion.laws.catalogue import as_law
     >>> within_short_pieces(as_law("cubic").with_constant_velocity(0.96).curve, 3)
     array([0.  , 0.01, 0.02, 0.98, 0.99, 1.  ])
     """
     ends = [(piece.low, piece.high) for piece in curve.pieces]
     short = [np.linspace(*span, count) for span in ends if span[1] - span[0] < _SHORT]
-    return np.concatenate([np.empty(0), *short])
+    return np.concatenate([np.empty(0), *(short if len(short) < _MANY else [])])

@@ -104,7 +104,7 @@ def plot_curves(
         line = style_line(ax.plot(time, values)[0], number)
         lines.append(name_line(line, name, labels[number]))
         said.append(name if math.isfinite(_peak(move, curve)) else f"{name}, peak ∞")
-        at, offset = _free_place(values)
+        at, offset = _free_place(time, values)
         places.append((time[at], values[at]))
         offsets.append(offset)
     ax.axhline(0, color="#000000", linewidth=0.8)
@@ -286,14 +286,15 @@ def write(
     return written
 
 
-def _free_place(values: Floats) -> tuple[int, tuple[float, float]]:
+def _free_place(time: Floats, values: Floats) -> tuple[int, tuple[float, float]]:
     """Return where a curve's label is not in the way of others: the sample, and how far off it.
 
     Curves of moves that all begin at 0 s lie over one another where they are high, and apart
     where they brake.
     """
     lowest = np.flatnonzero(values <= values.min() * (1 - 1e-9))
-    return (int(lowest[len(lowest) // 2]), (0, -17)) if values.min() < 0 else (-1, (0, 6))
+    middle = np.searchsorted(time[lowest], time[lowest].mean())
+    return (int(lowest[middle]), (0, -17)) if values.min() < 0 else (-1, (0, 6))
 
 
 def _labelled(

@@ -12,9 +12,9 @@ from mpl_toolkits.axes_grid1 import make_axes_locatable  # type: ignore[import-u
 from cammotion.arguments import checked
 from cammotion.machine.arcs import arcs
 from cammotion.machine.diagram import TimingDiagram
-from cammotion.machine.kinematics import DEG_PER_TURN
+from cammotion.machine.kinematics import DEG_PER_TURN, over_time
 from cammotion.machine.motions import Motion
-from cammotion.quantities import InputError, Quantity, one_of
+from cammotion.quantities import Floats, InputError, Quantity, one_of
 from cammotion.rules.checks import as_rules, every_rule, find_violations
 from cammotion.rules.clearance import ClearanceRule
 from cammotion.rules.conditions import Condition
@@ -52,6 +52,7 @@ ROWS: dict[str, Callable[[TimingDiagram, str, Any], Any]] = {
 }
 OVERLAP: dict[str, Any] = {"facecolor": "#e4e4e4", "edgecolor": "#9a9a9a", "hatch": "..."}
 _LOWER_LEFT = (-3.0, -17.0)  # of a dot, in points, where the name of its angle stands
+_ROUNDING = 1e-10  # of a derivative, as a share of what the moves have
 _FORBIDDEN, _BESIDE = "forbidden", 4.0  # written in a region, or so many points beside it
 _SPAN = Quantity("span of the axis", "mm", example=5)
 
@@ -244,7 +245,16 @@ def _draw_curves(ax: Axes, diagram: TimingDiagram, row: str | None = None) -> No
 
 
 def _derivative(diagram: TimingDiagram, row: str) -> Values:
-    return lambda motion, angles: np.asarray(ROWS[row](diagram, motion.name, angles))
+    """Return the function of a row's values, 0 if all are rounding beside what moves have."""
+    order = 1 + [*ROWS].index(row)
+
+    def values(motion: Motion, angles: Floats) -> Floats:
+        found = np.asarray(ROWS[row](diagram, motion.name, angles))
+        usual = max((abs(m.change_mm) / m.angle_deg**order for m in motion.moves), default=0.0)
+        least = _ROUNDING * float(over_time(order, usual, diagram.cycle_time_s))
+        return found if np.abs(found).max() > least else np.zeros_like(found)
+
+    return values
 
 
 def _shade(ax: Axes, bars: Axes, diagram: TimingDiagram, rules: tuple[Rule, ...]) -> None:

@@ -85,6 +85,7 @@ def _thinned(angles: Floats, values: Floats, least: float) -> Trace:
     """Return the frames without those that are where the one before is, less than `least` off."""
     is_new = (np.diff(angles) > _SAME_DEG) | (np.abs(np.diff(values)) > least)
     kept = np.append(True, is_new)
+    kept[-1] = True  # the end of the turn
     return Trace(angles[kept], values[kept])
 
 

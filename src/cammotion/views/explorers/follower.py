@@ -31,7 +31,7 @@ _OFTENEST = 15  # that can be set
 _SOFT, _SOFT_TICK = 24, 8  # what stays at few swings
 _LIGHTEST = 0.005  # damping ratio
 _OVER = 1.02  # of an axis: so little beyond its end is in the line's width
-_SWINGS = 60  # numbers at which it is seen how far a mass comes
+_SWINGS = 0.1  # the step of their control: at each it is seen how far a mass comes
 
 
 @checked
@@ -64,7 +64,11 @@ def explore_follower(
             _over_time(a, of_mass, _axis(top, tops, _MOST, _TICK), height=190),
         ],
         (x, 0, _END),
-        {n: Control(low=0.5, high=_OFTENEST, step=0.1, start=start, name="swings during the move")},
+        {
+            n: Control(
+                low=0.5, high=_OFTENEST, step=_SWINGS, start=start, name="swings during the move"
+            )
+        },
         values={_SHOWN: sp.Max(1, (2 * sp.pi * n) ** 2 / _STIFF)},
         says=list(_sentences(_chosen(c_a, known), c_a, of_mass)),
         clock=x,
@@ -126,7 +130,9 @@ def explore_residual(
         ],
         (x, 0, _END),
         {
-            n: Control(low=0.5, high=_OFTEN, step=0.1, start=start, name="swings during the move"),
+            n: Control(
+                low=0.5, high=_OFTEN, step=_SWINGS, start=start, name="swings during the move"
+            ),
             zeta: Control(
                 low=_LIGHTEST, high=0.3, step=0.005, start=damping_ratio, name="damping ratio"
             ),
@@ -222,7 +228,7 @@ def _picture(s: sp.Expr, z: sp.Expr) -> Panel:
 
 def _tops(law: MotionLaw, often: float, damping_ratio: float) -> tuple[float, float]:
     """Return where axes end that hold |A| of cam and mass at up to so many swings, all and left."""
-    swings = np.linspace(float(_RARE), often, _SWINGS)
+    swings = np.arange(float(_RARE), often + _SWINGS / 2, _SWINGS)
     left = residual_vibration(law, swings, damping_ratio) * (2 * np.pi * swings) ** 2
     during = law.Ca * dynamic_factor(law, swings, damping_ratio)
     after = float(np.max(left))
