@@ -72,10 +72,13 @@ PLAINLY: Rows = [
     ["[−–—]", "-"],
     [r" ?[\u2044\u2215÷/] ?", "/"],
     *_foreign_digits(),
-    [  # a = 1.04, and 185/2 = 92.5; but Ca is no peak
-        r"^(?:[^=≈a-z0-9<>]*(?:at |the |my )?(?!(?:not|c_?[avj])(?![a-z]))[a-z_]+)?[^=≈a-z_<>]*"
-        r"(?:(?:x|pi|sqrt|times|plus|minus)[^=≈a-z_<>]*)?(?<![(!])[=≈](?=[^=≈0-9]*[0-9][^=≈]*$)",
-        "",
+    ["!=", "not "],
+    ["^ ?= ?", ""],
+    [rf"(?<!{_LETTER})(c_?[avj]|{_LETTER})(?:_?(?:max|peak|[0-9]))? ?[=≈]", "$1_ "],  # a_max = 1.04
+    [  # 185/2 = 92.5
+        r"^(?=[^=≈]*[0-9])[^=≈a-z_<>]*(?:(?:x|pi|sqrt|(?:a|arc)?tan|times|plus|minus)"
+        r"[^=≈a-z_<>]*)?(?<!\()[=≈] ?(?=[^=≈0-9]*[0-9][^=≈]*$)",
+        "=",
     ],
     ["^ ?['\"\u2018\u201c](.*)['\"\u2019\u201d] ?$", "$1"],  # 'in quotes'
     [r"^([^0-9]*)(?:\+ ?/? ?-|±|plus or minus)", "$1"],
@@ -101,7 +104,7 @@ PLAINLY: Rows = [
     ["tm/([0-9]+)", "1/$1 tm"],
     ["(factor|peak|depth|push) of (?=[-0-9.])", "$1 "],
     _word("(?:drop|decrease|reduction) (?:of|by)", "less"),
-    _word("[x×]", " times "),
+    _word("x(?!_)|×", " times "),
     [f"-?fold(?!{_LETTER})", " times "],
     *_numbers_in_words(),
     # half a degree
@@ -110,8 +113,8 @@ PLAINLY: Rows = [
 """What is written otherwise, one after the other, in a question and in what is typed."""
 
 WHERE_ASKED: Rows = [
-    # nobody counts pieces to three decimals
-    ["hour", r"(?<![0-9.,])([1-9][0-9]{0,2})\.([0-9]{3})(?!e?[-+.,]?[0-9])", "$1$2"],
+    # nobody counts pieces to three decimals, but what is reckoned out may have them
+    ["hour", r"(?<![0-9.,=])([1-9][0-9]{0,2})\.([0-9]{3})(?!e?[-+.,]?[0-9])", "$1$2"],
     ["%(?! less| above)", "(%|share|/[0-9]+) of", "$1"],
     *_places(),
 ]
@@ -132,17 +135,19 @@ COUNTED = "of them|place"
 REMARK = r"(?:, |;|: |[.!?] |\(| - | ?= ?| because | since | that ).*$"
 """What follows a number and says more of it: 1.04, a quarter of it."""
 
-WORD = f"{_LETTER}+"
+WORD = f"{_LETTER}+_?"
+"""A word, or the name of a quantity, with a stroke: "a_ 1.04" is what "a = 1.04" becomes."""
+
 PART = f"{WORD}|[^ ]"
 """Of what stands beside a number: a word, or a sign."""
 
 PLAIN = """
-. , ; : ! ? ~ ≈ ( ) [ ] $ ` #
+. , ; : ! ? ~ ≈ = ( ) [ ] $ ` #
 about ca circa approx approximately around roughly near nearly almost close some quite ish
-pretty much rather just only exactly precisely still again same equal unchanged
+pretty much rather just only exactly precisely still same equal unchanged
 i think thinking guess guessing hope believe expect suppose estimate reckon say bet fear
 my predict prediction answer result maybe perhaps probably possibly surely sure
-hmm well ok so then yes thereabouts that this it its is be will would should could might must
+hmm well so then yes x_ thereabouts that this it its is be will would should could might must
 the a an on at for rim mill die sucker gripper
 """
 """What may stand beside any number."""
@@ -165,8 +170,13 @@ BESIDE: Rows = [
     ["each way", "direction side one"],
     ["of the stroke", "each side"],
     ["^(?!.*each)", "all total"],
-    ["hour", "pieces piece parts part units pcs p"],
-    ["mm", "deep depth radius prime circle too high low much by gap away off"],
+    ["hour", "rate pieces piece parts part units pcs p"],
+    ["mm", "deep depth radius prime circle too high low much by gap away off r_"],
+    ["depth", "d_ s_"],
+    ["mss|inss", "a_"],
+    ["push", "a_ c_ ca_ f_ p_"],
+    ["tm", "t_ u_"],
+    ["hour|of them|place", "n_"],
 ]
 """A pattern of a question, and what else may stand beside a number where it is asked."""
 
@@ -178,10 +188,14 @@ BEHIND: Rows = [
 ]
 """Likewise, but only behind the number: before it, some of them make it a bound."""
 
-TELLING = """
+TELLING = f"""
 % mm cm m km um μm micron microns thou mil in inch inches deg rad mrad arcmin mss inss
 s sec seconds min minute minutes hour day g kg n k thousand
-less more under over below above least most max maximum minimum than not
+{_LESS} {_MORE} under over below above least most max maximum minimum than not
+up off rises increase increased slower faster worse better times factor doubled halved quartered
+again added addition additional extra top left rest remain remains remaining
+from before after past bottom end weakest right correct ok wrong total all both each
+diameter across arc arcmins arcminute arcminutes arcsec arcseconds rpm thousands
 """
 """What counts in a remark, too: a unit, a bound, a direction."""
 
