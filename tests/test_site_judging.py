@@ -72,6 +72,9 @@ TYPED = [
     *("0.25 x tm", "1/4 X TM", "0.25 times tm", "1/4*tm", "4 x tms", "4 × tm²", "4 tm"),
     *("2 pi²", "2pi²", "²pi 2", "2 pier", "pi2", "1½", "1 ½", "6¼", "2¾ x", "1.5½", "8/18", "8th"),
     *("6.3 mm radius", "5 per minute", "MIN 4", "0.2 metres", "5 d", "4 ms", "°5", "3 deg/s"),
+    *("a_max = 4", "x = 4", "I = 4", "Ca = 6", "2 pi = 6", "sqrt(4)/2 = 1.925", "8 (from the end)"),
+    *("half, 2.08", "half, 0.5", "no, 3 mm", "none, 0", "$t_m$/4", "+3.4 %", "falls to 1.04"),
+    *("3 times larger", "larger: 1.5", "smaller, 0.9", "its peak falls by 9 %", "halfway, 0.5"),
     *("\uff13\uff18", "٩٢", "90 % débyé", "1.04 ofü", "5 İn", "- 16 %", "3.857", "10²", "x4"),
 ]
 PIECES = (

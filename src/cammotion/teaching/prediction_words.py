@@ -23,8 +23,16 @@ _PER_S2 = (
 _ZEROS = (0x660, 0x6F0, 0x966)  # of Arabic, Persian and Hindi, whose other digits follow them
 _CARDINALS = "zero one two three four five six seven eight nine ten eleven twelve"
 _ORDINALS = "first second third fourth fifth sixth seventh eighth ninth tenth"
-_LESS = "less lower smaller fewer weaker gentler lighter milder down drop falls decrease reduction"
+_LESS = (
+    "less lower smaller fewer weaker gentler lighter milder down"
+    " falls drop drops decrease decreases reduction"
+)
 _MORE = "more higher larger greater bigger"
+_DOWN_TO = "(?:falls|drops|goes|down) to"
+_IN_WORDS = (
+    f"^ ?(?:about )?(?:1/[0-9]+ share|2 times|double)(?: of (?:it|that)| as {_LETTER}+)?"
+    "[,:;](?: so)? (?=[0-9.])"
+)
 
 
 def _word(words: str, plain: str) -> list[str]:
@@ -74,7 +82,9 @@ PLAINLY: Rows = [
     *_foreign_digits(),
     ["!=", "not "],
     ["^ ?= ?", ""],
-    [rf"(?<!{_LETTER})(c_?[avj]|{_LETTER})(?:_?(?:max|peak|[0-9]))? ?[=≈]", "$1_ "],  # a_max = 1.04
+    [r"\$?t_m\$?", "tm"],
+    # a_max = 1.04
+    [rf"(?<!{_LETTER})(c_?[avj]|tm|{_LETTER})(?:_?(?:max|peak|[0-9]))? ?[=≈]", "$1_ "],
     [  # 185/2 = 92.5
         r"^(?=[^=≈]*[0-9])[^=≈a-z_<>]*(?:(?:x|pi|sqrt|(?:a|arc)?tan|times|plus|minus)"
         r"[^=≈a-z_<>]*)?(?<!\()[=≈] ?(?=[^=≈0-9]*[0-9][^=≈]*$)",
@@ -102,8 +112,11 @@ PLAINLY: Rows = [
     _word("or so|or thereabouts|or something|(?:than|as) before|not sure|no idea|i don't know", ""),
     [f" ?(?:[x×*·]|times) ?tm(?!{_LETTER})", " tm"],
     ["tm/([0-9]+)", "1/$1 tm"],
-    ["(factor|peak|depth|push) of (?=[-0-9.])", "$1 "],
+    ["(factor|peak|depth|push|radius) of (?=[-0-9.])", "$1 "],
     _word("(?:drop|decrease|reduction) (?:of|by)", "less"),
+    _word(f"(?:becomes|{_DOWN_TO})(?! (?:about |only )?[0-9]+/)", "gets"),
+    _word("half-?way|mid[- ]?stroke", "middle"),
+    ["^ ?(?:none|nothing|not at all)[,:;] (?=0(?![.,]?[0-9]))", ""],
     _word("x(?!_)|×", " times "),
     [f"-?fold(?!{_LETTER})", " times "],
     *_numbers_in_words(),
@@ -116,6 +129,17 @@ WHERE_ASKED: Rows = [
     # nobody counts pieces to three decimals, but what is reckoned out may have them
     ["hour", r"(?<![0-9.,=])([1-9][0-9]{0,2})\.([0-9]{3})(?!e?[-+.,]?[0-9])", "$1$2"],
     ["%(?! less| above)", "(%|share|/[0-9]+) of", "$1"],
+    ["% less", "(?:the|its) peak (?=falls|drops)", ""],
+    ["% above", r"^ ?(?:\+|plus) ?(?=[0-9.])", ""],
+    # half, 2.08; but in 0.5 it is said again
+    ["tm", _IN_WORDS, ""],
+    ["", rf"{_IN_WORDS}(?!0?[.,](?:50?|25|33|20?|10?)(?![0-9])|2(?![0-9.,]))", ""],
+    ["hour", "limited by (?=the)", ""],
+    ["^mm$", "^ ?no[,:;.] ", ""],  # is it where it should be?
+    # larger, 1.5; but larger, 20 % is by how much
+    ["times the", "^ ?(?:larger|bigger)[,:;] (?=[1-9](?![0-9])[^%/]*$)", ""],
+    ["times the", "^ ?(?:smaller|lower)[,:;] (?=0?[.,][5-9][^%/]*$)", ""],
+    ["times the", "^([^0-9]*[1-9][0-9.,]* *times) +(?:larger|bigger|higher)(?=[^a-z%]*$)", "$1"],
     *_places(),
 ]
 """A pattern of a question, and what is written otherwise where it is asked."""
@@ -144,7 +168,7 @@ PART = f"{WORD}|[^ ]"
 PLAIN = """
 . , ; : ! ? ~ ≈ = ( ) [ ] $ ` #
 about ca circa approx approximately around roughly near nearly almost close some quite ish
-pretty much rather just only exactly precisely still same equal unchanged
+pretty much rather just only exactly precisely somewhere still same equal unchanged
 i think thinking guess guessing hope believe expect suppose estimate reckon say bet fear
 my predict prediction answer result maybe perhaps probably possibly surely sure
 hmm well so then yes x_ thereabouts that this it its is be will would should could might must
@@ -152,30 +176,35 @@ the a an on at for rim mill die sucker gripper
 """
 """What may stand beside any number."""
 
-NOT_OWN = "of in to least above where was"
-"""Words of questions that say something else beside a number: an inch, a bound, a part."""
+NOT_OWN = "of in to least above where was inertia"
+"""Words of questions that say something else beside a number: an inch, a bound, another unit."""
 
 BESIDE: Rows = [
     ["%", "% by share"],
     ["fraction", "% of share"],
     ["times", "times factor"],
     ["times (?!the)", "by"],
-    ["times as fast", f"share as much faster quicker speed {_MORE}"],
+    ["times as fast", f"share as much high large hard impact faster quicker speed {_MORE}"],
     ["times smaller", "as small"],
     ["times the", "% of share as large big much"],
     ["less|smaller", f"{_LESS} reduced"],
     ["above", f"{_MORE} worse best"],
-    ["of them", "of them line out wrong are"],
+    ["of them", "of them line out wrong are errors break there counted count found"],
     ["place", "of them number no rank strongest"],
-    ["each way", "direction side one"],
-    ["of the stroke", "each side"],
+    ["each way", "direction side one per"],
+    ["of the stroke", "each side way covers"],
     ["^(?!.*each)", "all total"],
-    ["hour", "rate pieces piece parts part units pcs p"],
-    ["mm", "deep depth radius prime circle too high low much by gap away off r_"],
+    ["hour", "rate pieces piece parts part units pcs p limits"],
+    ["mm", "deep depth radius prime circle r_"],
+    ["^mm$", "flies cam too high low much by gap away off"],
+    ["^mm$|inss", "worst place"],
+    ["inss", "by up to either way"],
+    ["peak of", "modified trapezoid"],
+    ["^(?!.*%)", "get gets"],
+    ["tm", "t_ u_ start beginning middle else"],
     ["depth", "d_ s_"],
     ["mss|inss", "a_"],
     ["push", "a_ c_ ca_ f_ p_"],
-    ["tm", "t_ u_"],
     ["hour|of them|place", "n_"],
 ]
 """A pattern of a question, and what else may stand beside a number where it is asked."""
@@ -185,6 +214,8 @@ BEHIND: Rows = [
     ["place", "st nd rd th"],
     ["less|smaller", "below under off"],
     ["above", "above over"],
+    ["depth", "down"],
+    ["inertia", "inertia"],
 ]
 """Likewise, but only behind the number: before it, some of them make it a bound."""
 
