@@ -30,7 +30,7 @@ _LESS = (
 _MORE = "more higher larger greater bigger"
 _DOWN_TO = "(?:falls|drops|goes|down) to"
 _IN_WORDS = (
-    f"^ ?(?:about )?(?:1/[0-9]+ share|2 times|double)(?: of (?:it|that)| as {_LETTER}+)?"
+    f"^ ?(?:about )?(?:1/[0-9]+ share|2 times|double)(?: of (?:it|that|the stroke)| as {_LETTER}+)?"
     "[,:;](?: so)? (?=[0-9.])"
 )
 
@@ -138,7 +138,7 @@ WHERE_ASKED: Rows = [
     ["^mm$", "^ ?no[,:;.] ", ""],  # is it where it should be?
     # larger, 1.5; but larger, 20 % is by how much
     ["times the", "^ ?(?:larger|bigger)[,:;] (?=[1-9](?![0-9])[^%/]*$)", ""],
-    ["times the", "^ ?(?:smaller|lower)[,:;] (?=0?[.,][5-9][^%/]*$)", ""],
+    ["times the", "^ ?(?:a (?:bit|little) )?(?:smaller|lower)[,:;] (?=0?[.,][5-9][^%/]*$)", ""],
     ["times the", "^([^0-9]*[1-9][0-9.,]* *times) +(?:larger|bigger|higher)(?=[^a-z%]*$)", "$1"],
     *_places(),
 ]
@@ -156,7 +156,7 @@ One with a plus is by how much something changes, and none.
 COUNTED = "of them|place"
 """A pattern of questions that a whole number answers; a stroke parts it from all there are."""
 
-REMARK = r"(?:, |;|: |[.!?] |\(| - | ?= ?| because | since | that ).*$"
+REMARK = r"(?:, |;|: |[.!?] |\(| - | ?= ?| because | since | that )(?!of it).*$"
 """What follows a number and says more of it: 1.04, a quarter of it."""
 
 WORD = f"{_LETTER}+_?"
@@ -193,18 +193,18 @@ BESIDE: Rows = [
     ["place", "of them number no rank strongest"],
     ["each way", "direction side one per"],
     ["of the stroke", "each side way covers"],
-    ["^(?!.*each)", "all total"],
-    ["hour", "rate pieces piece parts part units pcs p limits"],
+    ["^(?!.*(?:each|stroke|inss))", "all total"],
+    ["hour", "rate pieces piece parts part units pcs p pph limits"],
     ["mm", "deep depth radius prime circle r_"],
     ["^mm$", "flies cam too high low much by gap away off"],
     ["^mm$|inss", "worst place"],
     ["inss", "by up to either way"],
-    ["peak of", "modified trapezoid"],
+    ["peak of", "with modified mod trapezoid"],
     ["^(?!.*%)", "get gets"],
-    ["tm", "t_ u_ start beginning middle else"],
+    ["tm", "t_ u_ start in beginning middle else"],
     ["depth", "d_ s_"],
     ["mss|inss", "a_"],
-    ["push", "a_ c_ ca_ f_ p_"],
+    ["push", "with pushes a_ c_ ca_ f_ p_"],
     ["hour|of them|place", "n_"],
 ]
 """A pattern of a question, and what else may stand beside a number where it is asked."""
@@ -213,8 +213,9 @@ BEHIND: Rows = [
     ["^$", "times deg mm mss inss m s g h"],
     ["place", "st nd rd th"],
     ["less|smaller", "below under off"],
-    ["above", "above over"],
+    ["above", "above over off"],
     ["depth", "down"],
+    ["^mm$", "from"],
     ["inertia", "inertia"],
 ]
 """Likewise, but only behind the number: before it, some of them make it a bound."""
@@ -226,6 +227,7 @@ s sec seconds min minute minutes hour day g kg n k thousand
 up off rises increase increased slower faster worse better times factor doubled halved quartered
 again added addition additional extra top left rest remain remains remaining
 from before after past bottom end weakest right correct ok wrong total all both each
+other others share mass grows
 diameter across arc arcmins arcminute arcminutes arcsec arcseconds rpm thousands
 """
 """What counts in a remark, too: a unit, a bound, a direction."""
