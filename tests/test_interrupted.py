@@ -4,6 +4,7 @@ import importlib
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,14 @@ sys.meta_path.insert(0, Finder())
 sys.argv[1:] = rest
 runpy.run_module(module, run_name="__main__", alter_sys=True)
 """
+
+
+@pytest.fixture(autouse=True)
+def _answered() -> Iterator[None]:
+    """Let Python answer an interrupt, which the background of a script ignores."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.mark.parametrize("loaded", ["numpy", "cammotion.quantities", "cammotion.files"])
@@ -91,18 +100,14 @@ def test_an_interrupt_does_not_reach_a_library_that_is_being_loaded(
     monkeypatch.chdir(tmp_path)
     monkeypatch.delitem(sys.modules, loaded, raising=False)
     monkeypatch.setattr(sys, "meta_path", [Finder(), *sys.meta_path])
-    before = signal.getsignal(signal.SIGINT)
     assert main([str(PRESS)]) == 130
     assert capsys.readouterr().err == STOPPED
     assert not reached
     assert not [*tmp_path.iterdir()]
-    assert signal.getsignal(signal.SIGINT) == before
+    assert signal.getsignal(signal.SIGINT) == signal.default_int_handler
 
 
 def test_what_is_ignored_in_the_background_of_a_script_stays_so() -> None:
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        with interrupt_held_back():
-            assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
-    finally:
-        signal.signal(signal.SIGINT, before)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    with interrupt_held_back():
+        assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN

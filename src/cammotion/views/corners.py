@@ -9,7 +9,7 @@ from cammotion.laws.curve import Curve
 from cammotion.quantities import Floats, InputError
 
 _NEAR = 1e-9  # of a curve: so far from a joint is at its side
-_SHORT, _MANY = 0.1, 20  # of the time; so many are met by even places together
+_SHORT, _MANY = 0.06, 20  # of the time; so many are met by even places together
 
 
 def corners(curve: Curve) -> Floats:

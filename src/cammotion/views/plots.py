@@ -292,9 +292,11 @@ def _free_place(time: Floats, values: Floats) -> tuple[int, tuple[float, float]]
     Curves of moves that all begin at 0 s lie over one another where they are high, and apart
     where they brake.
     """
+    if values.min() >= 0:
+        return -1, (0, 6)
     lowest = np.flatnonzero(values <= values.min() * (1 - 1e-9))
     middle = np.searchsorted(time[lowest], time[lowest].mean())
-    return (int(lowest[middle]), (0, -17)) if values.min() < 0 else (-1, (0, 6))
+    return int(lowest[middle]), (0, -17)
 
 
 def _labelled(
