@@ -430,7 +430,7 @@ def is_rising(values: Floats) -> bool:
     (True, False)
     """
     row = np.ravel(values)
-    return bool(row.size and np.all(row[1:] >= row[:-1]))
+    return bool(row.size and (row[1:] >= row[:-1]).all())
 
 
 def plain(values: Numbers) -> Numbers:
