@@ -201,12 +201,12 @@ def is_folder(path: Path) -> bool:
         return False
 
 
-def check_folder(path: Path, name: str, remedy: str) -> None:
-    """Raise InputError for what is no folder, with its `name`; `remedy` is for where nothing is."""
+def check_folder(path: Path, name: str, otherwise: str) -> None:
+    """Raise InputError for what is no folder, by its `name`; `otherwise`: what to do with none."""
     if not is_folder(path):
         if os.path.exists(path):  # noqa: PTH110 - no error where a path is too long
             raise InputError(f"{name} is a file: give a folder.")
-        raise InputError(f"There is no folder {name}: {remedy}.")
+        raise InputError(f"There is no folder {name}: {otherwise}.")
 
 
 def as_path(path: Any) -> Path:

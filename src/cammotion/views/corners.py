@@ -9,7 +9,8 @@ from cammotion.laws.curve import Curve
 from cammotion.quantities import Floats, InputError
 
 _NEAR = 1e-9  # of a curve: so far from a joint is at its side
-_SHORT, _MANY = 0.06, 20  # of the time; so many are met by even places together
+_SHORT = 0.06  # of the time: a longer piece has a dozen of 200 even places
+_MANY = 20  # short pieces are those of a table, which even places meet together
 
 
 def corners(curve: Curve) -> Floats:
